@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Saving and loading the state of a behaviour. A state is a struct with one free function
+///
+///     template <typename Visitor> void visit_fields(Visitor& visit, MyState& s) {
+///       visit(s.travel_m, s.queue, s.mode);
+///     }
+///
+/// found by argument-dependent lookup. Fields may be arithmetic types, enums, strings, optionals,
+/// pairs, arrays, vectors, deques, ordered maps and sets, BoundedVector, Eigen fixed vectors, and
+/// structs with visit_fields of their own. The bytes are the same for the same state.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/bounded_vector.hpp"
+
+namespace clew::core {
+
+/// Appends fields to a byte string, little-endian, without padding.
+class StateWriter {
+ public:
+  template <typename... Fields>
+  void operator()(Fields&... fields) {
+    (put(fields), ...);
+  }
+  const std::string& bytes() const { return bytes_; }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  template <typename T>
+  void put(T& v) {
+    if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
+      char raw[sizeof(T)];
+      std::memcpy(raw, &v, sizeof(T));
+      bytes_.append(raw, sizeof(T));
+    } else {
+      visit_fields(*this, v);
+    }
+  }
+  void put_size(std::size_t n) {
+    std::uint64_t size = n;
+    put(size);
+  }
+  template <typename Range>
+  void put_range(Range& range) {
+    put_size(range.size());
+    for (auto& item : range) put_item(item);
+  }
+  template <typename T>
+  void put_item(const T& item) {
+    put(const_cast<T&>(item));  // visit_fields takes its struct by reference to serve the reader too
+  }
+  void put(std::string& v) {
+    put_size(v.size());
+    bytes_ += v;
+  }
+  template <typename T>
+  void put(std::optional<T>& v) {
+    bool present = v.has_value();
+    put(present);
+    if (present) put(*v);
+  }
+  template <typename A, typename B>
+  void put(std::pair<A, B>& v) {
+    put_item(v.first);
+    put_item(v.second);
+  }
+  template <typename T, std::size_t N>
+  void put(std::array<T, N>& v) {
+    for (T& item : v) put(item);
+  }
+  template <typename T, std::size_t N>
+  void put(BoundedVector<T, N>& v) {
+    put_range(v);
+  }
+  void put(std::vector<bool>& v) {
+    put_size(v.size());
+    for (bool item : v) put(item);
+  }
+  template <typename T>
+  void put(std::vector<T>& v) {
+    put_range(v);
+  }
+  template <typename T>
+  void put(std::deque<T>& v) {
+    put_range(v);
+  }
+  template <typename K, typename V>
+  void put(std::map<K, V>& v) {
+    put_range(v);
+  }
+  template <typename T>
+  void put(std::set<T>& v) {
+    put_range(v);
+  }
+  template <typename S, int R, int C>
+  void put(Eigen::Matrix<S, R, C>& v) {
+    static_assert(R > 0 && C > 0, "only fixed sizes");
+    for (int i = 0; i < R * C; ++i) put(v.data()[i]);
+  }
+
+  std::string bytes_;
+};
+
+/// Reads what a StateWriter wrote, in the same order. After any shortage or nonsense ok() is false
+/// and the fields keep valid, unspecified values.
+class StateReader {
+ public:
+  explicit StateReader(std::string_view bytes) : bytes_(bytes) {}
+
+  template <typename... Fields>
+  void operator()(Fields&... fields) {
+    (get(fields), ...);
+  }
+  /// True while everything asked for was there.
+  bool ok() const { return ok_; }
+  /// True if, besides, nothing is left over.
+  bool complete() const { return ok_ && bytes_.empty(); }
+
+ private:
+  template <typename T>
+  void get(T& v) {
+    if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
+      if (bytes_.size() < sizeof(T)) {
+        ok_ = false;
+        return;
+      }
+      if constexpr (std::is_same_v<T, bool>) {
+        v = bytes_[0] != 0;
+      } else {
+        std::memcpy(&v, bytes_.data(), sizeof(T));
+      }
+      bytes_.remove_prefix(sizeof(T));
+    } else {
+      visit_fields(*this, v);
+    }
+  }
+  // Every item takes at least one byte, so a size beyond what is left is nonsense.
+  std::size_t get_size() {
+    std::uint64_t size = 0;
+    get(size);
+    if (size > bytes_.size()) {
+      ok_ = false;
+      return 0;
+    }
+    return static_cast<std::size_t>(size);
+  }
+  void get(std::string& v) {
+    const std::size_t n = get_size();
+    v.assign(bytes_.substr(0, n));
+    bytes_.remove_prefix(n);
+  }
+  template <typename T>
+  void get(std::optional<T>& v) {
+    bool present = false;
+    get(present);
+    v.reset();
+    if (present && ok_) get(v.emplace());
+  }
+  template <typename A, typename B>
+  void get(std::pair<A, B>& v) {
+    get(v.first);
+    get(v.second);
+  }
+  template <typename T, std::size_t N>
+  void get(std::array<T, N>& v) {
+    for (T& item : v) get(item);
+  }
+  template <typename T, std::size_t N>
+  void get(BoundedVector<T, N>& v) {
+    const std::size_t n = get_size();
+    if (n > N) {
+      ok_ = false;
+      return;
+    }
+    v.resize(n);
+    for (T& item : v) get(item);
+  }
+  void get(std::vector<bool>& v) {
+    v.assign(get_size(), false);
+    for (std::size_t i = 0; i < v.size() && ok_; ++i) {
+      bool item = false;
+      get(item);
+      v[i] = item;
+    }
+  }
+  template <typename T>
+  void get(std::vector<T>& v) {
+    get_sequence(v);
+  }
+  template <typename T>
+  void get(std::deque<T>& v) {
+    get_sequence(v);
+  }
+  template <typename Sequence>
+  void get_sequence(Sequence& v) {
+    const std::size_t n = get_size();
+    v.clear();
+    for (std::size_t i = 0; i < n && ok_; ++i) get(v.emplace_back());
+  }
+  template <typename K, typename V>
+  void get(std::map<K, V>& v) {
+    const std::size_t n = get_size();
+    v.clear();
+    for (std::size_t i = 0; i < n && ok_; ++i) {
+      std::pair<K, V> item{};
+      get(item);
+      v.emplace_hint(v.end(), std::move(item));
+    }
+  }
+  template <typename T>
+  void get(std::set<T>& v) {
+    const std::size_t n = get_size();
+    v.clear();
+    for (std::size_t i = 0; i < n && ok_; ++i) {
+      T item{};
+      get(item);
+      v.emplace_hint(v.end(), std::move(item));
+    }
+  }
+  template <typename S, int R, int C>
+  void get(Eigen::Matrix<S, R, C>& v) {
+    for (int i = 0; i < R * C; ++i) get(v.data()[i]);
+  }
+
+  std::string_view bytes_;
+  bool ok_ = true;
+};
+
+}  // namespace clew::core

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/result.hpp"
+
+namespace clew::core {
+
+std::string Error::text() const {
+  std::string place = file;
+  if (line > 0) {
+    place += ':' + std::to_string(line);
+    if (column > 0) place += ':' + std::to_string(column);
+  }
+  return place.empty() ? message : place + ": " + message;
+}
+
+}  // namespace clew::core

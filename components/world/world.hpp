@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/bounded_vector.hpp"
+#include "core/geometry.hpp"
+#include "core/result.hpp"
+
+namespace clew::world {
+
+using core::Pose2;
+using core::Vec2;
+
+/// A disc that moves along a polyline, linear in time between the points.
+struct MovingObstacle {
+  struct Waypoint {
+    double time_s = 0.0;
+    Vec2 position = Vec2::Zero();
+  };
+  double radius_m = 0.0;
+  std::vector<Waypoint> path;  ///< at least one; times rise from 0
+  bool loop = false;           ///< wraps at the last time, else stays there
+
+  Vec2 position_at(double time_s) const;
+};
+
+/// How far a disc gets on a straight way.
+struct Sweep {
+  double free_fraction = 1.0;  ///< of the way, 0..1; 1 means no contact before its end
+  bool contact = false;
+  Vec2 contact_point = Vec2::Zero();  ///< on the obstacle, where the disc touches; if contact
+  bool moving_obstacle = false;       ///< the obstacle touched moves
+};
+
+/// A world file (`clew-world/1`), checked and indexed for queries. Immutable; safe to share between
+/// threads. Obstacles are the boundary, walls, polygons and circles (filled), and moving discs; all
+/// queries take the simulated time, which only moving ones need.
+class World {
+ public:
+  /// Reads a world from YAML. `file` is named in errors. Refused, with file, line and what is
+  /// allowed: broken YAML, another format, unknown, missing or duplicate keys, wrong types, numbers
+  /// that are not finite, empty bounds, start or target outside or inside an obstacle, radii that
+  /// are not positive, polygons that cross themselves, times that do not rise.
+  static core::Result<World> parse(std::string_view yaml, const std::string& file);
+
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  ~World();
+
+  const std::string& name() const;
+  const std::string& about() const;
+  /// Lower left and upper right corner of the closed boundary.
+  const Vec2& bounds_min() const;
+  const Vec2& bounds_max() const;
+  const Pose2& start() const;
+  const Vec2& target() const;
+  double target_radius_m() const;
+  const std::vector<Vec2>& subgoals() const;
+  std::optional<bool> solvable() const;
+  std::optional<double> shortest_path_m() const;
+
+  // As in the file, for drawing.
+  struct Segment {
+    Vec2 a = Vec2::Zero();
+    Vec2 b = Vec2::Zero();
+  };
+  struct Circle {
+    Vec2 centre = Vec2::Zero();
+    double radius_m = 0.0;
+  };
+  const std::vector<Segment>& walls() const;
+  const std::vector<std::vector<Vec2>>& polygons() const;
+  const std::vector<Circle>& circles() const;
+  const std::vector<MovingObstacle>& moving() const;
+
+  /// Least distance from `apex` to anything inside the cone |angle from bearing_rad| <=
+  /// half_angle_rad, exact for segments, arcs and polygons: nearest point of the clipped geometry.
+  /// At most max_distance_m, which means that nothing is nearer; 0 inside an obstacle.
+  /// half_angle_rad in [0, pi/2); 0 is a ray. bearing_rad in the world's frame.
+  double cone_distance_m(const Vec2& apex, double bearing_rad, double half_angle_rad,
+                         double max_distance_m, double time_s) const;
+
+  /// The two walls' corner that a sonar in this cone would look into, if any: an inner corner
+  /// (where two segments meet at less than 180 degrees on the side of the apex) inside the cone and
+  /// nearer than max_distance_m; returns its distance. For modelling multiple reflection.
+  std::optional<double> corner_distance_m(const Vec2& apex, double bearing_rad,
+                                          double half_angle_rad, double max_distance_m) const;
+
+  /// Distance from `point` to the nearest obstacle's surface; 0 inside one. Capped at
+  /// max_distance_m.
+  double clearance_m(const Vec2& point, double max_distance_m, double time_s) const;
+
+  /// Moves a disc of `radius_m` from `from` to `to` during [time_s, time_s + duration_s], obstacles
+  /// moving meanwhile. Touching at the start and moving away, or along, is no contact.
+  Sweep sweep_disc(const Vec2& from, const Vec2& to, double radius_m, double time_s,
+                   double duration_s) const;
+
+  /// Directions (world frame, radians) from `centre` to the points of obstacles that a disc of
+  /// radius_m + tolerance_m there touches, nearest first; at most 8, one an obstacle.
+  core::BoundedVector<double, 8> contacts_rad(const Vec2& centre, double radius_m,
+                                              double tolerance_m, double time_s) const;
+
+ private:
+  struct Content;
+  explicit World(std::unique_ptr<const Content> content);
+  std::unique_ptr<const Content> content_;
+};
+
+}  // namespace clew::world
