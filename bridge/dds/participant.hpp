@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Serialised samples over DDS, whichever vendor carries them: the two implementations are in
+/// bridge/fastdds and bridge/cyclonedds. Nothing here or above knows a vendor's header, and nothing
+/// below knows a message type.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.hpp"
+
+namespace clew::bridge {
+
+enum class Vendor : std::uint8_t { kCycloneDds, kFastDds };
+
+/// `cyclonedds` or `fastdds`, as in graph files and on the command line.
+std::string_view vendor_name(Vendor vendor);
+std::optional<Vendor> vendor_from_name(std::string_view name);
+
+/// An endpoint's topic, its type, and how much of its past it keeps. The rest of the QoS is the same
+/// everywhere: RELIABLE, TRANSIENT_LOCAL, KEEP_LAST history_depth, XCDR1, keyless.
+struct EndpointSpec {
+  std::string topic;      ///< `scan`
+  std::string type;       ///< `clew::msg::Scan`
+  std::string user_data;  ///< USER_DATA, e.g. `clew_idl=<hex>;clew_stage=sense;`
+  int history_depth = 256;
+};
+
+/// An endpoint of somebody else, as discovery tells of it.
+struct RemoteEndpoint {
+  bool is_writer = false;
+  std::string topic;
+  std::string type;
+  std::string user_data;
+  std::string guid;  ///< 32 hexadecimal digits
+  int process_id = 0;  ///< 0 where the vendor does not tell
+};
+
+/// What a reader or a participant has to say. Calls come on the vendor's threads, for one
+/// participant never two at once from the same endpoint; they may write, and must not create or
+/// delete entities.
+class SampleListener {
+ public:
+  virtual ~SampleListener() = default;
+  /// A sample with its four bytes of encapsulation; valid during the call. `writer` is null while
+  /// discovery has not told of it. Padding at the end, up to 3 bytes, may be present.
+  virtual void on_sample(std::string_view cdr, const RemoteEndpoint* writer) = 0;
+};
+
+class DiscoveryListener {
+ public:
+  virtual ~DiscoveryListener() = default;
+  /// A remote endpoint on a topic of ours matched one of our endpoints (the local one is a writer
+  /// if the remote one is a reader).
+  virtual void on_matched(const RemoteEndpoint& remote) = 0;
+  /// It is gone: closed, or its lease ran out.
+  virtual void on_unmatched(const RemoteEndpoint& remote) = 0;
+  /// A remote endpoint and ours on `topic` do not match because of `policy` (`RELIABILITY`, ...).
+  virtual void on_incompatible_qos(const std::string& topic, bool local_is_writer,
+                                   const std::string& policy) = 0;
+  /// A remote endpoint uses one of our topics with another type name.
+  virtual void on_inconsistent_type(const RemoteEndpoint& remote) = 0;
+};
+
+enum class WriteStatus : std::uint8_t {
+  kTaken,       ///< in the history of the writer; it will arrive at every live reader
+  kWouldBlock,  ///< not taken, a slow reader holds it up: try again, from another thread
+  kFailed       ///< not taken, and it never will be
+};
+
+class SampleWriter {
+ public:
+  virtual ~SampleWriter() = default;
+  /// Publishes the bytes, encapsulation included, without waiting for anybody.
+  virtual WriteStatus write(std::string_view cdr) = 0;
+};
+
+class SampleReader {
+ public:
+  virtual ~SampleReader() = default;
+};
+
+struct ParticipantConfig {
+  int domain = 0;    ///< 0..99
+  std::string name;  ///< for people: `sense`
+  /// How long a dead participant is believed alive; an hour under a debugger.
+  double lease_s = 1.5;
+};
+
+/// A participant that speaks on 127.0.0.1 only, by unicast, and finds up to 100 others there.
+/// Destruction closes every endpoint; endpoints must be destroyed before.
+class Participant {
+ public:
+  virtual ~Participant() = default;
+  /// The listeners must outlive the endpoint.
+  virtual core::Result<std::unique_ptr<SampleWriter>> create_writer(const EndpointSpec& spec) = 0;
+  virtual core::Result<std::unique_ptr<SampleReader>> create_reader(const EndpointSpec& spec,
+                                                                    SampleListener& listener) = 0;
+};
+
+/// Creates a participant of `vendor`. `discovery` must outlive it.
+core::Result<std::unique_ptr<Participant>> create_participant(Vendor vendor,
+                                                              const ParticipantConfig& config,
+                                                              DiscoveryListener& discovery);
+
+}  // namespace clew::bridge
