@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/parameters.hpp"
+#include "core/resources.hpp"
+#include "core/result.hpp"
+#include "domain/messages.hpp"
+#include "runtime/component.hpp"
+
+namespace clew::world {
+class World;
+}
+
+namespace clew::runtime {
+
+/// The robot's body: configs/robots.
+struct Robot {
+  std::string name;
+  double radius_m = 0.15;
+};
+
+/// What holds for a whole run, and every component may know.
+struct RunSetup {
+  std::uint64_t seed = 1;
+  std::uint32_t robot_index = 0;  ///< for random numbers, where there are several robots
+  double tick_s = 0.3;
+  std::uint64_t max_ticks = 20000;
+  Robot robot;
+  std::shared_ptr<const world::World> world;
+  core::Resources resources;
+};
+
+/// A chosen variant of a part, with a value for each of its parameters.
+struct PartChoice {
+  std::string name;
+  core::ParameterValues parameters;
+};
+
+/// The configuration of one stage, checked and complete.
+struct StageConfig {
+  std::string stage;
+  core::ParameterValues parameters;                       ///< of the stage itself
+  std::map<std::string, std::vector<PartChoice>> parts;  ///< by the part's name
+
+  /// The only choice of a part that is no list.
+  const PartChoice& part(const std::string& name) const;
+};
+
+/// What `clew list` prints of a behaviour, and what the check of a graph knows of it.
+struct VariantInfo {
+  std::string name;
+  std::string summary;  ///< one line, with the source
+  std::vector<core::ParameterInfo> parameters;
+  TopicSet needs;  ///< optional inputs of the stage that this variant cannot do without
+};
+
+/// A choice that a stage offers: `behaviour`, or recover's `detector` and `escape`.
+struct PartInfo {
+  std::string name;
+  bool is_list = false;              ///< any number, in order
+  std::vector<VariantInfo> variants;
+};
+
+/// A sensor's arrangement, so that what does not fit is refused before the run.
+struct ScanLayout {
+  std::string sensor;  ///< the behaviour's name, for messages
+  std::size_t beam_count = 0;
+  double bearing_first_rad = 0.0;
+  double bearing_step_rad = 0.0;
+  double beam_width_rad = 0.0;
+  double range_max_m = 0.0;
+};
+
+/// What stages tell one another when a graph is checked, in the order of the flow.
+struct Fit {
+  ScanLayout scan;  ///< set by sense
+  std::vector<domain::CommandKind> drive_accepts;
+};
+
+/// A stage: its declarations, and how to make its component. The list of all of them is
+/// stages::all().
+struct StageInfo {
+  std::string name;
+  std::string summary;
+  std::vector<PortInfo> ports;
+  std::vector<core::ParameterInfo> parameters;
+  std::vector<PartInfo> parts;
+  /// The duration of a tick that this configuration asks for; 0 where it does not care.
+  std::function<double(const StageConfig&)> tick_s;
+  /// Makes the component, and with it checks data files and fit: an error says what is needed and
+  /// what is there. Sense is made first and sets fit.scan for the others.
+  std::function<core::Result<std::unique_ptr<Component>>(const StageConfig&, const RunSetup&, Fit&)>
+      make;
+};
+
+}  // namespace clew::runtime
