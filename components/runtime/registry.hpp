@@ -18,7 +18,7 @@ namespace clew::runtime {
 template <typename Behaviour>
 struct Registration {
   using Make = std::function<core::Result<std::unique_ptr<Behaviour>>(
-      const core::ParameterValues&, const RunSetup&, const Fit&)>;
+      const core::ParameterValues&, const domain::BehaviourSetup&)>;
 
   VariantInfo info;
   Make make;
@@ -40,11 +40,11 @@ class Registry {
   }
 
   /// Makes the behaviour of a checked choice.
-  core::Result<std::unique_ptr<Behaviour>> make(const PartChoice& choice, const RunSetup& setup,
-                                                const Fit& fit) const {
+  core::Result<std::unique_ptr<Behaviour>> make(const PartChoice& choice,
+                                                const domain::BehaviourSetup& setup) const {
     for (const auto& registration : registrations_) {
       if (registration.info.name == choice.name) {
-        return registration.make(choice.parameters, setup, fit);
+        return registration.make(choice.parameters, setup);
       }
     }
     CLEW_CHECK(false, "behaviour '" + choice.name + "' was not checked");
@@ -56,15 +56,15 @@ class Registry {
 
 /// A registration of `Class`, which has a struct `Class::Parameters` with visit_parameters, and
 ///
-///     static core::Result<std::unique_ptr<Class>> create(const Parameters&, const RunSetup&,
-///                                                        const Fit&);
+///     static core::Result<std::unique_ptr<Class>> create(const Parameters&,
+///                                                        const domain::BehaviourSetup&);
 template <typename Behaviour, typename Class>
 Registration<Behaviour> registration(std::string name, std::string summary, TopicSet needs = {}) {
   using Parameters = typename Class::Parameters;
   return {{std::move(name), std::move(summary), core::describe_parameters<Parameters>(), needs},
-          [](const core::ParameterValues& values, const RunSetup& setup,
-             const Fit& fit) -> core::Result<std::unique_ptr<Behaviour>> {
-            auto made = Class::create(core::read_parameters<Parameters>(values), setup, fit);
+          [](const core::ParameterValues& values, const domain::BehaviourSetup& setup)
+              -> core::Result<std::unique_ptr<Behaviour>> {
+            auto made = Class::create(core::read_parameters<Parameters>(values), setup);
             if (!made.ok()) return made.error();
             return std::unique_ptr<Behaviour>(std::move(made).value());
           }};

@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "core/parameters.hpp"
-#include "core/resources.hpp"
 #include "core/result.hpp"
-#include "domain/messages.hpp"
+#include "domain/setup.hpp"
 #include "runtime/component.hpp"
 
 namespace clew::world {
@@ -20,21 +19,14 @@ class World;
 
 namespace clew::runtime {
 
-/// The robot's body: configs/robots.
-struct Robot {
-  std::string name;
-  double radius_m = 0.15;
-};
-
 /// What holds for a whole run, and every component may know.
 struct RunSetup {
   std::uint64_t seed = 1;
   std::uint32_t robot_index = 0;  ///< for random numbers, where there are several robots
-  double tick_s = 0.3;
   std::uint64_t max_ticks = 20000;
-  Robot robot;
   std::shared_ptr<const world::World> world;
-  core::Resources resources;
+  /// What behaviours may know of it, the layout of the scans included.
+  domain::BehaviourSetup behaviour;
 };
 
 /// A chosen variant of a part, with a value for each of its parameters.
@@ -68,22 +60,6 @@ struct PartInfo {
   std::vector<VariantInfo> variants;
 };
 
-/// A sensor's arrangement, so that what does not fit is refused before the run.
-struct ScanLayout {
-  std::string sensor;  ///< the behaviour's name, for messages
-  std::size_t beam_count = 0;
-  double bearing_first_rad = 0.0;
-  double bearing_step_rad = 0.0;
-  double beam_width_rad = 0.0;
-  double range_max_m = 0.0;
-};
-
-/// What stages tell one another when a graph is checked, in the order of the flow.
-struct Fit {
-  ScanLayout scan;  ///< set by sense
-  std::vector<domain::CommandKind> drive_accepts;
-};
-
 /// A stage: its declarations, and how to make its component. The list of all of them is
 /// stages::all().
 struct StageInfo {
@@ -94,10 +70,11 @@ struct StageInfo {
   std::vector<PartInfo> parts;
   /// The duration of a tick that this configuration asks for; 0 where it does not care.
   std::function<double(const StageConfig&)> tick_s;
+  /// The layout of the scans that this configuration makes; only sense has one.
+  std::function<domain::ScanLayout(const StageConfig&)> scan_layout;
   /// Makes the component, and with it checks data files and fit: an error says what is needed and
-  /// what is there. Sense is made first and sets fit.scan for the others.
-  std::function<core::Result<std::unique_ptr<Component>>(const StageConfig&, const RunSetup&, Fit&)>
-      make;
+  /// what is there.
+  std::function<core::Result<std::unique_ptr<Component>>(const StageConfig&, const RunSetup&)> make;
 };
 
 }  // namespace clew::runtime

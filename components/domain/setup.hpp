@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a behaviour may know of the run before the first tick.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/resources.hpp"
+#include "domain/messages.hpp"
+
+namespace clew::domain {
+
+/// The robot's body, a disc: configs/robots.
+struct Robot {
+  std::string name;
+  double radius_m = 0.15;
+};
+
+/// A range sensor's arrangement, so that what does not fit is refused before the run. The fields are
+/// those of Scan.
+struct ScanLayout {
+  std::string sensor;  ///< the behaviour's name, for messages
+  std::size_t beam_count = 0;
+  double bearing_first_rad = 0.0;
+  double bearing_step_rad = 0.0;
+  double beam_width_rad = 0.0;
+  double range_max_m = 0.0;
+};
+
+struct BehaviourSetup {
+  double tick_s = 0.3;
+  Robot robot;
+  ScanLayout scan;  ///< empty for the sensor itself
+  core::Resources resources;
+};
+
+}  // namespace clew::domain
