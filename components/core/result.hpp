@@ -40,13 +40,14 @@ class [[nodiscard]] Result {
     CLEW_CHECK(ok(), error().text());
     return std::get<0>(content_);
   }
-  T&& value() && {
+  // By value, so that `for (auto& x : *read())` does not loop over what is gone.
+  T value() && {
     CLEW_CHECK(ok(), error().text());
     return std::get<0>(std::move(content_));
   }
   const T& operator*() const& { return value(); }
   T& operator*() & { return value(); }
-  T&& operator*() && { return std::move(*this).value(); }
+  T operator*() && { return std::move(*this).value(); }
   const T* operator->() const { return &value(); }
   T* operator->() { return &value(); }
 

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/yaml_reader.hpp"
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "core/nearest_name.hpp"
+
+namespace clew::core {
+namespace {
+
+struct Value {
+  YamlKind kind = YamlKind::kNull;
+  bool quoted = false;
+  int line = 0;
+  int column = 0;
+  // A scalar's text, or where a list's or map's children are listed; a map's are key, value, key
+  // ...
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+constexpr std::size_t kMostShown = 40;
+
+// The whole text as a decimal number of type T, whatever the locale.
+template <typename T>
+bool parse_number(std::string_view text, T& number) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  const char* end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data(), end, number);
+  return code == std::errc() && stop == end;
+}
+
+// Whether the quoted text that begins at `begin` is closed again: yaml-cpp takes the end of the
+// file for a closing quote.
+bool has_closing_quote(std::string_view yaml, std::size_t begin) {
+  if (begin >= yaml.size() || (yaml[begin] != '"' && yaml[begin] != '\'')) return true;
+  const char quote = yaml[begin];
+  for (std::size_t i = begin + 1; i < yaml.size(); ++i) {
+    if (quote == '"' && yaml[i] == '\\') {
+      ++i;
+    } else if (yaml[i] == quote) {
+      const bool doubled = quote == '\'' && i + 1 < yaml.size() && yaml[i + 1] == quote;
+      if (!doubled) return true;
+      ++i;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+/// All values of a file in a few arrays: a world of 100,000 walls has half a million.
+struct YamlNode::Document {
+  std::string file;
+  std::string text;  // of all scalars
+  std::vector<Value> values;
+  std::vector<std::uint32_t> children;
+  std::uint32_t root = 0;
+
+  std::string_view scalar(const Value& value) const {
+    return std::string_view(text).substr(value.first, value.count);
+  }
+};
+
+/// Takes yaml-cpp's events. It leaves its parser by yaml-cpp's own exception, which parse catches.
+class YamlNode::Builder : public YAML::EventHandler {
+ public:
+  Builder(Document& document, std::string_view yaml) : document_(document), yaml_(yaml) {}
+
+  bool has_document() const { return has_document_; }
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (has_document_) refuse(mark, "a second document begins here; one a file is allowed");
+    has_document_ = true;
+  }
+  void OnDocumentEnd() override { document_.root = pending_.empty() ? 0 : pending_.back(); }
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    add(mark, "", anchor, YamlKind::kNull);
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+    refuse(mark, "an alias; write the value out");
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& text) override {
+    Value& value = add(mark, tag, anchor, YamlKind::kScalar);
+    value.quoted = tag == "!";
+    if (value.quoted && !has_closing_quote(yaml_, static_cast<std::size_t>(mark.pos))) {
+      refuse(mark, "a text that begins with a quote and does not end with one");
+    }
+    value.first = static_cast<std::uint32_t>(document_.text.size());
+    value.count = static_cast<std::uint32_t>(text.size());
+    document_.text += text;
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    add(mark, tag, anchor, YamlKind::kList);
+    open_.push_back(pending_.size());
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    add(mark, tag, anchor, YamlKind::kMap);
+    open_.push_back(pending_.size());
+  }
+  void OnMapEnd() override { check_keys(close()); }
+
+ private:
+  [[noreturn]] static void refuse(const YAML::Mark& mark, const std::string& message) {
+    throw YAML::ParserException(mark, message);
+  }
+  [[noreturn]] static void refuse(const Value& value, const std::string& message) {
+    YAML::Mark mark;
+    mark.line = value.line - 1;
+    mark.column = value.column - 1;
+    refuse(mark, message);
+  }
+
+  Value& add(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YamlKind kind) {
+    if (anchor != 0) refuse(mark, "an anchor; write the value out where it is needed");
+    // yaml-cpp's own marks: "?" a plain scalar, list or map, "!" a quoted scalar.
+    if (!tag.empty() && tag != "?" && tag != "!") refuse(mark, "a tag; none is allowed");
+    pending_.push_back(static_cast<std::uint32_t>(document_.values.size()));
+    Value value;
+    value.kind = kind;
+    value.line = mark.line + 1;
+    value.column = mark.column + 1;
+    document_.values.push_back(value);
+    return document_.values.back();
+  }
+
+  // Lists the children of the list or map that ends here.
+  const Value& close() {
+    const std::size_t first = open_.back();
+    open_.pop_back();
+    Value& value = document_.values[pending_[first - 1]];
+    value.first = static_cast<std::uint32_t>(document_.children.size());
+    value.count = static_cast<std::uint32_t>(pending_.size() - first);
+    document_.children.insert(document_.children.end(),
+                              pending_.begin() + static_cast<std::ptrdiff_t>(first),
+                              pending_.end());
+    pending_.resize(first);
+    return value;
+  }
+
+  void check_keys(const Value& map) const {
+    std::vector<const Value*> keys;
+    for (std::uint32_t i = 0; i < map.count; i += 2) {
+      const Value& key = document_.values[document_.children[map.first + i]];
+      if (key.kind != YamlKind::kScalar) refuse(key, "a key that is no text");
+      keys.push_back(&key);
+    }
+    // Values lie in the order of the file, so the first of two equal keys sorts first.
+    std::sort(keys.begin(), keys.end(), [this](const Value* a, const Value* b) {
+      const int order = document_.scalar(*a).compare(document_.scalar(*b));
+      return order != 0 ? order < 0 : a < b;
+    });
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+      if (document_.scalar(*keys[i - 1]) != document_.scalar(*keys[i])) continue;
+      refuse(*keys[i], "duplicate key '" + std::string(document_.scalar(*keys[i])) +
+                           "', first given in line " + std::to_string(keys[i - 1]->line));
+    }
+  }
+
+  Document& document_;
+  std::string_view yaml_;
+  bool has_document_ = false;
+  std::vector<std::uint32_t> pending_;  // values whose list or map is still open
+  std::vector<std::size_t> open_;       // where each open one's children begin in pending_
+};
+
+Result<YamlNode> YamlNode::parse(std::string_view yaml, const std::string& file) {
+  auto document = std::make_shared<Document>();
+  document->file = file;
+  Builder builder(*document, yaml);
+  try {
+    std::istringstream stream{std::string(yaml)};
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(builder)) {
+    }
+  } catch (const YAML::Exception& e) {
+    if (e.mark.is_null()) return Error{e.msg, file};
+    return Error{e.msg, file, e.mark.line + 1, e.mark.column + 1};
+  }
+  if (!builder.has_document()) return Error{"the file is empty", file};
+  const std::uint32_t root = document->root;
+  return YamlNode(std::move(document), root);
+}
+
+YamlKind YamlNode::kind() const { return document_->values[index_].kind; }
+const std::string& YamlNode::file() const { return document_->file; }
+int YamlNode::line() const { return document_->values[index_].line; }
+int YamlNode::column() const { return document_->values[index_].column; }
+
+Error YamlNode::error(std::string message) const {
+  return Error{std::move(message), file(), line(), column()};
+}
+
+Error YamlNode::expected(std::string_view what) const {
+  return error("found " + found() + ", expected " + std::string(what));
+}
+
+std::string YamlNode::found() const {
+  const Value& value = document_->values[index_];
+  switch (value.kind) {
+    case YamlKind::kNull:
+      return "nothing";
+    case YamlKind::kList:
+      return "a list of " + std::to_string(value.count);
+    case YamlKind::kMap:
+      return "a map";
+    case YamlKind::kScalar:
+      break;
+  }
+  std::string text(document_->scalar(value).substr(0, kMostShown));
+  if (value.count > kMostShown) text += "...";
+  return value.quoted ? "the text \"" + text + "\"" : "'" + text + "'";
+}
+
+Result<double> YamlNode::number() const {
+  const Value& value = document_->values[index_];
+  double number = 0.0;
+  if (value.kind != YamlKind::kScalar || value.quoted ||
+      !parse_number(document_->scalar(value), number) || !std::isfinite(number)) {
+    return expected("a finite number");
+  }
+  return number;
+}
+
+Result<std::int64_t> YamlNode::integer() const {
+  const Value& value = document_->values[index_];
+  std::int64_t number = 0;
+  if (value.kind != YamlKind::kScalar || value.quoted ||
+      !parse_number(document_->scalar(value), number)) {
+    return expected("a whole number");
+  }
+  return number;
+}
+
+Result<bool> YamlNode::boolean() const {
+  const Value& value = document_->values[index_];
+  const std::string_view text =
+      value.kind == YamlKind::kScalar && !value.quoted ? document_->scalar(value) : "";
+  if (text != "true" && text != "false") return expected("true or false");
+  return text == "true";
+}
+
+Result<std::string> YamlNode::string() const {
+  const Value& value = document_->values[index_];
+  if (value.kind != YamlKind::kScalar) return expected("a text");
+  return std::string(document_->scalar(value));
+}
+
+Result<std::vector<YamlNode>> YamlNode::items() const {
+  const Value& value = document_->values[index_];
+  if (value.kind != YamlKind::kList) return expected("a list");
+  std::vector<YamlNode> items;
+  items.reserve(value.count);
+  for (std::uint32_t i = 0; i < value.count; ++i) {
+    items.push_back(YamlNode(document_, document_->children[value.first + i]));
+  }
+  return items;
+}
+
+Result<std::vector<double>> YamlNode::numbers(std::size_t count, std::string_view allowed) const {
+  const Value& value = document_->values[index_];
+  if (value.kind != YamlKind::kList || value.count != count) return expected(allowed);
+  std::vector<double> numbers(count);
+  for (std::uint32_t i = 0; i < value.count; ++i) {
+    const auto number = YamlNode(document_, document_->children[value.first + i]).number();
+    if (!number.ok()) return number.error();
+    numbers[i] = *number;
+  }
+  return numbers;
+}
+
+Result<std::vector<YamlNode::Entry>> YamlNode::entries() const {
+  const Value& value = document_->values[index_];
+  if (value.kind != YamlKind::kMap) return expected("a map");
+  std::vector<Entry> entries;
+  entries.reserve(value.count / 2);
+  for (std::uint32_t i = 0; i < value.count; i += 2) {
+    YamlNode key(document_, document_->children[value.first + i]);
+    std::string name(document_->scalar(document_->values[key.index_]));
+    entries.push_back({std::move(name), std::move(key),
+                       YamlNode(document_, document_->children[value.first + i + 1])});
+  }
+  return entries;
+}
+
+Result<void> YamlNode::check_keys(const std::vector<std::string>& allowed) const {
+  const auto all = entries();
+  if (!all.ok()) return all.error();
+  for (const Entry& entry : *all) {
+    if (std::find(allowed.begin(), allowed.end(), entry.key) == allowed.end()) {
+      return entry.key_node.error(unknown_name("key", entry.key, allowed));
+    }
+  }
+  return {};
+}
+
+std::optional<YamlNode> YamlNode::find(std::string_view key) const {
+  const Value& value = document_->values[index_];
+  if (value.kind != YamlKind::kMap) return std::nullopt;
+  for (std::uint32_t i = 0; i < value.count; i += 2) {
+    const Value& candidate = document_->values[document_->children[value.first + i]];
+    if (document_->scalar(candidate) == key) {
+      return YamlNode(document_, document_->children[value.first + i + 1]);
+    }
+  }
+  return std::nullopt;
+}
+
+Result<YamlNode> YamlNode::at(std::string_view key) const {
+  if (kind() != YamlKind::kMap) return expected("a map");
+  auto value = find(key);
+  if (!value) return error("missing key '" + std::string(key) + "'");
+  return *std::move(value);
+}
+
+}  // namespace clew::core
