@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "domain/field_check.hpp"
+
+#include <fmt/format.h>
+
+namespace clew::domain {
+
+std::string FieldPath::text() const {
+  std::string text = parent != nullptr ? parent : "";
+  if (index) text += fmt::format("[{}]", *index);
+  if (!text.empty() && member != nullptr) text += '.';
+  return member != nullptr ? text + member : text;
+}
+
+void FieldCheck::text(const FieldPath& path, const std::string& value, std::size_t bound) {
+  if (value.size() > bound) {
+    refuse(path, fmt::format("{} bytes long", value.size()), fmt::format("at most {}", bound));
+  } else if (value.find('\0') != std::string::npos) {
+    refuse(path, "a text with a zero byte", "none, since that ends a string in CDR");
+  }
+}
+
+std::string FieldCheck::describe_range(double low, double high) {
+  if (low == -kLargest && high == kLargest) return "finite numbers";
+  if (high == kLargest) return fmt::format("finite numbers from {}", low);
+  if (low == -kLargest) return fmt::format("finite numbers up to {}", high);
+  return fmt::format("{} to {}", low, high);
+}
+
+void FieldCheck::refuse_number(const FieldPath& path, double found, const std::string& allowed) {
+  refuse(path, fmt::format("{}", found), allowed);
+}
+
+void FieldCheck::refuse(const FieldPath& path, const std::string& found,
+                        const std::string& allowed) {
+  if (error_) return;
+  error_ = core::Error{
+      fmt::format("{}: {} is {}; allowed: {}", topic_name(topic_), path.text(), found, allowed),
+      {}};
+}
+
+}  // namespace clew::domain

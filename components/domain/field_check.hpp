@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "core/math.hpp"
+#include "core/result.hpp"
+#include "domain/topics.hpp"
+
+namespace clew::domain {
+
+/// Where a value stands in a message; put into words only when the value is refused.
+struct FieldPath {
+  FieldPath(const char* field) : member(field) {}  // NOLINT(google-explicit-constructor)
+  FieldPath(const char* parent_field, const char* field) : parent(parent_field), member(field) {}
+  FieldPath(const char* list, std::size_t i, const char* field = nullptr)
+      : parent(list), index(i), member(field) {}
+
+  /// `stamp.sim_time_s`, `ranges_m[3]`, `entries[2].x_m`.
+  std::string text() const;
+
+  const char* parent = nullptr;
+  std::optional<std::size_t> index;
+  const char* member = nullptr;
+};
+
+/// Looks at a message field by field and keeps the first complaint: what was found, what is
+/// allowed.
+class FieldCheck {
+ public:
+  static constexpr double kLargest = std::numeric_limits<double>::max();
+
+  explicit FieldCheck(Topic topic) : topic_(topic) {}
+
+  /// In [low, high]; NaN is in no range.
+  void in_range(const FieldPath& path, double value, double low, double high) {
+    if (value >= low && value <= high) return;
+    refuse_number(path, value, describe_range(low, high));
+  }
+  void finite(const FieldPath& path, double value) { in_range(path, value, -kLargest, kLargest); }
+  void not_negative(const FieldPath& path, double value) { in_range(path, value, 0.0, kLargest); }
+  /// In (-pi, pi], so that a direction has one value.
+  void wrapped_angle(const FieldPath& path, double value_rad) {
+    if (value_rad > -core::kPi && value_rad <= core::kPi) return;
+    refuse_number(path, value_rad, "above -pi and at most pi");
+  }
+  /// A number that this message's kind does not use.
+  void unused(const FieldPath& path, double value) {
+    if (value == 0.0) return;
+    refuse_number(path, value, "0, since the kind does not use it");
+  }
+  void at_most(const FieldPath& path, std::size_t value, std::size_t high) {
+    if (value <= high) return;
+    refuse(path, std::to_string(value), "at most " + std::to_string(high));
+  }
+  /// Enumerators count from 0 to `last` without a gap.
+  template <typename Enum>
+  void enumerator(const FieldPath& path, Enum value, Enum last) {
+    at_most(path, static_cast<std::size_t>(value), static_cast<std::size_t>(last));
+  }
+  void size(const FieldPath& path, std::size_t size, std::size_t bound) {
+    if (size <= bound) return;
+    refuse(path, std::to_string(size) + " values long", "at most " + std::to_string(bound));
+  }
+  /// At most `bound` bytes, none of them zero, since that ends a string in CDR.
+  void text(const FieldPath& path, const std::string& value, std::size_t bound);
+
+  /// The first complaint, or success.
+  core::Result<void> result() const {
+    if (error_) return *error_;
+    return {};
+  }
+
+ private:
+  static std::string describe_range(double low, double high);
+  void refuse_number(const FieldPath& path, double found, const std::string& allowed);
+  void refuse(const FieldPath& path, const std::string& found, const std::string& allowed);
+
+  Topic topic_;
+  std::optional<core::Error> error_;
+};
+
+}  // namespace clew::domain
