@@ -10,6 +10,7 @@
 /// structs with visit_fields of their own. The bytes are the same for the same state.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -22,8 +23,6 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "core/bounded_vector.hpp"
 
@@ -61,7 +60,8 @@ class StateWriter {
   }
   template <typename T>
   void put_item(const T& item) {
-    put(const_cast<T&>(item));  // visit_fields takes its struct by reference to serve the reader too
+    put(const_cast<T&>(
+        item));  // visit_fields takes its struct by reference to serve the reader too
   }
   void put(std::string& v) {
     put_size(v.size());

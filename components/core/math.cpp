@@ -114,20 +114,28 @@ double atan_unit(double x) {
 double sin(double x) {
   const Reduced r = reduce_to_quadrant(x);
   switch (r.quadrant) {
-    case 0: return sin_near_zero(r.x, r.low);
-    case 1: return cos_near_zero(r.x, r.low);
-    case 2: return -sin_near_zero(r.x, r.low);
-    default: return -cos_near_zero(r.x, r.low);
+    case 0:
+      return sin_near_zero(r.x, r.low);
+    case 1:
+      return cos_near_zero(r.x, r.low);
+    case 2:
+      return -sin_near_zero(r.x, r.low);
+    default:
+      return -cos_near_zero(r.x, r.low);
   }
 }
 
 double cos(double x) {
   const Reduced r = reduce_to_quadrant(x);
   switch (r.quadrant) {
-    case 0: return cos_near_zero(r.x, r.low);
-    case 1: return -sin_near_zero(r.x, r.low);
-    case 2: return -cos_near_zero(r.x, r.low);
-    default: return sin_near_zero(r.x, r.low);
+    case 0:
+      return cos_near_zero(r.x, r.low);
+    case 1:
+      return -sin_near_zero(r.x, r.low);
+    case 2:
+      return -cos_near_zero(r.x, r.low);
+    default:
+      return sin_near_zero(r.x, r.low);
   }
 }
 

@@ -33,23 +33,23 @@ struct PortInfo {
 };
 
 inline PortInfo required_input(Topic topic, std::string doc) {
-  return {topic, PortInfo::Direction::kInput, PortInfo::Need::kRequired, topic, false,
+  return {topic,         PortInfo::Direction::kInput, PortInfo::Need::kRequired, topic, false,
           std::move(doc)};
 }
 inline PortInfo optional_input(Topic topic, std::string doc) {
-  return {topic, PortInfo::Direction::kInput, PortInfo::Need::kOptional, topic, false,
+  return {topic,         PortInfo::Direction::kInput, PortInfo::Need::kOptional, topic, false,
           std::move(doc)};
 }
 inline PortInfo fallback_input(Topic topic, Topic instead_of, std::string doc) {
-  return {topic, PortInfo::Direction::kInput, PortInfo::Need::kFallback, instead_of, false,
+  return {topic,         PortInfo::Direction::kInput, PortInfo::Need::kFallback, instead_of, false,
           std::move(doc)};
 }
 inline PortInfo delayed_input(Topic topic, std::string doc) {
-  return {topic, PortInfo::Direction::kInput, PortInfo::Need::kRequired, topic, true,
+  return {topic,         PortInfo::Direction::kInput, PortInfo::Need::kRequired, topic, true,
           std::move(doc)};
 }
 inline PortInfo output(Topic topic, std::string doc) {
-  return {topic, PortInfo::Direction::kOutput, PortInfo::Need::kRequired, topic, false,
+  return {topic,         PortInfo::Direction::kOutput, PortInfo::Need::kRequired, topic, false,
           std::move(doc)};
 }
 
@@ -74,8 +74,8 @@ class TickInputs {
   template <typename Message>
   const Message& get() const {
     const Message* message = find<Message>();
-    CLEW_CHECK(message != nullptr, std::string(domain::topic_name(domain::topic_of<Message>())) +
-                                       " is not present");
+    CLEW_CHECK(message != nullptr,
+               std::string(domain::topic_name(domain::topic_of<Message>())) + " is not present");
     return *message;
   }
 

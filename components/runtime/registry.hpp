@@ -62,8 +62,8 @@ template <typename Behaviour, typename Class>
 Registration<Behaviour> registration(std::string name, std::string summary, TopicSet needs = {}) {
   using Parameters = typename Class::Parameters;
   return {{std::move(name), std::move(summary), core::describe_parameters<Parameters>(), needs},
-          [](const core::ParameterValues& values, const domain::BehaviourSetup& setup)
-              -> core::Result<std::unique_ptr<Behaviour>> {
+          [](const core::ParameterValues& values,
+             const domain::BehaviourSetup& setup) -> core::Result<std::unique_ptr<Behaviour>> {
             auto made = Class::create(core::read_parameters<Parameters>(values), setup);
             if (!made.ok()) return made.error();
             return std::unique_ptr<Behaviour>(std::move(made).value());

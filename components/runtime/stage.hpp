@@ -38,7 +38,7 @@ struct PartChoice {
 /// The configuration of one stage, checked and complete.
 struct StageConfig {
   std::string stage;
-  core::ParameterValues parameters;                       ///< of the stage itself
+  core::ParameterValues parameters;                      ///< of the stage itself
   std::map<std::string, std::vector<PartChoice>> parts;  ///< by the part's name
 
   /// The only choice of a part that is no list.
@@ -56,7 +56,7 @@ struct VariantInfo {
 /// A choice that a stage offers: `behaviour`, or recover's `detector` and `escape`.
 struct PartInfo {
   std::string name;
-  bool is_list = false;              ///< any number, in order
+  bool is_list = false;  ///< any number, in order
   std::vector<VariantInfo> variants;
 };
 

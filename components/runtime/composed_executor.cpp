@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/composed_executor.hpp"
+
+#include <utility>
+
+namespace clew::runtime {
+
+ComposedExecutor::ComposedExecutor(std::vector<Node> nodes, SampleObserver* observer)
+    : nodes_(std::move(nodes)), observer_(observer) {}
+
+void ComposedExecutor::step() {
+  for (Node& node : nodes_) {
+    TopicSet present = node.ports().inputs;
+    // A delayed input still holds the sample of the tick before: its writer comes later.
+    if (next_tick_ > 0) present |= node.ports().delayed_inputs;
+    node.step(next_tick_, present, messages_);
+    if (observer_ == nullptr) continue;
+    for (Topic topic : node.ports().output_order) observer_->on_output(topic, messages_);
+  }
+  ++next_tick_;
+}
+
+}  // namespace clew::runtime

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/node.hpp"
+
+namespace clew::runtime {
+
+/// Sees every sample that a node writes, in the order of writing.
+class SampleObserver {
+ public:
+  virtual ~SampleObserver() = default;
+  virtual void on_output(Topic topic, const domain::Messages& messages) = 0;
+};
+
+/// Runs the nodes of a graph in one thread. Values pass by reference: nothing is serialised.
+class ComposedExecutor {
+ public:
+  /// `nodes` in an order in which every input of the same tick is written before it is read. The
+  /// observer may be null.
+  ComposedExecutor(std::vector<Node> nodes, SampleObserver* observer);
+
+  /// The tick that step() runs next.
+  std::uint64_t next_tick() const { return next_tick_; }
+  /// Runs one tick of all nodes.
+  void step();
+  /// The samples of the last tick.
+  const domain::Messages& messages() const { return messages_; }
+
+ private:
+  std::vector<Node> nodes_;
+  SampleObserver* observer_;
+  domain::Messages messages_;
+  std::uint64_t next_tick_ = 0;
+};
+
+}  // namespace clew::runtime

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/config_source.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "core/nearest_name.hpp"
+
+namespace clew::runtime {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr char kExtension[] = ".yaml";
+
+// A configuration beyond this is a mistake (a device, a recording); 100,000 segments are 4 MB.
+constexpr std::uintmax_t kMaxFileBytes = 256u << 20;
+
+core::Result<core::Resource> read_file(const std::string& path) {
+  const auto refuse = [&](const std::string& why) {
+    return core::Error{"cannot be read: " + why, path, 0, 0};
+  };
+  std::error_code code;
+  if (!fs::is_regular_file(path, code)) {
+    return refuse(code ? code.message()
+                       : (fs::exists(path) ? "it is no regular file" : "there is no such file"));
+  }
+  if (fs::file_size(path, code) > kMaxFileBytes) return refuse("it is larger than 256 MiB");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return refuse(std::strerror(errno));
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (stream.bad()) return refuse(std::strerror(errno));
+  return core::Resource{path, text.str()};
+}
+
+std::vector<std::string> names_in(const fs::path& directory) {
+  std::vector<std::string> names;
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(directory, code)) {
+    if (entry.path().extension() == kExtension) names.push_back(entry.path().stem().string());
+  }
+  return names;
+}
+
+bool is_path(const std::string& name) {
+  return name.find('/') != std::string::npos || fs::path(name).extension() == kExtension;
+}
+
+}  // namespace
+
+ConfigPath ConfigPath::from_environment() {
+  std::vector<std::string> roots;
+  std::error_code code;
+  const fs::path program = fs::read_symlink("/proc/self/exe", code);
+  const fs::path installed = program.parent_path().parent_path() / "share" / "clew";
+  roots.push_back(fs::is_directory(installed, code) ? installed.string() : CLEW_CONFIG_DIRECTORY);
+  if (const char* path = std::getenv("CLEW_PATH")) {
+    std::istringstream stream(path);
+    for (std::string root; std::getline(stream, root, ':');) {
+      if (!root.empty()) roots.push_back(root);
+    }
+  }
+  return ConfigPath(std::move(roots));
+}
+
+core::Result<core::Resource> ConfigPath::find(const std::string& folder,
+                                              const std::string& name) const {
+  if (is_path(name)) return read_file(name);
+  for (const std::string& root : roots_) {
+    const fs::path path = fs::path(root) / folder / (name + kExtension);
+    std::error_code code;
+    if (fs::exists(path, code)) return read_file(path.string());
+  }
+  std::string searched;
+  for (const std::string& root : roots_) {
+    searched += (searched.empty() ? "" : ", ") + (fs::path(root) / folder).string();
+  }
+  return core::Error{
+      core::unknown_name("name", name, names(folder)) + " (in " + searched + ")", {}, 0, 0};
+}
+
+std::vector<std::string> ConfigPath::names(const std::string& folder) const {
+  std::set<std::string> names;
+  for (const std::string& root : roots_) {
+    for (std::string& name : names_in(fs::path(root) / folder)) names.insert(std::move(name));
+  }
+  return {names.begin(), names.end()};
+}
+
+core::Result<core::Resource> BundleSource::find(const std::string& folder,
+                                                const std::string& name) const {
+  std::string key = folder + '/' + name + kExtension;
+  if (folder == "graphs") key = "graph.yaml";
+  if (folder == "worlds") key = "world.yaml";
+  if (folder == "robots") key = "robot.yaml";
+  const auto found = bundle_.find(key);
+  if (found == bundle_.end()) return core::Error{"the bundle has no " + key, {}, 0, 0};
+  return core::Resource{key, found->second};
+}
+
+}  // namespace clew::runtime

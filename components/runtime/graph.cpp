@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/graph.hpp"
+
+#include <algorithm>
+
+#include "core/nearest_name.hpp"
+#include "runtime/raw_graph.hpp"
+#include "runtime/wiring.hpp"
+
+namespace clew::runtime {
+namespace {
+
+using core::Error;
+using core::Result;
+
+bool has_parameter(const std::vector<core::ParameterInfo>& infos, const std::string& name) {
+  return std::any_of(infos.begin(), infos.end(),
+                     [&](const core::ParameterInfo& info) { return info.name == name; });
+}
+
+Result<PartChoice> resolve_choice(const StageInfo& stage, const PartInfo& part,
+                                  const RawChoice& choice) {
+  const auto variant = find_variant(stage, part, choice);
+  if (!variant.ok()) return variant.error();
+  auto values = resolve_parameters((*variant)->parameters, choice.parameters,
+                                   stage.name + '.' + part.name + '.' + choice.name);
+  if (!values.ok()) return values.error();
+  return PartChoice{choice.name, std::move(values).value()};
+}
+
+// The keys of a stage's map belong to the stage or to its behaviour; a key of neither is answered
+// with the names of both.
+Result<void> distribute_parameters(const RawStage& raw, std::vector<RawParameter>& of_stage,
+                                   RawChoice* behaviour) {
+  const StageInfo& info = *raw.info;
+  const VariantInfo* variant = nullptr;
+  if (behaviour != nullptr) {
+    const auto found = find_variant(info, *find_part(info, kBehaviourPart), *behaviour);
+    if (!found.ok()) return found.error();
+    variant = *found;
+  }
+  for (const RawParameter& parameter : raw.parameters) {
+    if (has_parameter(info.parameters, parameter.name)) {
+      of_stage.push_back(parameter);
+    } else if (variant != nullptr && has_parameter(variant->parameters, parameter.name)) {
+      behaviour->parameters.push_back(parameter);
+    } else {
+      std::vector<std::string> known = {"process", "exec"};
+      for (const PartInfo& part : info.parts) known.push_back(part.name);
+      for (const auto& own : info.parameters) known.push_back(own.name);
+      if (variant != nullptr) {
+        for (const auto& own : variant->parameters) known.push_back(own.name);
+      }
+      return parameter.where.error(
+          core::unknown_name("key of " + info.name, parameter.name, known));
+    }
+  }
+  return {};
+}
+
+Result<GraphStage> resolve_stage(RawStage raw) {
+  const StageInfo& info = *raw.info;
+  GraphStage stage{&info, {info.name, {}, {}}, raw.deployment, {}};
+  if (!raw.deployment.exec.empty()) {
+    if (!raw.parts.empty() || !raw.parameters.empty()) {
+      return raw.where.error(info.name +
+                             " has exec: a component of someone else's takes no behaviour and no "
+                             "parameters here");
+    }
+    return stage;
+  }
+  for (const PartInfo& part : info.parts) {
+    auto& choices = raw.parts[part.name];
+    if (!part.is_list && choices.empty()) {
+      return raw.where.error("key '" + part.name + "' is missing in " + info.name);
+    }
+  }
+  std::vector<RawParameter> of_stage;
+  const auto behaviour = raw.parts.find(kBehaviourPart);
+  CLEW_RETURN_IF_ERROR(distribute_parameters(
+      raw, of_stage, behaviour == raw.parts.end() ? nullptr : &behaviour->second.front()));
+  auto values = resolve_parameters(info.parameters, of_stage, info.name);
+  if (!values.ok()) return values.error();
+  stage.config.parameters = std::move(values).value();
+  for (const PartInfo& part : info.parts) {
+    auto& resolved = stage.config.parts[part.name];
+    for (const RawChoice& choice : raw.parts[part.name]) {
+      auto one = resolve_choice(info, part, choice);
+      if (!one.ok()) return one.error();
+      resolved.push_back(std::move(one).value());
+    }
+  }
+  return stage;
+}
+
+Result<void> settle_tick(Graph& graph, const core::YamlNode& where) {
+  std::string who;
+  for (const GraphStage& stage : graph.stages) {
+    if (!stage.info->tick_s || !stage.deployment.exec.empty()) continue;
+    const double tick_s = stage.info->tick_s(stage.config);
+    if (tick_s <= 0.0) continue;
+    if (graph.tick_s > 0.0 && graph.tick_s != tick_s) {
+      return where.error(stage.info->name + " needs a tick of " + std::to_string(tick_s) + " s, " +
+                         who + " one of " + std::to_string(graph.tick_s) + " s");
+    }
+    graph.tick_s = tick_s;
+    who = stage.info->name;
+  }
+  if (graph.tick_s <= 0.0) {
+    return where.error("no stage says how long a tick lasts; a graph needs drive");
+  }
+  return {};
+}
+
+}  // namespace
+
+const GraphStage* Graph::find(const std::string& stage) const {
+  for (const GraphStage& candidate : stages) {
+    if (candidate.info->name == stage) return &candidate;
+  }
+  return nullptr;
+}
+
+const GraphStage* Graph::writer_of(Topic topic) const {
+  for (const GraphStage& stage : stages) {
+    if (stage.ports.outputs[static_cast<std::size_t>(topic)]) return &stage;
+  }
+  return nullptr;
+}
+
+std::vector<const GraphStage*> Graph::readers_of(Topic topic) const {
+  std::vector<const GraphStage*> readers;
+  for (const GraphStage& stage : stages) {
+    if (stage.ports.all_inputs()[static_cast<std::size_t>(topic)]) readers.push_back(&stage);
+  }
+  return readers;
+}
+
+Result<Graph> load_graph(const core::Resource& file, const std::string& name,
+                         const GraphOverrides& overrides, const std::vector<StageInfo>& stages) {
+  auto raw = read_raw_graph(file, name, stages);
+  if (!raw.ok()) return raw.error();
+  CLEW_RETURN_IF_ERROR(apply_overrides(overrides, *raw));
+  Graph graph = raw->head;
+  for (RawStage& stage : raw->stages) {
+    auto resolved = resolve_stage(std::move(stage));
+    if (!resolved.ok()) return resolved.error();
+    graph.stages.push_back(std::move(resolved).value());
+  }
+  const auto wired = wire(graph);
+  if (!wired.ok()) return raw->where.error(wired.error().message);
+  CLEW_RETURN_IF_ERROR(settle_tick(graph, raw->where));
+  return graph;
+}
+
+}  // namespace clew::runtime

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+#include "runtime/config_source.hpp"
+#include "runtime/node.hpp"
+#include "runtime/stage.hpp"
+
+namespace clew::runtime {
+
+/// What the command line changes in a graph file. Texts are as typed, without the option.
+struct GraphOverrides {
+  std::optional<std::string> world;
+  std::optional<std::string> robot;
+  std::vector<std::string> with;  ///< `STAGE[.PART]=NAME[,NAME...]`
+  std::vector<std::string> set;   ///< `STAGE[.PART][.NAME].PARAM=VALUE`
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> max_ticks;
+};
+
+/// How a stage is run, which changes no result.
+struct Deployment {
+  std::string middleware;         ///< `cyclonedds`, `fastdds`, or empty: the run's default
+  std::vector<std::string> exec;  ///< command of a component of someone else's; empty: ours
+};
+
+/// A stage of a graph, its names and values checked against the stage's declarations.
+struct GraphStage {
+  const StageInfo* info = nullptr;
+  StageConfig config;  ///< empty with exec
+  Deployment deployment;
+  NodePorts ports;
+};
+
+/// A graph, complete: every default filled in, every port wired.
+struct Graph {
+  std::string name;
+  std::string world;
+  std::string robot;
+  std::uint64_t seed = 1;
+  std::uint64_t max_ticks = 20000;
+  double start_timeout_s = 10.0;
+  double tick_s = 0.0;
+  /// In an order in which an input of the same tick is written before it is read.
+  std::vector<GraphStage> stages;
+  std::vector<std::string> unwired;  ///< optional ports without a writer: `recover.landmark`
+
+  const GraphStage* find(const std::string& stage) const;
+  /// The stage that writes a topic, if any.
+  const GraphStage* writer_of(Topic topic) const;
+  /// The stages that read a topic, in order.
+  std::vector<const GraphStage*> readers_of(Topic topic) const;
+
+  /// The graph as a graph file with every value in it. How stages are deployed is left out, except
+  /// exec: the same run has the same text in every layout.
+  std::string expanded_yaml() const;
+};
+
+/// Reads and checks a graph file. Refused, with the place and what is allowed: unknown, missing,
+/// duplicate or unused keys, unknown behaviours, wrong types, values out of range, required ports
+/// that nobody writes, behaviours that miss an input they need, two writers of a topic, cycles
+/// without a delay, and overrides that name what is not there.
+core::Result<Graph> load_graph(const core::Resource& file, const std::string& name,
+                               const GraphOverrides& overrides,
+                               const std::vector<StageInfo>& stages);
+
+}  // namespace clew::runtime

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <sstream>
+
+#include "core/nearest_name.hpp"
+#include "runtime/raw_graph.hpp"
+
+namespace clew::runtime {
+namespace {
+
+using core::Error;
+using core::Result;
+using core::YamlNode;
+
+struct Assignment {
+  std::string option;             ///< `--set control.turn_deg`
+  std::vector<std::string> path;  ///< what stands before `=`, split at the dots
+  YamlNode value;
+};
+
+Result<Assignment> split(const std::string& option, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    return Error{"expected a name, '=' and a value; found '" + text + "'", option, 0, 0};
+  }
+  const std::string left = text.substr(0, equals);
+  const std::string label = option + ' ' + left;
+  std::vector<std::string> path;
+  std::istringstream stream(left);
+  for (std::string word; std::getline(stream, word, '.');) path.push_back(word);
+  const std::string right = text.substr(equals + 1);
+  if (right.empty()) return Error{"no value after '='", label, 0, 0};
+  auto value = YamlNode::parse(right, label);
+  if (!value.ok()) return value.error();
+  return Assignment{label, std::move(path), *value};
+}
+
+Result<RawStage*> find_stage(RawGraph& graph, const Assignment& assignment) {
+  std::vector<std::string> known;
+  for (RawStage& stage : graph.stages) {
+    if (stage.info->name == assignment.path.front()) return &stage;
+    known.push_back(stage.info->name);
+  }
+  return Error{core::unknown_name("stage of this graph", assignment.path.front(), known),
+               assignment.option, 0, 0};
+}
+
+bool declares(const std::vector<core::ParameterInfo>& infos, const std::string& name) {
+  return std::any_of(infos.begin(), infos.end(),
+                     [&](const core::ParameterInfo& info) { return info.name == name; });
+}
+
+const VariantInfo* variant_of(const StageInfo& stage, const std::string& part_name,
+                              const std::string& name) {
+  const PartInfo* part = find_part(stage, part_name);
+  if (part == nullptr) return nullptr;
+  for (const VariantInfo& variant : part->variants) {
+    if (variant.name == name) return &variant;
+  }
+  return nullptr;
+}
+
+// The parameters that a swapped-out behaviour leaves behind mean nothing to the new one.
+void drop_parameters_of(RawStage& stage, const std::string& old_name) {
+  const VariantInfo* old_variant = variant_of(*stage.info, kBehaviourPart, old_name);
+  if (old_variant == nullptr) return;
+  auto& given = stage.parameters;
+  given.erase(std::remove_if(given.begin(), given.end(),
+                             [&](const RawParameter& parameter) {
+                               return declares(old_variant->parameters, parameter.name) &&
+                                      !declares(stage.info->parameters, parameter.name);
+                             }),
+              given.end());
+}
+
+Result<void> apply_with(const std::string& text, RawGraph& graph) {
+  const auto assignment = split("--with", text);
+  if (!assignment.ok()) return assignment.error();
+  const auto stage = find_stage(graph, *assignment);
+  if (!stage.ok()) return stage.error();
+  const StageInfo& info = *(*stage)->info;
+  const std::string part_name =
+      assignment->path.size() > 1 ? assignment->path[1] : std::string(kBehaviourPart);
+  const PartInfo* part = find_part(info, part_name);
+  std::vector<std::string> parts;
+  for (const PartInfo& known : info.parts) parts.push_back(known.name);
+  if (part == nullptr || assignment->path.size() > 2) {
+    return Error{
+        core::unknown_name("part of " + info.name,
+                           assignment->path.size() > 2 ? text.substr(0, text.find('=')) : part_name,
+                           parts),
+        assignment->option, 0, 0};
+  }
+  std::vector<RawChoice> choices;
+  std::istringstream stream(text.substr(text.find('=') + 1));
+  for (std::string name; std::getline(stream, name, ',');) {
+    choices.push_back({name, assignment->value, {}});
+  }
+  if (!part->is_list && choices.size() != 1) {
+    return Error{
+        info.name + '.' + part_name + " takes one name, found " + std::to_string(choices.size()),
+        assignment->option, 0, 0};
+  }
+  auto& current = (*stage)->parts[part_name];
+  if (part_name == kBehaviourPart && !current.empty() && current.front().name != choices[0].name) {
+    drop_parameters_of(**stage, current.front().name);
+  }
+  // A behaviour that stays keeps its parameters.
+  for (RawChoice& choice : choices) {
+    for (RawChoice& old : current) {
+      if (old.name == choice.name) choice.parameters = old.parameters;
+    }
+  }
+  current = std::move(choices);
+  return {};
+}
+
+void assign(std::vector<RawParameter>& parameters, const std::string& name, const YamlNode& value) {
+  for (RawParameter& parameter : parameters) {
+    if (parameter.name == name) {
+      parameter = {name, value, value};
+      return;
+    }
+  }
+  parameters.push_back({name, value, value});
+}
+
+// STAGE.PART.PARAM means the one chosen behaviour that has PARAM.
+Result<RawChoice*> find_choice(RawStage& stage, const Assignment& assignment) {
+  const std::string& part = assignment.path[1];
+  auto& choices = stage.parts[part];
+  const bool named = assignment.path.size() == 4;
+  const std::string& parameter = assignment.path.back();
+  std::vector<std::string> known;
+  std::vector<RawChoice*> fitting;
+  for (RawChoice& choice : choices) {
+    known.push_back(choice.name);
+    const VariantInfo* variant = variant_of(*stage.info, part, choice.name);
+    const bool has = variant != nullptr && declares(variant->parameters, parameter);
+    if (named ? choice.name == assignment.path[2] : has) fitting.push_back(&choice);
+  }
+  if (fitting.size() == 1) return fitting.front();
+  if (named) {
+    return Error{core::unknown_name("chosen " + part, assignment.path[2], known), assignment.option,
+                 0, 0};
+  }
+  if (fitting.empty() && choices.size() == 1) return &choices.front();
+  return Error{std::to_string(fitting.size()) + " of the chosen " + part + " have a parameter '" +
+                   parameter + "'; name one as " + stage.info->name + '.' + part + ".NAME." +
+                   parameter,
+               assignment.option, 0, 0};
+}
+
+Result<void> apply_set(const std::string& text, RawGraph& graph) {
+  const auto assignment = split("--set", text);
+  if (!assignment.ok()) return assignment.error();
+  const auto stage = find_stage(graph, *assignment);
+  if (!stage.ok()) return stage.error();
+  const std::vector<std::string>& path = assignment->path;
+  if (path.size() < 2 || path.size() > 4) {
+    return Error{"expected STAGE[.PART][.NAME].PARAM=VALUE, found '" + text + "'",
+                 assignment->option, 0, 0};
+  }
+  if (path.size() == 2) {
+    assign((*stage)->parameters, path[1], assignment->value);
+    return {};
+  }
+  std::vector<std::string> parts;
+  for (const PartInfo& part : (*stage)->info->parts) parts.push_back(part.name);
+  if (find_part(*(*stage)->info, path[1]) == nullptr) {
+    return Error{core::unknown_name("part of " + path[0], path[1], parts), assignment->option, 0,
+                 0};
+  }
+  if (path[1] == kBehaviourPart) {
+    assign((*stage)->parameters, path.back(), assignment->value);
+    return {};
+  }
+  const auto choice = find_choice(**stage, *assignment);
+  if (!choice.ok()) return choice.error();
+  assign((*choice)->parameters, path.back(), assignment->value);
+  return {};
+}
+
+}  // namespace
+
+Result<void> apply_overrides(const GraphOverrides& overrides, RawGraph& graph) {
+  if (overrides.world) graph.head.world = *overrides.world;
+  if (overrides.robot) graph.head.robot = *overrides.robot;
+  if (overrides.seed) graph.head.seed = *overrides.seed;
+  if (overrides.max_ticks) graph.head.max_ticks = *overrides.max_ticks;
+  for (const std::string& text : overrides.with) CLEW_RETURN_IF_ERROR(apply_with(text, graph));
+  for (const std::string& text : overrides.set) CLEW_RETURN_IF_ERROR(apply_set(text, graph));
+  return {};
+}
+
+}  // namespace clew::runtime

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "runtime/raw_graph.hpp"
+
+namespace clew::runtime {
+namespace {
+
+bool is_plain(const std::string& text) {
+  if (text.empty() || text == "true" || text == "false" || text == "null") return false;
+  if (std::isalpha(static_cast<unsigned char>(text.front())) == 0) return false;
+  for (char c : text) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != '-') return false;
+  }
+  return true;
+}
+
+std::string quote(const std::string& text) {
+  if (is_plain(text)) return text;
+  std::string quoted = "\"";
+  for (char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string list(const std::vector<std::string>& words) {
+  std::string text = "[";
+  for (const std::string& word : words) text += (text.size() > 1 ? ", " : "") + quote(word);
+  return text + ']';
+}
+
+struct ValueText {
+  std::string operator()(bool v) const { return v ? "true" : "false"; }
+  std::string operator()(std::int64_t v) const { return std::to_string(v); }
+  std::string operator()(double v) const { return fmt::format("{}", v); }
+  std::string operator()(const std::string& v) const { return quote(v); }
+  std::string operator()(const std::vector<std::string>& v) const { return list(v); }
+};
+
+// In the order of the declarations.
+std::string parameters_text(const std::vector<core::ParameterInfo>& infos,
+                            const core::ParameterValues& values, const std::string& indent) {
+  std::string text;
+  for (const core::ParameterInfo& info : infos) {
+    text += indent + info.name + ": " + std::visit(ValueText{}, values.at(info.name)) + '\n';
+  }
+  return text;
+}
+
+const VariantInfo& variant_named(const PartInfo& part, const std::string& name) {
+  for (const VariantInfo& variant : part.variants) {
+    if (variant.name == name) return variant;
+  }
+  CLEW_CHECK(false, part.name + " '" + name + "' was not checked");
+}
+
+std::string part_text(const PartInfo& part, const std::vector<PartChoice>& choices) {
+  if (part.name == kBehaviourPart) {
+    const PartChoice& choice = choices.front();
+    return "  behaviour: " + quote(choice.name) + '\n' +
+           parameters_text(variant_named(part, choice.name).parameters, choice.parameters, "  ");
+  }
+  if (choices.empty()) return "  " + part.name + ": []\n";
+  std::string text = "  " + part.name + ":\n";
+  for (const PartChoice& choice : choices) {
+    const std::string lead = part.is_list ? "    - " : "    ";
+    const std::string values =
+        parameters_text(variant_named(part, choice.name).parameters, choice.parameters, "        ");
+    text += lead + quote(choice.name) + ':' + (values.empty() ? " {}\n" : '\n' + values);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string Graph::expanded_yaml() const {
+  std::string text = fmt::format("world: {}\nrobot: {}\nseed: {}\nmax_ticks: {}\n", quote(world),
+                                 quote(robot), seed, max_ticks);
+  for (const GraphStage& stage : stages) {
+    text += stage.info->name + ":\n";
+    if (!stage.deployment.exec.empty()) {
+      text += "  exec: " + list(stage.deployment.exec) + '\n';
+      continue;
+    }
+    for (const PartInfo& part : stage.info->parts) {
+      text += part_text(part, stage.config.parts.at(part.name));
+    }
+    text += parameters_text(stage.info->parameters, stage.config.parameters, "  ");
+  }
+  return text;
+}
+
+}  // namespace clew::runtime

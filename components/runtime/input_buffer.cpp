@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/input_buffer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace clew::runtime {
+
+InputBuffer::InputBuffer(const NodePorts& ports, std::size_t depth)
+    : inputs_(ports.inputs), delayed_(ports.delayed_inputs), slots_(depth) {}
+
+void InputBuffer::restart_at(std::uint64_t tick) {
+  const std::uint64_t last = next_tick_ + slots_.size();
+  for (std::uint64_t t = next_tick_; t < std::min(tick, last); ++t) {
+    slots_[t % slots_.size()].present.reset();
+  }
+  next_tick_ = tick;
+}
+
+TopicSet InputBuffer::needed(std::uint64_t tick) const {
+  return tick == 0 ? inputs_ : inputs_ | delayed_;
+}
+
+bool InputBuffer::ready() const {
+  return slots_[next_tick_ % slots_.size()].present == needed(next_tick_);
+}
+
+std::optional<std::uint64_t> InputBuffer::newest_ready() const {
+  for (std::uint64_t ahead = slots_.size(); ahead-- > 0;) {
+    const std::uint64_t tick = next_tick_ + ahead;
+    if (slots_[tick % slots_.size()].present == needed(tick)) return tick;
+  }
+  return std::nullopt;
+}
+
+TopicSet InputBuffer::take(domain::Messages& messages) {
+  Slot& slot = slots_[next_tick_ % slots_.size()];
+  for (Topic topic : domain::kAllTopics) {
+    if (!slot.present[static_cast<std::size_t>(topic)]) continue;
+    domain::visit_topic(topic, [&](auto constant) {
+      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      std::swap(std::get<kIndex>(messages), std::get<kIndex>(slot.messages));
+    });
+  }
+  ++next_tick_;
+  return std::exchange(slot.present, {});
+}
+
+}  // namespace clew::runtime

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "runtime/node.hpp"
+
+namespace clew::runtime {
+
+/// Collects the samples of a node's wired inputs, in whatever order they come, until a tick has all
+/// of them. Holds at most `depth` ticks ahead of the next one.
+class InputBuffer {
+ public:
+  enum class Offer : std::uint8_t {
+    kTaken,
+    kKnown,  ///< of a tick that was stepped, or is here already: dropped
+    kAhead   ///< more than `depth` ticks ahead: dropped, and lost to this reader
+  };
+
+  InputBuffer(const NodePorts& ports, std::size_t depth);
+
+  /// The tick whose inputs are collected now.
+  std::uint64_t next_tick() const { return next_tick_; }
+  /// Goes on from `tick`; what is older is dropped.
+  void restart_at(std::uint64_t tick);
+
+  /// Takes a sample by swapping it with an old one.
+  template <typename Message>
+  Offer offer(Message& message) {
+    constexpr auto kIndex = static_cast<std::size_t>(domain::topic_of<Message>());
+    const std::uint64_t tick = message.stamp.tick + (delayed_[kIndex] ? 1 : 0);
+    if (tick < next_tick_) return Offer::kKnown;
+    if (tick - next_tick_ >= slots_.size()) return Offer::kAhead;
+    Slot& slot = slots_[tick % slots_.size()];
+    if (slot.present[kIndex]) return Offer::kKnown;
+    std::swap(std::get<kIndex>(slot.messages), message);
+    slot.present.set(kIndex);
+    return Offer::kTaken;
+  }
+
+  /// Whether every input of the next tick is here. Tick 0 needs no delayed ones.
+  bool ready() const;
+  /// The newest tick from the next one on that has all its inputs, if any.
+  std::optional<std::uint64_t> newest_ready() const;
+
+  /// Hands over the inputs of the next tick, present or not, and goes on to the tick after it.
+  /// Returns which are present.
+  TopicSet take(domain::Messages& messages);
+
+ private:
+  struct Slot {
+    domain::Messages messages;
+    TopicSet present;
+  };
+  TopicSet needed(std::uint64_t tick) const;
+
+  TopicSet inputs_;
+  TopicSet delayed_;
+  std::vector<Slot> slots_;  // by tick modulo their number
+  std::uint64_t next_tick_ = 0;
+};
+
+}  // namespace clew::runtime

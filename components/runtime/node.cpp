@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/node.hpp"
+
+#include <utility>
+
+#include "domain/reset.hpp"
+
+namespace clew::runtime {
+namespace {
+
+std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
+
+}  // namespace
+
+NodePorts resolve_ports(const StageInfo& stage, const TopicSet& written) {
+  NodePorts ports;
+  for (const PortInfo& port : stage.ports) {
+    const std::size_t index = index_of(port.topic);
+    if (port.direction == PortInfo::Direction::kOutput) {
+      ports.outputs.set(index);
+      ports.output_order.push_back(port.topic);
+      continue;
+    }
+    ports.declared_inputs.set(index);
+    if (!written[index]) continue;
+    if (port.need == PortInfo::Need::kFallback && written[index_of(port.instead_of)]) continue;
+    (port.delayed ? ports.delayed_inputs : ports.inputs).set(index);
+  }
+  return ports;
+}
+
+Node::Node(std::string name, NodePorts ports, std::unique_ptr<Component> component, double tick_s)
+    : name_(std::move(name)),
+      ports_(std::move(ports)),
+      component_(std::move(component)),
+      tick_s_(tick_s) {}
+
+void Node::step(std::uint64_t tick, const TopicSet& present, domain::Messages& messages) {
+  for (Topic topic : ports_.output_order) {
+    domain::visit_topic(topic, [&](auto constant) {
+      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      auto& message = std::get<kIndex>(messages);
+      domain::reset(message);
+      message.stamp = {tick, static_cast<double>(tick) * tick_s_, next_sequence_[kIndex]++};
+    });
+  }
+  const TickInputs inputs(messages, ports_.declared_inputs, present, tick);
+  TickOutputs outputs(messages, ports_.outputs);
+  component_->step(inputs, outputs);
+}
+
+std::string Node::save() const {
+  core::StateWriter writer;
+  auto sequences = next_sequence_;
+  writer(sequences);
+  component_->save(writer);
+  return writer.take();
+}
+
+core::Result<void> Node::load(const std::string& bytes) {
+  core::StateReader reader(bytes);
+  reader(next_sequence_);
+  component_->load(reader);
+  if (!reader.complete()) {
+    return core::Error{"the saved state of " + name_ + " (" + std::to_string(bytes.size()) +
+                           " bytes) is not one of this component",
+                       {},
+                       0,
+                       0};
+  }
+  return {};
+}
+
+}  // namespace clew::runtime

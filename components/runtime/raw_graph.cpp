@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/raw_graph.hpp"
+
+#include "core/nearest_name.hpp"
+
+namespace clew::runtime {
+namespace {
+
+using core::Error;
+using core::Result;
+using core::YamlKind;
+using core::YamlNode;
+
+// A choice is `name`, or `{name: {parameter: value, ...}}`.
+Result<RawChoice> read_choice(const YamlNode& node) {
+  if (node.kind() != YamlKind::kMap) {
+    auto name = node.string();
+    if (!name.ok()) {
+      return node.error("expected a behaviour's name, or {name: {parameter: value}}; found " +
+                        node.found());
+    }
+    return RawChoice{*name, node, {}};
+  }
+  const auto entries = node.entries();
+  if (!entries.ok()) return entries.error();
+  if (entries->size() != 1) {
+    return node.error("expected one behaviour as {name: {parameter: value}}; found " +
+                      node.found() + " with " + std::to_string(entries->size()) + " keys");
+  }
+  const auto& entry = entries->front();
+  RawChoice choice{entry.key, entry.key_node, {}};
+  if (entry.value.kind() == YamlKind::kNull) return choice;
+  const auto parameters = entry.value.entries();
+  if (!parameters.ok()) return parameters.error();
+  for (const auto& parameter : *parameters) {
+    choice.parameters.push_back({parameter.key, parameter.key_node, parameter.value});
+  }
+  return choice;
+}
+
+Result<std::vector<RawChoice>> read_choices(const PartInfo& part, const YamlNode& node) {
+  if (!part.is_list) {
+    auto choice = read_choice(node);
+    if (!choice.ok()) return choice.error();
+    return std::vector<RawChoice>{std::move(choice).value()};
+  }
+  const auto items = node.items();
+  if (!items.ok()) return items.error();
+  std::vector<RawChoice> choices;
+  for (const YamlNode& item : *items) {
+    auto choice = read_choice(item);
+    if (!choice.ok()) return choice.error();
+    for (const RawChoice& other : choices) {
+      if (other.name == choice->name) {
+        return item.error("'" + choice->name + "' stands twice in the list of " + part.name);
+      }
+    }
+    choices.push_back(std::move(choice).value());
+  }
+  return choices;
+}
+
+Result<void> read_deployment(const YamlNode& node, const std::string& key, Deployment& deployment) {
+  if (key == "exec") {
+    const auto items = node.items();
+    if (!items.ok()) return items.error();
+    if (items->empty()) return node.error("exec is empty; expected [program, argument, ...]");
+    for (const YamlNode& item : *items) {
+      auto word = item.string();
+      if (!word.ok()) return word.error();
+      deployment.exec.push_back(*word);
+    }
+    return {};
+  }
+  CLEW_RETURN_IF_ERROR(node.check_keys({"middleware"}));
+  if (const auto middleware = node.find("middleware")) {
+    auto word = middleware->string();
+    if (!word.ok()) return word.error();
+    if (*word != "cyclonedds" && *word != "fastdds") {
+      return middleware->error(core::unknown_name("middleware", *word, {"cyclonedds", "fastdds"}));
+    }
+    deployment.middleware = *word;
+  }
+  return {};
+}
+
+Result<RawStage> read_stage(const StageInfo& info, const YamlNode& node) {
+  RawStage stage{&info, node, {}, {}, {}};
+  const auto entries = node.entries();
+  if (!entries.ok()) return entries.error();
+  for (const auto& entry : *entries) {
+    if (entry.key == "process" || entry.key == "exec") {
+      CLEW_RETURN_IF_ERROR(read_deployment(entry.value, entry.key, stage.deployment));
+    } else if (const PartInfo* part = find_part(info, entry.key)) {
+      auto choices = read_choices(*part, entry.value);
+      if (!choices.ok()) return choices.error();
+      stage.parts[entry.key] = std::move(choices).value();
+    } else {
+      stage.parameters.push_back({entry.key, entry.key_node, entry.value});
+    }
+  }
+  return stage;
+}
+
+Result<std::uint64_t> read_count(const YamlNode& node, const char* key) {
+  const auto value = node.integer();
+  if (!value.ok()) return value.error();
+  if (*value < 0) {
+    return node.error(std::string(key) + " is " + node.found() + "; allowed: 0 and above");
+  }
+  return static_cast<std::uint64_t>(*value);
+}
+
+Result<void> read_head(const YamlNode& root, Graph& head) {
+  const auto text = [&](const char* key, std::string& field, bool required) -> Result<void> {
+    if (!required && !root.find(key)) return {};
+    const auto node = root.at(key);
+    if (!node.ok()) return node.error();
+    auto value = node->string();
+    if (!value.ok()) return value.error();
+    field = *value;
+    return {};
+  };
+  std::string about;
+  CLEW_RETURN_IF_ERROR(text("about", about, false));
+  CLEW_RETURN_IF_ERROR(text("world", head.world, true));
+  CLEW_RETURN_IF_ERROR(text("robot", head.robot, true));
+  const auto count = [&](const char* key, std::uint64_t& field) -> Result<void> {
+    const auto node = root.find(key);
+    if (!node) return {};
+    const auto value = read_count(*node, key);
+    if (!value.ok()) return value.error();
+    field = *value;
+    return {};
+  };
+  CLEW_RETURN_IF_ERROR(count("seed", head.seed));
+  CLEW_RETURN_IF_ERROR(count("max_ticks", head.max_ticks));
+  if (const auto node = root.find("start_timeout_s")) {
+    const auto value = node->number();
+    if (!value.ok()) return value.error();
+    if (*value < 0.1 || *value > 3600.0) {
+      return node->error("start_timeout_s is " + node->found() + "; allowed: 0.1 to 3600 s");
+    }
+    head.start_timeout_s = *value;
+  }
+  return {};
+}
+
+}  // namespace
+
+const PartInfo* find_part(const StageInfo& stage, const std::string& name) {
+  for (const PartInfo& part : stage.parts) {
+    if (part.name == name) return &part;
+  }
+  return nullptr;
+}
+
+Result<const VariantInfo*> find_variant(const StageInfo& stage, const PartInfo& part,
+                                        const RawChoice& choice) {
+  std::vector<std::string> known;
+  for (const VariantInfo& variant : part.variants) {
+    if (variant.name == choice.name) return &variant;
+    known.push_back(variant.name);
+  }
+  return choice.where.error(core::unknown_name(stage.name + ' ' + part.name, choice.name, known));
+}
+
+Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& name,
+                                const std::vector<StageInfo>& stages) {
+  const auto root = YamlNode::parse(file.text, file.file);
+  if (!root.ok()) return root.error();
+  std::vector<std::string> keys = {"about", "world",     "robot",
+                                   "seed",  "max_ticks", "start_timeout_s"};
+  for (const StageInfo& stage : stages) keys.push_back(stage.name);
+  CLEW_RETURN_IF_ERROR(root->check_keys(keys));
+
+  RawGraph graph{{}, *root, {}};
+  graph.head.name = name;
+  CLEW_RETURN_IF_ERROR(read_head(*root, graph.head));
+  for (const StageInfo& info : stages) {
+    const auto node = root->find(info.name);
+    if (!node) continue;
+    auto stage = read_stage(info, *node);
+    if (!stage.ok()) return stage.error();
+    graph.stages.push_back(std::move(stage).value());
+  }
+  return graph;
+}
+
+}  // namespace clew::runtime

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/run_plan.hpp"
+
+#include <utility>
+
+#include "core/yaml_reader.hpp"
+#include "world/world.hpp"
+
+namespace clew::runtime {
+namespace {
+
+using core::Result;
+
+void collect_files(const std::vector<core::ParameterInfo>& infos,
+                   const core::ParameterValues& values,
+                   std::vector<std::pair<std::string, std::string>>& files) {
+  for (const core::ParameterInfo& info : infos) {
+    if (info.folder.empty()) continue;
+    const auto& name = std::get<std::string>(values.at(info.name));
+    if (!name.empty()) files.emplace_back(info.folder, name);
+  }
+}
+
+// Every data file that a chosen behaviour names, as folder and name.
+std::vector<std::pair<std::string, std::string>> data_files(const Graph& graph) {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const GraphStage& stage : graph.stages) {
+    if (!stage.deployment.exec.empty()) continue;
+    collect_files(stage.info->parameters, stage.config.parameters, files);
+    for (const PartInfo& part : stage.info->parts) {
+      for (const PartChoice& choice : stage.config.parts.at(part.name)) {
+        for (const VariantInfo& variant : part.variants) {
+          if (variant.name == choice.name) {
+            collect_files(variant.parameters, choice.parameters, files);
+          }
+        }
+      }
+    }
+  }
+  return files;
+}
+
+Result<void> load_world(const ConfigSource& source, RunPlan& plan) {
+  auto file = source.find("worlds", plan.graph.world);
+  if (!file.ok()) return file.error();
+  auto world = world::World::parse(file->text, file->file);
+  if (!world.ok()) return world.error();
+  const auto fits = world->check_robot_fits(plan.setup.behaviour.robot.radius_m);
+  if (!fits.ok()) {
+    core::Error error = fits.error();
+    if (error.file.empty()) error.file = file->file;
+    return error;
+  }
+  plan.graph.world = world->name();
+  plan.setup.world = std::make_shared<const world::World>(std::move(world).value());
+  plan.bundle["world.yaml"] = std::move(file->text);
+  return {};
+}
+
+Result<void> load_robot(const ConfigSource& source, RunPlan& plan) {
+  auto file = source.find("robots", plan.graph.robot);
+  if (!file.ok()) return file.error();
+  auto robot = read_robot(*file, plan.graph.robot);
+  if (!robot.ok()) return robot.error();
+  plan.setup.behaviour.robot = std::move(robot).value();
+  plan.bundle["robot.yaml"] = std::move(file->text);
+  return {};
+}
+
+Result<void> load_data_files(const ConfigSource& source, RunPlan& plan) {
+  for (const auto& [folder, name] : data_files(plan.graph)) {
+    auto file = source.find(folder, name);
+    if (!file.ok()) return file.error();
+    plan.bundle[folder + '/' + name + ".yaml"] = file->text;
+    plan.setup.behaviour.resources.add(folder, name, std::move(file).value());
+  }
+  return {};
+}
+
+void fill_setup(RunPlan& plan) {
+  plan.setup.seed = plan.graph.seed;
+  plan.setup.max_ticks = plan.graph.max_ticks;
+  plan.setup.behaviour.tick_s = plan.graph.tick_s;
+  for (const GraphStage& stage : plan.graph.stages) {
+    if (stage.info->scan_layout && stage.deployment.exec.empty()) {
+      plan.setup.behaviour.scan = stage.info->scan_layout(stage.config);
+    }
+  }
+}
+
+Result<void> check_drive(const Graph& graph) {
+  const GraphStage* drive = graph.writer_of(Topic::kState);
+  if (drive == nullptr || !drive->deployment.exec.empty()) {
+    return core::Error{"a graph needs a drive of its own: it judges the outcome", {}, 0, 0};
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<domain::Robot> read_robot(const core::Resource& file, const std::string& name) {
+  const auto root = core::YamlNode::parse(file.text, file.file);
+  if (!root.ok()) return root.error();
+  CLEW_RETURN_IF_ERROR(root->check_keys({"about", "radius_m"}));
+  const auto node = root->at("radius_m");
+  if (!node.ok()) return node.error();
+  const auto radius_m = node->number();
+  if (!radius_m.ok()) return radius_m.error();
+  if (*radius_m < 0.01 || *radius_m > 5.0) {
+    return node->error("radius_m is " + node->found() + "; allowed: 0.01 to 5 m");
+  }
+  return domain::Robot{name, *radius_m};
+}
+
+Result<RunPlan> prepare_run(const std::string& graph_name, const GraphOverrides& overrides,
+                            const ConfigSource& source, const std::vector<StageInfo>& stages) {
+  const auto file = source.find("graphs", graph_name);
+  if (!file.ok()) return file.error();
+  auto graph = load_graph(*file, graph_name, overrides, stages);
+  if (!graph.ok()) return graph.error();
+  RunPlan plan;
+  plan.graph = std::move(graph).value();
+  CLEW_RETURN_IF_ERROR(check_drive(plan.graph));
+  CLEW_RETURN_IF_ERROR(load_robot(source, plan));
+  CLEW_RETURN_IF_ERROR(load_world(source, plan));
+  CLEW_RETURN_IF_ERROR(load_data_files(source, plan));
+  fill_setup(plan);
+  plan.bundle["graph.yaml"] = plan.graph.expanded_yaml();
+  for (const GraphStage& stage : plan.graph.stages) {
+    if (!stage.deployment.exec.empty()) continue;
+    const auto node = make_node(plan, stage);
+    if (!node.ok()) return node.error();
+  }
+  return plan;
+}
+
+Result<RunPlan> prepare_run(const Bundle& bundle, const std::vector<StageInfo>& stages) {
+  return prepare_run("graph", {}, BundleSource(bundle), stages);
+}
+
+Result<Node> make_node(const RunPlan& plan, const GraphStage& stage) {
+  auto component = stage.info->make(stage.config, plan.setup);
+  if (!component.ok()) return component.error();
+  return Node(stage.info->name, stage.ports, std::move(component).value(), plan.graph.tick_s);
+}
+
+Result<std::vector<Node>> make_nodes(const RunPlan& plan) {
+  std::vector<Node> nodes;
+  for (const GraphStage& stage : plan.graph.stages) {
+    if (!stage.deployment.exec.empty()) {
+      return core::Error{stage.info->name +
+                             " has exec: a component of someone else's is a process, and cannot be "
+                             "composed",
+                         {},
+                         0,
+                         0};
+    }
+    auto node = make_node(plan, stage);
+    if (!node.ok()) return node.error();
+    nodes.push_back(std::move(node).value());
+  }
+  return nodes;
+}
+
+}  // namespace clew::runtime

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/composed_executor.hpp"
+#include "runtime/graph.hpp"
+
+namespace clew::runtime {
+
+/// Everything that decides a run, read and checked: what is left is to run it.
+struct RunPlan {
+  Graph graph;
+  RunSetup setup;
+  Bundle bundle;  ///< the texts that this plan was made of; another plan made of them is the same
+};
+
+/// Reads a graph with its world, robot and data files, and makes every component once to see that
+/// the parts fit. An error says what is needed and what is there.
+core::Result<RunPlan> prepare_run(const std::string& graph, const GraphOverrides& overrides,
+                                  const ConfigSource& source, const std::vector<StageInfo>& stages);
+
+/// The plan that a bundle was made from: a recording's, or a running supervisor's.
+core::Result<RunPlan> prepare_run(const Bundle& bundle, const std::vector<StageInfo>& stages);
+
+/// Makes the component of a stage with its ports.
+core::Result<Node> make_node(const RunPlan& plan, const GraphStage& stage);
+
+/// All of them, in the order of the graph; a stage with exec cannot be composed.
+core::Result<std::vector<Node>> make_nodes(const RunPlan& plan);
+
+/// Reads a robot file: `{radius_m: 0.15}`, with an optional `about`.
+core::Result<domain::Robot> read_robot(const core::Resource& file, const std::string& name);
+
+}  // namespace clew::runtime

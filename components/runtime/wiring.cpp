@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/wiring.hpp"
+
+#include <algorithm>
+
+namespace clew::runtime {
+namespace {
+
+using core::Error;
+using core::Result;
+
+std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
+std::string quoted(Topic topic) { return "'" + std::string(domain::topic_name(topic)) + "'"; }
+
+Error wiring_error(std::string message) { return {std::move(message), {}, 0, 0}; }
+
+Result<TopicSet> written_topics(const Graph& graph) {
+  TopicSet written;
+  std::array<std::string, domain::kTopicCount> writers;
+  for (const GraphStage& stage : graph.stages) {
+    for (const PortInfo& port : stage.info->ports) {
+      if (port.direction != PortInfo::Direction::kOutput) continue;
+      std::string& writer = writers[index_of(port.topic)];
+      if (!writer.empty()) {
+        return wiring_error(quoted(port.topic) + " has two writers: " + writer + " and " +
+                            stage.info->name);
+      }
+      writer = stage.info->name;
+      written.set(index_of(port.topic));
+    }
+  }
+  return written;
+}
+
+Result<void> check_needs(const GraphStage& stage, const TopicSet& written) {
+  for (const PartInfo& part : stage.info->parts) {
+    const auto chosen = stage.config.parts.find(part.name);
+    if (chosen == stage.config.parts.end()) continue;
+    for (const PartChoice& choice : chosen->second) {
+      for (const VariantInfo& variant : part.variants) {
+        const TopicSet missing = variant.needs & ~written;
+        if (variant.name != choice.name || missing.none()) continue;
+        std::string topics;
+        for (Topic topic : domain::kAllTopics) {
+          if (missing[index_of(topic)]) topics += (topics.empty() ? "" : ", ") + quoted(topic);
+        }
+        return wiring_error(stage.info->name + '.' + part.name + " '" + choice.name + "' needs " +
+                            topics + ", and no stage of this graph writes it");
+      }
+    }
+  }
+  return {};
+}
+
+Result<void> check_ports(GraphStage& stage, const TopicSet& written, Graph& graph) {
+  stage.ports = resolve_ports(*stage.info, written);
+  for (const PortInfo& port : stage.info->ports) {
+    const bool is_written = written[index_of(port.topic)];
+    if (port.direction == PortInfo::Direction::kOutput || is_written) continue;
+    if (port.need == PortInfo::Need::kOptional) {
+      graph.unwired.push_back(stage.info->name + '.' + std::string(domain::topic_name(port.topic)));
+      continue;
+    }
+    if (port.need == PortInfo::Need::kFallback && written[index_of(port.instead_of)]) continue;
+    return wiring_error(stage.info->name + " needs " + quoted(port.topic) +
+                        ", and no stage of this graph writes it");
+  }
+  return check_needs(stage, written);
+}
+
+// Repeatedly takes the first stage whose inputs of the same tick are all written by stages taken.
+Result<void> order_stages(Graph& graph) {
+  std::vector<GraphStage> ordered;
+  std::vector<GraphStage> left = std::move(graph.stages);
+  TopicSet done;
+  while (!left.empty()) {
+    const auto next = std::find_if(left.begin(), left.end(), [&](const GraphStage& stage) {
+      return (stage.ports.inputs & ~done).none();
+    });
+    if (next == left.end()) {
+      std::string names;
+      for (const GraphStage& stage : left) names += (names.empty() ? "" : ", ") + stage.info->name;
+      return wiring_error("these stages wait for one another within a tick: " + names +
+                          "; only an input of the tick before may close a cycle");
+    }
+    done |= next->ports.outputs;
+    ordered.push_back(std::move(*next));
+    left.erase(next);
+  }
+  graph.stages = std::move(ordered);
+  return {};
+}
+
+}  // namespace
+
+Result<void> wire(Graph& graph) {
+  const auto written = written_topics(graph);
+  if (!written.ok()) return written.error();
+  for (GraphStage& stage : graph.stages) {
+    CLEW_RETURN_IF_ERROR(check_ports(stage, *written, graph));
+  }
+  return order_stages(graph);
+}
+
+}  // namespace clew::runtime

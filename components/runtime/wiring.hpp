@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/result.hpp"
+#include "runtime/graph.hpp"
+
+namespace clew::runtime {
+
+/// Connects the ports of a graph's stages by topic, notes optional ones that nobody writes, and
+/// puts the stages in an order in which they can run within a tick. Errors are without a place.
+core::Result<void> wire(Graph& graph);
+
+}  // namespace clew::runtime
