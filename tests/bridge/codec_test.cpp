@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "convert/codec.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "clew/idl_fingerprint.h"
+#include "message_equality.hpp"
+#include "random_messages.hpp"
+
+namespace clew::bridge {
+namespace {
+
+/// A test for each of the eight messages.
+template <typename Message>
+class CodecOf : public testing::Test {};
+using AllMessages =
+    testing::Types<domain::Command, domain::Event, domain::Guidance, domain::Landmark,
+                   domain::Odometry, domain::Scan, domain::State, domain::Target>;
+TYPED_TEST_SUITE(CodecOf, AllMessages);
+
+template <typename Value>
+void put(std::string& bytes, Value value) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  bytes.append(raw, sizeof value);
+}
+
+/// Byte by byte what the CDR of a State is: 8-byte numbers aligned to 8, counted from behind the
+/// header; the enumeration as 4 bytes, the boolean as 1, and 3 zeros before the next 4-byte number.
+std::string cdr_of_state_by_hand() {
+  std::string bytes("\x00\x01\x00\x00", 4);
+  put<std::uint64_t>(bytes, 7);                     // stamp.tick
+  put<double>(bytes, 2.1);                          // stamp.sim_time_s
+  put<std::uint64_t>(bytes, 8);                     // stamp.sequence_number
+  for (const double number : {1.0, -2.0, 0.5,       // pose_world_robot
+                              0.4, -0.3, 12.25}) {  // speed_mps, turn_rate_radps, path_length_m
+    put(bytes, number);
+  }
+  put<std::uint32_t>(bytes, 2);  // OUTCOME_COLLIDED
+  bytes.append("\x01\x00\x00\x00", 4);
+  put<std::uint32_t>(bytes, 3);
+  put<std::uint32_t>(bytes, 4);
+  put<std::uint32_t>(bytes, 5);
+  return bytes;
+}
+
+domain::State state_of_those_bytes() {
+  domain::State state;
+  state.stamp = {7, 2.1, 8};
+  state.pose_world_robot = {1.0, -2.0, 0.5};
+  state.speed_mps = 0.4;
+  state.turn_rate_radps = -0.3;
+  state.path_length_m = 12.25;
+  state.outcome = domain::Outcome::kCollided;
+  state.command_late = true;
+  state.collisions = 3;
+  state.hit_by = 4;
+  state.safety_stops = 5;
+  return state;
+}
+
+TEST(Codec, WritesTheBytesThatCdrPrescribes) {
+  Codec<domain::State> codec;
+
+  const std::string_view bytes = codec.encode(state_of_those_bytes());
+
+  EXPECT_EQ(bytes, cdr_of_state_by_hand());
+}
+
+TEST(Codec, ReadsTheBytesThatCdrPrescribes) {
+  Codec<domain::State> codec;
+  domain::State state;
+
+  const core::Result<void> result = codec.decode(cdr_of_state_by_hand(), state);
+
+  ASSERT_TRUE(result.ok()) << result.error().text();
+  EXPECT_TRUE(state == state_of_those_bytes());
+}
+
+TYPED_TEST(CodecOf, GivesBackWhatItTook) {
+  RandomMessages random(1);
+  Codec<TypeParam> writer;
+  Codec<TypeParam> reader;
+  TypeParam received;
+  for (int i = 0; i < 500; ++i) {
+    TypeParam sent;
+    random.fill(sent);
+
+    const core::Result<void> result = reader.decode(writer.encode(sent), received);
+
+    ASSERT_TRUE(result.ok()) << result.error().text();
+    ASSERT_TRUE(received == sent) << "message " << i;
+  }
+}
+
+TYPED_TEST(CodecOf, WritesTheSameBytesWhateverItWroteBefore) {
+  RandomMessages random(2);
+  Codec<TypeParam> used;
+  for (int i = 0; i < 100; ++i) {
+    TypeParam message;
+    random.fill(message);
+    Codec<TypeParam> fresh;
+
+    EXPECT_EQ(used.encode(message), fresh.encode(message));
+  }
+}
+
+TYPED_TEST(CodecOf, TakesTheDefaultMessage) {
+  Codec<TypeParam> codec;
+  TypeParam received;
+
+  const core::Result<void> result = codec.decode(codec.encode(TypeParam{}), received);
+
+  ASSERT_TRUE(result.ok()) << result.error().text();
+  EXPECT_TRUE(received == TypeParam{});
+}
+
+TYPED_TEST(CodecOf, RefusesEveryTruncation) {
+  RandomMessages random(3);
+  Codec<TypeParam> codec;
+  TypeParam message;
+  random.fill(message);
+  const std::string bytes(codec.encode(message));
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(codec.decode(std::string_view(bytes).substr(0, size), message).ok()) << size;
+  }
+}
+
+TYPED_TEST(CodecOf, TakesPaddingUpToThreeBytes) {
+  RandomMessages random(4);
+  Codec<TypeParam> codec;
+  TypeParam message;
+  random.fill(message);
+  const std::string bytes(codec.encode(message));
+  for (const std::size_t padding : {1u, 2u, 3u}) {
+    TypeParam received;
+
+    EXPECT_TRUE(codec.decode(bytes + std::string(padding, '\xAA'), received).ok());
+
+    EXPECT_TRUE(received == message);
+  }
+  EXPECT_FALSE(codec.decode(bytes + std::string(4, '\0'), message).ok());
+}
+
+TYPED_TEST(CodecOf, SurvivesAnyChangedByte) {
+  RandomMessages random(5);
+  Codec<TypeParam> codec;
+  TypeParam message;
+  random.fill(message);
+  const std::string good(codec.encode(message));
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    std::string bad = good;
+    bad[i] = static_cast<char>(~bad[i]);
+
+    if (codec.decode(bad, message).ok()) {
+      EXPECT_TRUE(domain::validate(message).ok());
+    }
+  }
+}
+
+TYPED_TEST(CodecOf, RefusesAnotherEncapsulation) {
+  Codec<TypeParam> codec;
+  TypeParam message;
+  std::string bytes(codec.encode(message));
+  bytes[1] = '\x03';  // PL_CDR_LE
+
+  const core::Result<void> result = codec.decode(bytes, message);
+
+  ASSERT_FALSE(result.ok());
+  EXPECT_NE(result.error().text().find("encapsulation 00 03; allowed: 00 01"), std::string::npos)
+      << result.error().text();
+}
+
+TYPED_TEST(CodecOf, IgnoresTheOptionsOfTheEncapsulation) {
+  Codec<TypeParam> codec;
+  TypeParam message;
+  std::string bytes(codec.encode(message));
+  bytes[3] = '\x03';  // Cyclone counts padding bytes here
+
+  EXPECT_TRUE(codec.decode(bytes, message).ok());
+}
+
+TEST(Codec, LeavesADefaultMessageAfterARefusal) {
+  std::string bytes = cdr_of_state_by_hand();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::memcpy(&bytes[4 + 24], &nan, sizeof nan);  // pose_world_robot.x_m
+  Codec<domain::State> codec;
+  domain::State state = state_of_those_bytes();
+
+  const core::Result<void> result = codec.decode(bytes, state);
+
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().text(), "state: pose_world_robot.x_m is nan; allowed: finite numbers");
+  EXPECT_TRUE(state == domain::State{});
+}
+
+TEST(Codec, NamesTheTypeAndTheSizeOfASampleThatIsTooShort) {
+  Codec<domain::State> codec;
+  domain::State state;
+
+  const core::Result<void> result = codec.decode(cdr_of_state_by_hand().substr(0, 50), state);
+
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().text(), "clew::msg::State, 50 bytes: too short for its content");
+}
+
+TEST(Codec, NamesTheLimitOfASampleThatIsTooLong) {
+  Codec<domain::State> codec;
+  domain::State state;
+
+  const core::Result<void> result =
+      codec.decode(cdr_of_state_by_hand() + std::string(1000, '\0'), state);
+
+  ASSERT_FALSE(result.ok());
+  // 4 of header, 88 up to the enumeration and the padded boolean, three numbers of 4.
+  EXPECT_EQ(result.error().text(), "clew::msg::State, 1096 bytes: too long; allowed: at most 96");
+}
+
+TEST(Codec, RefusesAnEnumeratorThatFitsAByteOnlyWhenCut) {
+  std::string bytes = cdr_of_state_by_hand();
+  const std::uint32_t outcome = 256;
+  std::memcpy(&bytes[4 + 72], &outcome, sizeof outcome);
+  Codec<domain::State> codec;
+  domain::State state;
+
+  const core::Result<void> result = codec.decode(bytes, state);
+
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().text(), "state: outcome is 256; allowed: at most 4");
+}
+
+TEST(Codec, RefusesABooleanThatIsNeither) {
+  std::string bytes = cdr_of_state_by_hand();
+  bytes[4 + 76] = '\x02';  // command_late
+  Codec<domain::State> codec;
+  domain::State state;
+
+  const core::Result<void> result = codec.decode(bytes, state);
+
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().text(), "clew::msg::State, 96 bytes: a boolean is neither 0 nor 1");
+}
+
+TEST(Codec, RefusesAListBeyondItsBound) {
+  domain::Scan scan;
+  scan.range_max_m = 1.0;
+  scan.ranges_m.assign(domain::kMaxRanges, 0.5);
+  Codec<domain::Scan> codec;
+  std::string bytes(codec.encode(scan));
+  const std::uint32_t too_many = domain::kMaxRanges + 1;
+  std::memcpy(&bytes[4 + 64], &too_many, sizeof too_many);
+
+  EXPECT_FALSE(codec.decode(bytes, scan).ok());
+}
+
+TEST(Codec, RefusesAListOfBillionsWithoutMakingRoomForIt) {
+  domain::Event event;
+  Codec<domain::Event> codec;
+  std::string bytes(codec.encode(event));
+  const std::uint32_t billions = 0xFFFFFFFF;
+  std::memcpy(&bytes[4 + 24], &billions, sizeof billions);
+
+  EXPECT_FALSE(codec.decode(bytes, event).ok());
+}
+
+/// The CDR of Guidance whose `why` is `text`, with the length that CDR wants.
+std::string cdr_of_guidance_because(const std::string& text) {
+  Codec<domain::Guidance> codec;
+  std::string bytes(codec.encode(domain::Guidance{}));
+  bytes.resize(bytes.size() - 5);  // an empty text: its length, 1, and its end
+  put(bytes, static_cast<std::uint32_t>(text.size() + 1));
+  return bytes + text + '\0';
+}
+
+TEST(Codec, RefusesATextBeyondItsBound) {
+  Codec<domain::Guidance> codec;
+  domain::Guidance guidance;
+
+  EXPECT_TRUE(codec.decode(cdr_of_guidance_because(std::string(96, 'w')), guidance).ok());
+  EXPECT_FALSE(codec.decode(cdr_of_guidance_because(std::string(97, 'w')), guidance).ok());
+}
+
+TEST(Codec, RefusesATextWithAZeroByte) {
+  Codec<domain::Guidance> codec;
+  domain::Guidance guidance;
+
+  EXPECT_FALSE(codec.decode(cdr_of_guidance_because(std::string("a\0b", 3)), guidance).ok());
+}
+
+TEST(CodecDeathTest, AbortsOnAMessageThatShouldNotHaveBeenMade) {
+  Codec<domain::Target> codec;
+  domain::Target target;
+  target.radius_m = -1.0;
+
+  EXPECT_DEATH(codec.encode(target), "radius_m is -1");
+}
+
+TEST(IdlText, IsSelfContained) {
+  for (const domain::Topic topic : domain::kAllTopics) {
+    const std::string_view text = idl_text(topic);
+    const std::string name(domain::type_name(topic).substr(std::string("clew::msg::").size()));
+
+    EXPECT_NE(text.find("struct " + name + " {"), std::string_view::npos) << text;
+    EXPECT_NE(text.find("struct TickStamp {"), std::string_view::npos) << text;
+    EXPECT_EQ(text.find('#'), std::string_view::npos) << text;
+  }
+}
+
+TEST(IdlFingerprint, IsThatOfTheHeaderForC) {
+  EXPECT_EQ(idl_fingerprint().size(), 32u);
+  EXPECT_EQ(std::string(CLEW_IDL_USER_DATA), "clew_idl=" + std::string(idl_fingerprint()) + ";");
+}
+
+}  // namespace
+}  // namespace clew::bridge
