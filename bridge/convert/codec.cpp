@@ -25,6 +25,13 @@ using eprosima::fastcdr::exception::NotEnoughMemoryException;
 constexpr std::size_t kHeaderSize = 4;
 constexpr std::size_t kMaxPadding = 3;  // DDS rounds the size of a sample up to 4
 
+/// Of the longest sample of a type, without padding at its end.
+template <typename Idl>
+std::size_t max_size() {
+  static const std::size_t size = kHeaderSize + Idl::getMaxCdrSerializedSize();
+  return size;
+}
+
 core::Error refusal(domain::Topic topic, std::string_view cdr, const std::string& what) {
   return {fmt::format("{}, {} bytes: {}", domain::type_name(topic), cdr.size(), what), {}};
 }
@@ -33,7 +40,7 @@ core::Error refusal(domain::Topic topic, std::string_view cdr, const std::string
 bool is_little_endian_xcdr1(std::string_view cdr) { return cdr[0] == '\x00' && cdr[1] == '\x01'; }
 
 /// What can be said of a sample from its header and its size.
-core::Result<void> check_frame(domain::Topic topic, std::string_view cdr, std::size_t max_size) {
+core::Result<void> check_frame(domain::Topic topic, std::string_view cdr, std::size_t limit) {
   if (cdr.size() < kHeaderSize) return refusal(topic, cdr, "too short for an encapsulation header");
   if (!is_little_endian_xcdr1(cdr)) {
     return refusal(
@@ -41,8 +48,8 @@ core::Result<void> check_frame(domain::Topic topic, std::string_view cdr, std::s
         fmt::format("encapsulation {:02x} {:02x}; allowed: 00 01, XCDR1 little-endian",
                     static_cast<unsigned char>(cdr[0]), static_cast<unsigned char>(cdr[1])));
   }
-  if (cdr.size() > max_size + kMaxPadding) {
-    return refusal(topic, cdr, fmt::format("too long; allowed: at most {}", max_size));
+  if (cdr.size() > limit + kMaxPadding) {
+    return refusal(topic, cdr, fmt::format("too long; allowed: at most {}", limit));
   }
   return {};
 }
@@ -77,7 +84,8 @@ core::Result<void> deserialize(domain::Topic topic, std::string_view cdr, Idl& i
 template <typename Message>
 struct Codec<Message>::Buffers {
   IdlOf<Message> idl;
-  std::vector<char> bytes;
+  std::vector<char> bytes = std::vector<char>(max_size<IdlOf<Message>>());
+  std::size_t used = 0;  ///< the rest of `bytes` is zero
 };
 
 template <typename Message>
@@ -93,26 +101,23 @@ template <typename Message>
 std::string_view Codec<Message>::encode(const Message& message) {
   const core::Result<void> valid = domain::validate(message);
   CLEW_CHECK(valid.ok(), valid.error().text());
-  to_idl(message, buffers_->idl);
-  const std::size_t size = kHeaderSize + IdlOf<Message>::getCdrSerializedSize(buffers_->idl);
-  std::vector<char>& bytes = buffers_->bytes;
-  if (bytes.size() < size) bytes.resize(size);
+  Buffers& buffers = *buffers_;
+  to_idl(message, buffers.idl);
   // Fast CDR skips padding, and would leave in it what an earlier message wrote there.
-  std::memset(bytes.data(), 0, size);
-  FastBuffer buffer(bytes.data(), size);
+  std::memset(buffers.bytes.data(), 0, buffers.used);
+  FastBuffer buffer(buffers.bytes.data(), buffers.bytes.size());
   Cdr writer(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
   writer.serialize_encapsulation();
-  buffers_->idl.serialize(writer);
-  CLEW_CHECK(writer.getSerializedDataLength() == size,
-             fmt::format("{} bytes written, {} expected", writer.getSerializedDataLength(), size));
-  return {bytes.data(), size};
+  buffers.idl.serialize(writer);
+  buffers.used = writer.getSerializedDataLength();
+  return {buffers.bytes.data(), buffers.used};
 }
 
 template <typename Message>
 core::Result<void> Codec<Message>::decode(std::string_view cdr, Message& message) {
   using Idl = IdlOf<Message>;
   constexpr domain::Topic kTopic = domain::topic_of<Message>();
-  CLEW_RETURN_IF_ERROR(check_frame(kTopic, cdr, kHeaderSize + Idl::getMaxCdrSerializedSize()));
+  CLEW_RETURN_IF_ERROR(check_frame(kTopic, cdr, max_size<Idl>()));
   CLEW_RETURN_IF_ERROR(deserialize(kTopic, cdr, buffers_->idl));
   domain::FieldCheck check(kTopic);
   from_idl(buffers_->idl, message, check);
