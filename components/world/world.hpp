@@ -65,6 +65,10 @@ class World {
   std::optional<bool> solvable() const;
   std::optional<double> shortest_path_m() const;
 
+  /// Whether a disc of this radius stands free at the start at time 0; else the error names the
+  /// obstacle and its distance, and the place of the start in the file.
+  core::Result<void> check_robot_fits(double radius_m) const;
+
   // As in the file, for drawing.
   struct Segment {
     Vec2 a = Vec2::Zero();

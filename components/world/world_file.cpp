@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/world_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/yaml_reader.hpp"
+#include "world/nearest_obstacle.hpp"
+
+namespace clew::world {
+namespace {
+
+using core::Result;
+using core::YamlNode;
+
+constexpr const char* kFormat = "clew-world/1";
+// Beyond this the last bit of a double comes near the margins of the queries.
+constexpr double kLargest = 1e5;
+// Between the points of a moving obstacle's path; bounds the legs in one tick.
+constexpr double kLeastStep_s = 1e-3;
+
+// A list of exactly `count` numbers within what a world may span.
+Result<std::vector<double>> read_numbers(const YamlNode& node, std::size_t count,
+                                         const char* allowed) {
+  auto numbers = node.numbers(count, allowed);
+  if (!numbers.ok()) return numbers;
+  for (const double number : *numbers) {
+    if (std::fabs(number) <= kLargest) continue;
+    return node.error(fmt::format("{} in {} is beyond +-{}, the largest number allowed", number,
+                                  allowed, kLargest));
+  }
+  return numbers;
+}
+
+Result<void> read(const YamlNode& node, double& positive) {
+  const auto number = node.number();
+  if (!number.ok()) return number.error();
+  if (!(*number > 0.0 && *number <= kLargest)) {
+    return node.error(
+        fmt::format("found {}, expected a number above 0, at most {}", node.found(), kLargest));
+  }
+  positive = *number;
+  return {};
+}
+
+Result<void> read(const YamlNode& node, bool& value) {
+  const auto boolean = node.boolean();
+  if (!boolean.ok()) return boolean.error();
+  value = *boolean;
+  return {};
+}
+
+Result<void> read(const YamlNode& node, std::string& text) {
+  const auto string = node.string();
+  if (!string.ok()) return string.error();
+  text = *string;
+  return {};
+}
+
+Result<void> read(const YamlNode& node, Vec2& point) {
+  const auto numbers = read_numbers(node, 2, "[x, y]");
+  if (!numbers.ok()) return numbers.error();
+  point = {(*numbers)[0], (*numbers)[1]};
+  return {};
+}
+
+Result<void> read(const YamlNode& node, Pose2& pose) {
+  const auto numbers = read_numbers(node, 3, "[x, y, heading]");
+  if (!numbers.ok()) return numbers.error();
+  pose = {(*numbers)[0], (*numbers)[1], core::wrap_angle_rad((*numbers)[2])};
+  return {};
+}
+
+Result<void> read(const YamlNode& node, World::Segment& wall) {
+  const auto numbers = read_numbers(node, 4, "[x1, y1, x2, y2]");
+  if (!numbers.ok()) return numbers.error();
+  wall = {{(*numbers)[0], (*numbers)[1]}, {(*numbers)[2], (*numbers)[3]}};
+  return {};
+}
+
+Result<void> read(const YamlNode& node, World::Circle& circle) {
+  const auto numbers = read_numbers(node, 3, "[x, y, radius]");
+  if (!numbers.ok()) return numbers.error();
+  circle = {{(*numbers)[0], (*numbers)[1]}, (*numbers)[2]};
+  if (circle.radius_m > 0.0) return {};
+  return node.error(fmt::format("the radius is {}; it must be above 0", circle.radius_m));
+}
+
+Result<void> read(const YamlNode& node, Polygon& polygon) {
+  const auto items = node.items();
+  if (!items.ok() || items->size() < 3) {
+    return node.error("found " + node.found() + ", expected at least three points [[x, y], ...]");
+  }
+  for (const YamlNode& item : *items) CLEW_RETURN_IF_ERROR(read(item, polygon.emplace_back()));
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    if (polygon[i] != polygon[(i + 1) % polygon.size()]) continue;
+    return (*items)[i].error(
+        "the next point of the polygon is the same; each is given once, and "
+        "the last is joined to the first");
+  }
+  if (const auto crossing = find_crossing(polygon)) {
+    return node.error(fmt::format(
+        "the polygon crosses or touches itself where its sides {} and {} "
+        "meet (side 0 begins at its first point)",
+        std::min(crossing->first, crossing->second), std::max(crossing->first, crossing->second)));
+  }
+  return {};
+}
+
+Result<void> read(const YamlNode& node, std::vector<MovingObstacle::Waypoint>& path) {
+  const auto items = node.items();
+  if (!items.ok() || items->empty()) {
+    return node.error("found " + node.found() + ", expected at least one point [[t, x, y], ...]");
+  }
+  for (const YamlNode& item : *items) {
+    const auto numbers = read_numbers(item, 3, "[t, x, y]");
+    if (!numbers.ok()) return numbers.error();
+    const double time_s = (*numbers)[0];
+    if (path.empty() && time_s != 0.0) {
+      return item.error(fmt::format("the path begins at {} s; it must begin at 0", time_s));
+    }
+    if (!path.empty() && time_s < path.back().time_s + kLeastStep_s) {
+      return item.error(fmt::format("the time {} s follows {} s; times must rise, by {} s at least",
+                                    time_s, path.back().time_s, kLeastStep_s));
+    }
+    path.push_back({time_s, {(*numbers)[1], (*numbers)[2]}});
+  }
+  return {};
+}
+
+template <typename T>
+Result<void> read_required(const YamlNode& map, const char* key, T& value) {
+  const auto node = map.at(key);
+  if (!node.ok()) return node.error();
+  return read(*node, value);
+}
+
+template <typename T>
+Result<void> read_optional(const YamlNode& map, const char* key, T& value) {
+  const auto node = map.find(key);
+  return node ? read(*node, value) : Result<void>();
+}
+
+Result<void> read(const YamlNode& node, MovingObstacle& moving) {
+  CLEW_RETURN_IF_ERROR(node.check_keys({"circle", "path", "loop"}));
+  World::Circle circle;
+  CLEW_RETURN_IF_ERROR(read_required(node, "circle", circle));
+  CLEW_RETURN_IF_ERROR(read_required(node, "path", moving.path));
+  CLEW_RETURN_IF_ERROR(read_optional(node, "loop", moving.loop));
+  moving.radius_m = circle.radius_m;
+  const Vec2& first = moving.path.front().position;
+  if (circle.centre == first) return {};
+  return node.error(
+      fmt::format("the circle is at [{}, {}], but its path begins at [{}, {}]; they must agree",
+                  circle.centre.x(), circle.centre.y(), first.x(), first.y()));
+}
+
+template <typename T>
+Result<void> read_list(const YamlNode& map, const char* key, std::vector<T>& values) {
+  const auto node = map.find(key);
+  if (!node) return {};
+  const auto items = node->items();
+  if (!items.ok()) return items.error();
+  values.reserve(items->size());
+  for (const YamlNode& item : *items) CLEW_RETURN_IF_ERROR(read(item, values.emplace_back()));
+  return {};
+}
+
+Result<void> read_head(const YamlNode& root, WorldFile& world) {
+  std::string format;
+  CLEW_RETURN_IF_ERROR(read_required(root, "format", format));
+  if (format != kFormat) {
+    return root.at("format")->error("found '" + format + "', expected '" + kFormat + "'");
+  }
+  CLEW_RETURN_IF_ERROR(root.check_keys({"format", "name", "about", "bounds", "walls", "polygons",
+                                        "circles", "moving", "subgoals", "start", "target",
+                                        "target_radius", "solvable", "shortest_path"}));
+  CLEW_RETURN_IF_ERROR(read_required(root, "name", world.name));
+  const bool allowed = std::all_of(world.name.begin(), world.name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+  });
+  if (world.name.empty() || !allowed) {
+    return root.at("name")->error("found '" + world.name + "', expected a name of a-z, 0-9 and -");
+  }
+  return read_optional(root, "about", world.about);
+}
+
+Result<void> read_bounds(const YamlNode& root, WorldFile& world) {
+  const auto node = root.at("bounds");
+  if (!node.ok()) return node.error();
+  const auto numbers = read_numbers(*node, 4, "[xmin, ymin, xmax, ymax]");
+  if (!numbers.ok()) return numbers.error();
+  world.bounds_min = {(*numbers)[0], (*numbers)[1]};
+  world.bounds_max = {(*numbers)[2], (*numbers)[3]};
+  const Vec2 size = world.bounds_max - world.bounds_min;
+  if (size.x() > 0.0 && size.y() > 0.0) return {};
+  return node->error(
+      fmt::format("the bounds are empty, {} m by {} m; [xmin, ymin, xmax, ymax] "
+                  "must have xmin < xmax and ymin < ymax",
+                  size.x(), size.y()));
+}
+
+// A point that the robot is to be at lies within the bounds and in no obstacle.
+Result<void> check_free(const YamlNode& node, const char* what, const Vec2& point,
+                        const WorldFile& world, Obstacles obstacles) {
+  const Vec2& min = world.bounds_min;
+  const Vec2& max = world.bounds_max;
+  if (!(min.x() < point.x() && point.x() < max.x() && min.y() < point.y() && point.y() < max.y())) {
+    return node.error(fmt::format("the {} [{}, {}] is not within the bounds [{}, {}, {}, {}]", what,
+                                  point.x(), point.y(), min.x(), min.y(), max.x(), max.y()));
+  }
+  const NearestObstacle nearest = nearest_obstacle(world, point, obstacles);
+  if (nearest.clearance_m > 0.0) return {};
+  return node.error(fmt::format("the {} [{}, {}] is inside an obstacle, {}", what, point.x(),
+                                point.y(), nearest.name));
+}
+
+// What moves may leave a target or subgoal again; only the start must be free of it.
+Result<void> read_places(const YamlNode& root, WorldFile& world) {
+  CLEW_RETURN_IF_ERROR(read_required(root, "start", world.start));
+  const YamlNode start = *root.at("start");
+  world.start_place = start.error("");
+  CLEW_RETURN_IF_ERROR(
+      check_free(start, "start", world.start.position(), world, Obstacles::kAllAtTime0));
+  CLEW_RETURN_IF_ERROR(read_required(root, "target", world.target));
+  CLEW_RETURN_IF_ERROR(
+      check_free(*root.at("target"), "target", world.target, world, Obstacles::kStatic));
+  CLEW_RETURN_IF_ERROR(read_required(root, "target_radius", world.target_radius_m));
+  CLEW_RETURN_IF_ERROR(read_list(root, "subgoals", world.subgoals));
+  for (std::size_t i = 0; i < world.subgoals.size(); ++i) {
+    CLEW_RETURN_IF_ERROR(check_free((*root.at("subgoals")->items())[i], "subgoal",
+                                    world.subgoals[i], world, Obstacles::kStatic));
+  }
+  return {};
+}
+
+Result<void> read_claims(const YamlNode& root, WorldFile& world) {
+  if (const auto node = root.find("solvable")) {
+    CLEW_RETURN_IF_ERROR(read(*node, world.solvable.emplace()));
+  }
+  const auto node = root.find("shortest_path");
+  if (!node || node->kind() == core::YamlKind::kNull) return {};
+  return read(*node, world.shortest_path_m.emplace());
+}
+
+}  // namespace
+
+std::vector<World::Segment> WorldFile::boundary() const {
+  const Vec2 lower_right{bounds_max.x(), bounds_min.y()};
+  const Vec2 upper_left{bounds_min.x(), bounds_max.y()};
+  return {{bounds_min, lower_right},
+          {lower_right, bounds_max},
+          {bounds_max, upper_left},
+          {upper_left, bounds_min}};
+}
+
+core::Result<WorldFile> read_world_file(std::string_view yaml, const std::string& file) {
+  const auto root = YamlNode::parse(yaml, file);
+  if (!root.ok()) return root.error();
+  WorldFile world;
+  CLEW_RETURN_IF_ERROR(read_head(*root, world));
+  CLEW_RETURN_IF_ERROR(read_bounds(*root, world));
+  CLEW_RETURN_IF_ERROR(read_list(*root, "walls", world.walls));
+  CLEW_RETURN_IF_ERROR(read_list(*root, "polygons", world.polygons));
+  CLEW_RETURN_IF_ERROR(read_list(*root, "circles", world.circles));
+  CLEW_RETURN_IF_ERROR(read_list(*root, "moving", world.moving));
+  CLEW_RETURN_IF_ERROR(read_places(*root, world));
+  CLEW_RETURN_IF_ERROR(read_claims(*root, world));
+  return world;
+}
+
+}  // namespace clew::world

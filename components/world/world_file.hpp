@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.hpp"
+#include "world/polygon.hpp"
+#include "world/world.hpp"
+
+namespace clew::world {
+
+/// What a world file says, read and checked value by value.
+struct WorldFile {
+  std::string name;
+  std::string about;
+  Vec2 bounds_min = Vec2::Zero();
+  Vec2 bounds_max = Vec2::Zero();
+  std::vector<World::Segment> walls;
+  std::vector<Polygon> polygons;
+  std::vector<World::Circle> circles;
+  std::vector<MovingObstacle> moving;
+  std::vector<Vec2> subgoals;
+  Pose2 start;
+  Vec2 target = Vec2::Zero();
+  double target_radius_m = 0.0;
+  std::optional<bool> solvable;
+  std::optional<double> shortest_path_m;
+  core::Error start_place;  ///< where the file gives the start; without a message
+
+  /// The sides of the boundary, from the lower one counter-clockwise.
+  std::vector<World::Segment> boundary() const;
+};
+
+/// Reads a world file; see World::parse.
+core::Result<WorldFile> read_world_file(std::string_view yaml, const std::string& file);
+
+}  // namespace clew::world
