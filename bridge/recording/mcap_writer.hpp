@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.hpp"
+#include "recording/chunk_builder.hpp"
+#include "recording/compression.hpp"
+#include "recording/mcap_records.hpp"
+#include "recording/output_file.hpp"
+
+namespace clew::bridge::mcap {
+
+struct WriterOptions {
+  std::string profile;
+  std::string library;
+  Compression compression = Compression::kNone;
+  /// A chunk is closed before it grows beyond this; a larger message has a chunk of its own.
+  std::uint64_t chunk_bytes = 1 << 20;
+  /// A chunk holds only messages whose log times lie in the same interval [i, i + 1) * this;
+  /// 0: any.
+  std::uint64_t chunk_span_ns = 0;
+};
+
+/// Writes an MCAP file: chunked, indexed, with every CRC the format has. The same calls give the
+/// same bytes. Every error is one of the file's (OutputFile), and stays: later calls give it again.
+class McapWriter {
+ public:
+  static core::Result<McapWriter> create(const std::string& path, bool overwrite,
+                                         WriterOptions options);
+
+  /// Declares a schema and returns its id, from 1.
+  std::uint16_t add_schema(std::string name, std::string encoding, std::string data);
+  /// Declares a channel and returns its id, from 0. `schema_id` is one that was returned, or 0.
+  std::uint16_t add_channel(std::uint16_t schema_id, std::string topic,
+                            std::string message_encoding, StringMap metadata = {});
+
+  /// Adds a message of a channel that was declared; it reaches the file with its chunk.
+  core::Result<void> write(const Message& message);
+  /// These stand between chunks: they close the open one.
+  core::Result<void> write(const Attachment& attachment);
+  core::Result<void> write(const Metadata& metadata);
+
+  /// Closes the open chunk, if there is anything in it, and hands it to the operating system.
+  core::Result<void> flush();
+
+  /// Closes the chunk, writes the summary and gives the file its name. Nothing may follow.
+  core::Result<void> finish();
+
+ private:
+  McapWriter(OutputFile file, WriterOptions options);
+  core::Result<void> append_to_data_section(std::string_view bytes);
+  bool belongs_to_next_chunk(const Message& message) const;
+  std::string summary(std::uint64_t start) const;
+
+  OutputFile file_;
+  WriterOptions options_;
+  std::uint32_t data_section_crc_ = 0;
+  ChunkBuilder chunk_;
+  std::string record_;  ///< of the moment, kept for its memory
+
+  std::vector<Schema> schemas_;
+  std::vector<Channel> channels_;
+  Statistics statistics_;
+  std::vector<ChunkIndex> chunk_indexes_;
+  std::vector<AttachmentIndex> attachment_indexes_;
+  std::vector<MetadataIndex> metadata_indexes_;
+};
+
+}  // namespace clew::bridge::mcap
