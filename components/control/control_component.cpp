@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "control/control_component.hpp"
+
+#include <utility>
+
+#include "control/virtual_obstacles.hpp"
+
+namespace clew::control {
+
+using domain::Topic;
+
+std::vector<runtime::PortInfo> ControlComponent::ports() {
+  return {runtime::required_input(Topic::kOdometry, "where the robot believes it is; contacts"),
+          runtime::required_input(Topic::kScan, "what is around"),
+          runtime::optional_input(Topic::kGuidance, "the target in force, and what recovery asks"),
+          runtime::fallback_input(Topic::kTarget, Topic::kGuidance, "the mission's target"),
+          runtime::output(Topic::kCommand, "the motion for this tick")};
+}
+
+ControlComponent::ControlComponent(std::unique_ptr<Controller> controller,
+                                   const StepGuardParameters& guard, const runtime::RunSetup& setup)
+    : controller_(std::move(controller)),
+      guard_(guard, setup.behaviour.robot.radius_m),
+      radius_m_(setup.behaviour.robot.radius_m) {}
+
+void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
+  const auto& odometry = inputs.get<domain::Odometry>();
+  const auto* guidance = inputs.find<domain::Guidance>();
+  domain::Motion& motion = outputs.get<domain::Command>().motion;
+  if (guidance != nullptr && guidance->mode == domain::GuidanceMode::kUnreachable) {
+    motion.kind = domain::CommandKind::kGiveUp;
+    return;
+  }
+
+  seen_ = inputs.get<domain::Scan>();
+  if (guidance != nullptr) {
+    apply_virtual_obstacles(*guidance, odometry.pose_odom_robot, radius_m_, seen_);
+  }
+  if (guidance != nullptr && guidance->has_override) {
+    motion = guidance->override_motion;
+  } else {
+    const core::Vec2 target_odom = guidance != nullptr
+                                       ? core::Vec2(guidance->target_x_m, guidance->target_y_m)
+                                       : inputs.get<domain::Target>().position();
+    motion = controller_->step(odometry, seen_, target_odom);
+  }
+  motion = guard_.limit(motion, odometry, seen_);
+}
+
+void ControlComponent::save(core::StateWriter& writer) const {
+  StepGuard::State guard = guard_.state();
+  writer(guard);
+  controller_->save(writer);
+}
+
+void ControlComponent::load(core::StateReader& reader) {
+  reader(guard_.state());
+  controller_->load(reader);
+}
+
+}  // namespace clew::control

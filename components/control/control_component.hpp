@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "control/controller.hpp"
+#include "control/step_guard.hpp"
+#include "runtime/component.hpp"
+#include "runtime/stage.hpp"
+
+namespace clew::control {
+
+/// Turns the target in force and the scan into a motion. What recovery asks for is done here, not
+/// in the controller, so that any escape goes with any controller: its virtual obstacles are
+/// applied to the scan, its override replaces the controller's motion, *unreachable* becomes giving
+/// up. The step guard has the last word.
+class ControlComponent final : public runtime::Component {
+ public:
+  static std::vector<runtime::PortInfo> ports();
+
+  ControlComponent(std::unique_ptr<Controller> controller, const StepGuardParameters& guard,
+                   const runtime::RunSetup& setup);
+
+  void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
+  void save(core::StateWriter& writer) const override;
+  void load(core::StateReader& reader) override;
+
+ private:
+  std::unique_ptr<Controller> controller_;
+  StepGuard guard_;
+  double radius_m_;
+  domain::Scan seen_;  // scratch: the scan with virtual obstacles in it
+};
+
+}  // namespace clew::control

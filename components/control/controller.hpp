@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/archive.hpp"
+#include "core/geometry.hpp"
+#include "domain/messages.hpp"
+
+namespace clew::control {
+
+/// Chooses the robot's next motion from what it senses. A controller knows nothing of traps, and
+/// need not fear contact more than its paper does: the component applies virtual obstacles to the
+/// scan before, and the step guard to the motion after.
+class Controller {
+ public:
+  virtual ~Controller() = default;
+
+  /// The motion toward `target_odom`, the target in force. Called once a tick, but not while
+  /// recovery overrides the motion.
+  virtual domain::Motion step(const domain::Odometry& odometry, const domain::Scan& scan,
+                              const core::Vec2& target_odom) = 0;
+
+  virtual void save(core::StateWriter& writer) const = 0;
+  virtual void load(core::StateReader& reader) = 0;
+};
+
+}  // namespace clew::control

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "control/stage.hpp"
+
+#include <utility>
+
+#include "control/control_component.hpp"
+#include "control/registry.hpp"
+
+namespace clew::control {
+namespace {
+
+core::Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfig& config,
+                                                       const runtime::RunSetup& setup) {
+  auto controller = controllers().make(config.part("behaviour"), setup.behaviour);
+  if (!controller.ok()) return controller.error();
+  return std::unique_ptr<runtime::Component>(std::make_unique<ControlComponent>(
+      std::move(controller).value(), core::read_parameters<StepGuardParameters>(config.parameters),
+      setup));
+}
+
+}  // namespace
+
+const runtime::StageInfo& stage() {
+  static const runtime::StageInfo info = {"control",
+                                          "the motion toward the target in force",
+                                          ControlComponent::ports(),
+                                          core::describe_parameters<StepGuardParameters>(),
+                                          {{"behaviour", false, controllers().variants()}},
+                                          [](const runtime::StageConfig&) { return 0.0; },
+                                          nullptr,
+                                          make};
+  return info;
+}
+
+}  // namespace clew::control

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drive/drive_component.hpp"
+
+#include <utility>
+
+namespace clew::drive {
+
+using domain::Outcome;
+using domain::Topic;
+
+std::vector<runtime::PortInfo> DriveComponent::ports() {
+  return {runtime::delayed_input(Topic::kCommand, "what to do during the tick"),
+          runtime::output(Topic::kState, "the truth, for sensing and for judging"),
+          runtime::output(Topic::kOdometry, "what the wheels and the bumpers tell"),
+          runtime::output(Topic::kTarget, "where the mission wants the robot")};
+}
+
+DriveComponent::DriveComponent(std::unique_ptr<DriveModel> model, const SafetyParameters& safety,
+                               const runtime::RunSetup& setup)
+    : model_(std::move(model)),
+      world_(setup.world),
+      max_ticks_(setup.max_ticks),
+      body_(world_->start(), setup.behaviour.robot.radius_m, safety) {}
+
+void DriveComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
+  const auto* command = inputs.find<domain::Command>();
+  const bool late = inputs.tick() > 0 && command == nullptr;
+  if (inputs.tick() > 0) {
+    // Without a command the robot rests: that is what a late one means.
+    const domain::Motion motion = command != nullptr ? command->motion : domain::Motion{};
+    const double time_s = static_cast<double>(inputs.tick() - 1) * model_->tick_s();
+    body_.move(*world_, model_->legs(motion), time_s);
+  }
+
+  auto& state = outputs.get<domain::State>();
+  write_state(state);
+  state.command_late = late;
+  state.outcome = judge(inputs.tick(),
+                        command != nullptr && command->motion.kind == domain::CommandKind::kGiveUp);
+  write_odometry(outputs.get<domain::Odometry>());
+  auto& target = outputs.get<domain::Target>();
+  target.x_m = world_->target().x();
+  target.y_m = world_->target().y();
+  target.radius_m = world_->target_radius_m();
+}
+
+Outcome DriveComponent::judge(std::uint64_t tick, bool gave_up) const {
+  const Body::State& body = body_.state();
+  if (body.collisions > 0) return Outcome::kCollided;
+  if (core::distance_m(body.pose_world_robot, world_->target()) <= world_->target_radius_m()) {
+    return Outcome::kReached;
+  }
+  if (gave_up) return Outcome::kUnreachable;
+  return tick >= max_ticks_ ? Outcome::kTimeout : Outcome::kRunning;
+}
+
+void DriveComponent::write_state(domain::State& state) const {
+  const Body::State& body = body_.state();
+  state.pose_world_robot = body.pose_world_robot;
+  state.speed_mps = body.speed_mps;
+  state.turn_rate_radps = body.turn_rate_radps;
+  state.path_length_m = body.path_length_m;
+  state.collisions = body.collisions;
+  state.hit_by = body.hit_by;
+  state.safety_stops = body.safety_stops;
+}
+
+/// Odometry is exact: the odometry frame is the world's.
+void DriveComponent::write_odometry(domain::Odometry& odometry) const {
+  const Body::State& body = body_.state();
+  odometry.pose_odom_robot = body.pose_world_robot;
+  odometry.speed_mps = body.speed_mps;
+  odometry.turn_rate_radps = body.turn_rate_radps;
+  odometry.travel_m = body.path_length_m;
+  odometry.blocked = body.blocked;
+  odometry.contact_bearings_rad = body.contact_bearings_rad;
+}
+
+void DriveComponent::save(core::StateWriter& writer) const {
+  Body::State state = body_.state();
+  writer(state);
+}
+
+void DriveComponent::load(core::StateReader& reader) { reader(body_.state()); }
+
+}  // namespace clew::drive

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/parameters.hpp"
+#include "drive/body.hpp"
+#include "drive/drive_model.hpp"
+#include "runtime/component.hpp"
+#include "runtime/stage.hpp"
+
+namespace clew::drive {
+
+template <typename Visitor>
+void visit_parameters(Visitor& visit, SafetyParameters& p) {
+  visit.flag("safety", p.enabled, "whether the safety layer stops the robot short of contact");
+  visit.number("safety_margin_m", p.margin_m, "m", {0.0001, 0.1}, "how far short of contact");
+}
+
+/// The simulated robot: applies the command of the tick before, and tells the truth, what the robot
+/// itself knows of it, and the mission's target. Judges how the run ends.
+class DriveComponent final : public runtime::Component {
+ public:
+  static std::vector<runtime::PortInfo> ports();
+
+  DriveComponent(std::unique_ptr<DriveModel> model, const SafetyParameters& safety,
+                 const runtime::RunSetup& setup);
+
+  void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
+  void save(core::StateWriter& writer) const override;
+  void load(core::StateReader& reader) override;
+
+ private:
+  domain::Outcome judge(std::uint64_t tick, bool gave_up) const;
+  void write_state(domain::State& state) const;
+  void write_odometry(domain::Odometry& odometry) const;
+
+  std::unique_ptr<DriveModel> model_;
+  std::shared_ptr<const world::World> world_;
+  std::uint64_t max_ticks_;
+  Body body_;
+};
+
+}  // namespace clew::drive

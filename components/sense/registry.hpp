@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "runtime/registry.hpp"
+#include "sense/range_sensor.hpp"
+
+namespace clew::sense {
+
+/// All range sensors.
+const runtime::Registry<RangeSensor>& sensors();
+
+}  // namespace clew::sense
