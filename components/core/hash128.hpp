@@ -17,6 +17,11 @@ struct Hash128 {
   std::string hex() const;
 };
 
+template <typename Visitor>
+void visit_fields(Visitor& visit, Hash128& h) {
+  visit(h.high, h.low);
+}
+
 inline bool operator==(const Hash128& a, const Hash128& b) {
   return a.high == b.high && a.low == b.low;
 }

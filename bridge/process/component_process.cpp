@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process/component_process.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+#include "convert/codec.hpp"
+#include "dds/participant.hpp"
+#include "process/link.hpp"
+#include "process/node_host.hpp"
+#include "process/start_barrier.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using core::Error;
+using core::Result;
+
+// How often a component that has nothing else to do reports, and tries waiting writes again.
+constexpr auto kHeartbeat = std::chrono::milliseconds(20);
+
+Result<Frame> receive_frame(Link& link, Clock::time_point deadline) {
+  while (true) {
+    if (auto frame = link.next()) return *std::move(frame);
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
+    pollfd descriptor{link.socket(), POLLIN, 0};
+    if (left.count() <= 0 || ::poll(&descriptor, 1, static_cast<int>(left.count())) == 0) {
+      return Error{"the supervisor does not answer", {}, 0, 0};
+    }
+    if (!link.receive()) return Error{"the supervisor has gone", {}, 0, 0};
+  }
+}
+
+// The run is over for this component when its supervisor says so, or is gone.
+class ComponentLoop {
+ public:
+  ComponentLoop(Link& link, NodeHost& host) : link_(link), host_(host) {}
+
+  /// Returns true after an orderly end.
+  bool run() {
+    while (true) {
+      const auto now = Clock::now();
+      host_.poll(now);
+      if (finish_at_ && !finished_) try_to_finish();
+      if (now >= next_flush_) {
+        host_.flush();
+        next_flush_ = now + kHeartbeat;
+      }
+      wait();
+      if (!link_.receive()) return finished_;
+      while (auto frame = link_.next()) handle(*frame);
+    }
+  }
+
+ private:
+  void wait() {
+    auto until = next_flush_;
+    if (const auto due = host_.next_due()) until = std::min(until, *due);
+    const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(until - Clock::now());
+    timespec timeout{0, std::max<std::int64_t>(left.count(), 0)};
+    pollfd descriptor{link_.socket(), POLLIN, 0};
+    ::ppoll(&descriptor, 1, &timeout, nullptr);
+  }
+
+  void handle(const Frame& frame) {
+    if (frame.type == FrameType::kGo) host_.go(Clock::now());
+    if (frame.type == FrameType::kCredit) {
+      if (const auto credit = frame.as<Tick>()) host_.allow_until(credit->tick);
+    }
+    if (frame.type == FrameType::kFinish) {
+      if (const auto last = frame.as<Tick>()) finish_at_ = last->tick;
+    }
+  }
+
+  void try_to_finish() {
+    auto finished = host_.finished(*finish_at_);
+    if (!finished) return;
+    host_.flush();
+    finished_ = link_.send(FrameType::kFinished, std::move(*finished));
+  }
+
+  Link& link_;
+  NodeHost& host_;
+  std::optional<std::uint64_t> finish_at_;
+  bool finished_ = false;
+  Clock::time_point next_flush_{};
+};
+
+Result<Assignment> take_assignment(Link& link, const std::string& stage) {
+  link.send(FrameType::kHello, Hello{stage, ::getpid(), std::string(idl_fingerprint())});
+  const auto frame = receive_frame(link, Clock::now() + std::chrono::seconds(30));
+  if (!frame.ok()) return frame.error();
+  if (frame->type == FrameType::kNotice) {
+    const auto text = frame->as<Text>();
+    return Error{text ? text->text : "the supervisor refused", {}, 0, 0};
+  }
+  auto assignment = frame->as<Assignment>();
+  if (frame->type != FrameType::kAssignment || !assignment) {
+    return Error{"the supervisor speaks another version of clew", {}, 0, 0};
+  }
+  return *std::move(assignment);
+}
+
+Result<bool> take_part(Link& link, const Assignment& assignment, const std::string& stage,
+                       const std::vector<runtime::StageInfo>& stages) {
+  const auto plan = runtime::prepare_run(assignment.bundle, stages);
+  if (!plan.ok()) return plan.error();
+  const runtime::GraphStage* graph_stage = plan->graph.find(stage);
+  if (graph_stage == nullptr) return Error{"the run's graph has no stage " + stage, {}, 0, 0};
+  auto node = runtime::make_node(*plan, *graph_stage);
+  if (!node.ok()) return node.error();
+
+  const auto say = [&link](FrameType type) {
+    return [&link, type](std::string text) { link.send(type, Text{std::move(text)}); };
+  };
+  std::mutex reporting;  // the last report sent is the newest
+  const auto report_missing = [&](const StartBarrier& barrier) {
+    const std::lock_guard<std::mutex> lock(reporting);
+    link.send(FrameType::kWaiting, Waiting{barrier.missing()});
+  };
+  StartBarrier barrier(
+      stage, assignment.expected,
+      {[&] { report_missing(barrier); }, say(FrameType::kNotice), say(FrameType::kFatal)});
+  const auto vendor = vendor_from_name(assignment.middleware);
+  if (!vendor) return Error{"unknown middleware '" + assignment.middleware + "'", {}, 0, 0};
+  auto participant =
+      create_participant(*vendor, {assignment.domain, stage, assignment.lease_s}, barrier);
+  if (!participant.ok()) return participant.error();
+  NodeHost host(std::move(node).value(), assignment, plan->graph.tick_s,
+                {say(FrameType::kNotice), say(FrameType::kFatal),
+                 [&link](const Progress& progress) { link.send(FrameType::kProgress, progress); },
+                 [&link](std::string spool) { link.send(FrameType::kSamples, spool); }});
+  CLEW_RETURN_IF_ERROR(host.open(**participant, barrier));
+  report_missing(barrier);
+  return ComponentLoop(link, host).run();
+}
+
+int complain(const std::string& stage, const Error& error) {
+  std::fprintf(stderr, "clew component %s: %s\n", stage.c_str(), error.text().c_str());
+  return 1;
+}
+
+}  // namespace
+
+int run_component_process(const std::string& stage, int domain, double connect_timeout_s,
+                          const std::vector<runtime::StageInfo>& stages) {
+  const auto patience = std::chrono::duration<double>(connect_timeout_s);
+  const auto socket =
+      Link::connect(domain, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience));
+  if (!socket.ok()) return complain(stage, socket.error());
+  Link link(*socket);
+  const auto assignment = take_assignment(link, stage);
+  if (!assignment.ok()) return complain(stage, assignment.error());
+  const auto ended = take_part(link, *assignment, stage, stages);
+  if (!ended.ok()) {
+    link.send(FrameType::kFatal, Text{stage + ": " + ended.error().text()});
+    return complain(stage, ended.error());
+  }
+  return *ended ? 0 : 1;
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process/composed_run.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <thread>
+#include <utility>
+
+#include "process/journal.hpp"
+#include "process/tick_clock.hpp"
+#include "recording/run_hash.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t kTicksPerLook = 256;  // at the wall clock, for the display
+constexpr auto kDisplayPeriod = std::chrono::milliseconds(100);
+
+volatile std::sig_atomic_t asked_to_end = 0;
+
+void ask_to_end(int number) { asked_to_end = number; }
+
+/// While it lives, SIGINT and SIGTERM are noted instead of ending the process.
+class EndSignals {
+ public:
+  EndSignals() {
+    asked_to_end = 0;
+    struct sigaction action {};
+    action.sa_handler = ask_to_end;
+    ::sigaction(SIGINT, &action, &interrupt_);
+    ::sigaction(SIGTERM, &action, &terminate_);
+  }
+  ~EndSignals() {
+    ::sigaction(SIGINT, &interrupt_, nullptr);
+    ::sigaction(SIGTERM, &terminate_, nullptr);
+  }
+  EndSignals(const EndSignals&) = delete;
+  EndSignals& operator=(const EndSignals&) = delete;
+
+ private:
+  struct sigaction interrupt_ {};
+  struct sigaction terminate_ {};
+};
+
+/// Keeps the journal of every node, and passes the samples on to the recording.
+class Bookkeeper : public runtime::SampleObserver {
+ public:
+  Bookkeeper(bool hash, SampleSink* recording) : journal_(hash, false), recording_(recording) {}
+
+  void on_output(runtime::Topic topic, const domain::Messages& messages) override {
+    domain::visit_topic(topic, [&](auto constant) {
+      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      const auto& message = std::get<kIndex>(messages);
+      std::string_view cdr;
+      if (journal_.wants_bytes() || recording_ != nullptr) {
+        cdr = std::get<kIndex>(codecs_).encode(message);
+      }
+      journal_.add(message, cdr);
+      if (recording_ == nullptr || !failure_.empty()) return;
+      const auto added = recording_->add({topic, message.stamp.tick, message.stamp.sequence, cdr});
+      if (!added.ok()) failure_ = added.error().text();
+    });
+  }
+
+  const Journal& journal() const { return journal_; }
+  const std::string& failure() const { return failure_; }
+
+ private:
+  Codecs codecs_;
+  Journal journal_;
+  SampleSink* recording_;
+  std::string failure_;
+};
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+core::Result<RunReport> run_composed(const runtime::RunPlan& plan, const ComposedLayout& layout,
+                                     SampleSink* recording, const ProgressDisplay& display) {
+  const auto started_at = Clock::now();
+  auto nodes = runtime::make_nodes(plan);
+  if (!nodes.ok()) return nodes.error();
+  Bookkeeper bookkeeper(layout.hash, recording);
+  runtime::ComposedExecutor executor(std::move(nodes).value(), &bookkeeper);
+  TickClock clock(layout.pace, layout.pace_factor, plan.graph.tick_s);
+  const EndSignals signals;
+
+  RunReport report;
+  const auto first_tick_at = Clock::now();
+  auto displayed_at = first_tick_at;
+  clock.start(first_tick_at);
+  const RunTally& tally = bookkeeper.journal().tally();
+  do {
+    if (!clock.is_free()) std::this_thread::sleep_until(clock.due(executor.next_tick()));
+    executor.step();
+    report.aborted = bookkeeper.failure();
+    if (asked_to_end != 0) {
+      report.interrupted_by = asked_to_end;
+      report.aborted = "interrupted by signal " + std::to_string(report.interrupted_by) + " (" +
+                       ::strsignal(report.interrupted_by) + ")";
+    }
+    const bool look = !clock.is_free() || executor.next_tick() % kTicksPerLook == 0;
+    if (display && look && Clock::now() - displayed_at >= kDisplayPeriod) {
+      displayed_at = Clock::now();
+      display(tally, static_cast<double>(executor.next_tick()) / seconds_since(first_tick_at));
+    }
+  } while (tally.truth->outcome == domain::Outcome::kRunning && report.aborted.empty());
+
+  report.tally = tally;
+  report.wall_s = seconds_since(started_at);
+  const double ticking_s = seconds_since(first_tick_at);
+  if (ticking_s > 0.0) {
+    report.ticks_per_s = static_cast<double>(tally.truth->tick) / ticking_s;
+  }
+  if (layout.hash && report.aborted.empty()) report.hash = run_hash(bookkeeper.journal().chains());
+  return report;
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process/foreign_observer.hpp"
+
+#include <utility>
+
+namespace clew::bridge {
+namespace {
+
+/// Has no outputs; its host keeps account of what comes in.
+class Onlooker : public runtime::Component {
+ public:
+  void step(const runtime::TickInputs&, runtime::TickOutputs&) override {}
+  void save(core::StateWriter&) const override {}
+  void load(core::StateReader&) override {}
+};
+
+}  // namespace
+
+core::Result<std::unique_ptr<ForeignObserver>> ForeignObserver::create(const runtime::RunPlan& plan,
+                                                                       Assignment assignment) {
+  runtime::NodePorts ports;
+  for (const runtime::GraphStage& stage : plan.graph.stages) {
+    if (stage.deployment.exec.empty()) continue;
+    ports.inputs |= stage.ports.outputs;
+    for (runtime::Topic topic : stage.ports.output_order) {
+      assignment.expected.push_back(
+          {std::string(domain::topic_name(topic)), true, stage.info->name, true});
+    }
+  }
+  if (ports.inputs.none()) return std::unique_ptr<ForeignObserver>();
+  ports.declared_inputs = ports.inputs;
+
+  const auto vendor = vendor_from_name(assignment.middleware);
+  CLEW_CHECK(vendor.has_value(), assignment.middleware);
+  std::unique_ptr<ForeignObserver> self(new ForeignObserver);
+  ForeignObserver* raw = self.get();
+  const auto on_notice = [raw](std::string text) {
+    const std::lock_guard<std::mutex> lock(raw->mutex_);
+    raw->notices_.push_back(std::move(text));
+  };
+  const auto on_fatal = [raw](std::string text) {
+    const std::lock_guard<std::mutex> lock(raw->mutex_);
+    raw->fatal_ = std::move(text);
+  };
+  self->barrier_ = std::make_unique<StartBarrier>(
+      "observer", assignment.expected, StartBarrier::Handlers{[] {}, on_notice, on_fatal});
+  auto participant = create_participant(
+      *vendor, {assignment.domain, "observer", assignment.lease_s}, *self->barrier_);
+  if (!participant.ok()) return participant.error();
+  self->participant_ = std::move(participant).value();
+  runtime::Node node("observer", std::move(ports), std::make_unique<Onlooker>(), plan.graph.tick_s);
+  self->host_ = std::make_unique<NodeHost>(
+      std::move(node), assignment, plan.graph.tick_s,
+      NodeHost::Handlers{on_notice, on_fatal,
+                         [raw](const Progress& progress) {
+                           const std::lock_guard<std::mutex> lock(raw->mutex_);
+                           raw->progress_ = progress;
+                         },
+                         [raw](std::string spool) {
+                           const std::lock_guard<std::mutex> lock(raw->mutex_);
+                           raw->spooled_ += spool;
+                         }},
+      true);
+  CLEW_RETURN_IF_ERROR(self->host_->open(*self->participant_, *self->barrier_));
+  return self;
+}
+
+void ForeignObserver::poll() { host_->flush(); }
+
+std::uint64_t ForeignObserver::ticks() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return progress_.ticks;
+}
+
+bool ForeignObserver::finished(std::uint64_t last_tick) const {
+  return host_->finished(last_tick).has_value();
+}
+
+RunTally ForeignObserver::tally() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return progress_.tally;
+}
+
+std::map<std::string, core::Hash128> ForeignObserver::chains() const {
+  const auto finished = host_->finished(0);
+  return finished ? finished->chains : std::map<std::string, core::Hash128>{};
+}
+
+std::string ForeignObserver::take_spooled() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(spooled_, {});
+}
+
+std::vector<std::string> ForeignObserver::take_notices() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(notices_, {});
+}
+
+std::optional<std::string> ForeignObserver::fatal() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return fatal_;
+}
+
+}  // namespace clew::bridge

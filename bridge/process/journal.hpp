@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+#include "convert/codec.hpp"
+#include "core/hash128.hpp"
+#include "process/run_tally.hpp"
+
+namespace clew::bridge {
+
+/// A codec for each topic, indexed by domain::Topic.
+using Codecs = std::tuple<Codec<domain::Command>, Codec<domain::Event>, Codec<domain::Guidance>,
+                          Codec<domain::Landmark>, Codec<domain::Odometry>, Codec<domain::Scan>,
+                          Codec<domain::State>, Codec<domain::Target>>;
+
+/// One serialised sample on its way to a recording.
+struct SpooledSample {
+  domain::Topic topic = domain::Topic::kState;
+  std::uint64_t tick = 0;
+  std::uint64_t sequence = 0;
+  std::string_view cdr;
+};
+
+/// Keeps account of the samples that somebody writes: chained hashes, counts, and the samples
+/// themselves if they are to be recorded.
+class Journal {
+ public:
+  Journal(bool hash, bool spool) : hash_(hash), spool_(spool) {}
+
+  /// `cdr` is the message's serialised form; it is not needed with neither hash nor spool.
+  template <typename Message>
+  void add(const Message& message, std::string_view cdr) {
+    tally_.add(message);
+    add_bytes(domain::topic_of<Message>(), message.stamp, cdr);
+  }
+  bool wants_bytes() const { return hash_ || spool_; }
+
+  const RunTally& tally() const { return tally_; }
+  /// The chains of the topics written, by name; empty without hash.
+  std::map<std::string, core::Hash128> chains() const;
+
+  std::size_t spooled_bytes() const { return spooled_.size(); }
+  /// What was spooled since the last call, for for_each_spooled.
+  std::string take_spooled();
+
+ private:
+  void add_bytes(domain::Topic topic, const domain::TickStamp& stamp, std::string_view cdr);
+
+  bool hash_;
+  bool spool_;
+  RunTally tally_;
+  std::array<core::HashChain, domain::kTopicCount> chains_;
+  std::array<bool, domain::kTopicCount> written_{};
+  std::string spooled_;
+};
+
+/// Calls `take` for each sample in a spool, in order; false if it is not one.
+bool for_each_spooled(std::string_view spool,
+                      const std::function<void(const SpooledSample&)>& take);
+
+}  // namespace clew::bridge

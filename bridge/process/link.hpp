@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The line between a run's supervisor and its component processes: a Unix socket in the abstract
+/// namespace, one a DDS domain, so that binding it also holds the domain. Samples between
+/// components never travel here; what does is who is there, who waits for whom, how far each is,
+/// what it wrote (for the recording), and how it ended.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/archive.hpp"
+#include "core/hash128.hpp"
+#include "core/result.hpp"
+#include "process/run_tally.hpp"
+#include "runtime/config_source.hpp"
+
+namespace clew::bridge {
+
+enum class FrameType : std::uint8_t {
+  // from a component
+  kHello,
+  kWaiting,  ///< which endpoints are not there yet; none: ready
+  kProgress,
+  kSamples,  ///< what was written, for the recording
+  kFinished,
+  kNotice,  ///< a line for the log
+  kFatal,   ///< the component cannot go on
+  // from the supervisor
+  kAssignment,
+  kGo,
+  kCredit,
+  kFinish
+};
+
+struct Hello {
+  std::string stage;
+  std::int64_t process_id = 0;
+  std::string idl_fingerprint;
+};
+
+/// An endpoint of another process that must be matched before tick 0.
+struct ExpectedEndpoint {
+  std::string topic;
+  bool is_writer = false;
+  std::string stage;
+  bool foreign = false;  ///< of a component that is not clew's, and so does not tell its stage
+};
+
+enum class Pace : std::uint8_t { kLockstep, kScaled, kRealtime };
+
+/// All that a component process needs to take its place in a run.
+struct Assignment {
+  std::string run_id;
+  runtime::Bundle bundle;
+  std::string middleware;
+  std::int32_t domain = 0;
+  double lease_s = 1.5;
+  Pace pace = Pace::kLockstep;
+  double pace_factor = 1.0;  ///< with kScaled and kRealtime: simulated over wall-clock time
+  bool hash = true;
+  bool spool = false;  ///< send what is written, for the recording
+  std::uint32_t history_depth = 256;
+  std::vector<ExpectedEndpoint> expected;
+};
+
+struct Waiting {
+  std::vector<std::string> missing;  ///< one sentence each
+};
+
+struct Progress {
+  std::uint64_t ticks = 0;  ///< stepped so far
+  RunTally tally;
+};
+
+struct Finished {
+  std::map<std::string, core::Hash128> chains;  ///< by topic written
+  RunTally tally;
+  std::uint64_t refused_samples = 0;
+};
+
+struct Text {
+  std::string text;
+};
+
+struct Tick {
+  std::uint64_t tick = 0;
+};
+
+template <typename V>
+void visit_fields(V& v, Hello& m) {
+  v(m.stage, m.process_id, m.idl_fingerprint);
+}
+template <typename V>
+void visit_fields(V& v, ExpectedEndpoint& m) {
+  v(m.topic, m.is_writer, m.stage, m.foreign);
+}
+template <typename V>
+void visit_fields(V& v, Assignment& m) {
+  v(m.run_id, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor, m.hash, m.spool,
+    m.history_depth, m.expected);
+}
+template <typename V>
+void visit_fields(V& v, Waiting& m) {
+  v(m.missing);
+}
+template <typename V>
+void visit_fields(V& v, Progress& m) {
+  v(m.ticks, m.tally);
+}
+template <typename V>
+void visit_fields(V& v, Finished& m) {
+  v(m.chains, m.tally, m.refused_samples);
+}
+template <typename V>
+void visit_fields(V& v, Text& m) {
+  v(m.text);
+}
+template <typename V>
+void visit_fields(V& v, Tick& m) {
+  v(m.tick);
+}
+
+/// A frame as received.
+struct Frame {
+  FrameType type = FrameType::kNotice;
+  std::string payload;
+
+  /// The message inside, or none if the payload is not one.
+  template <typename Message>
+  std::optional<Message> as() const {
+    Message message;
+    core::StateReader reader(payload);
+    reader(message);
+    if (!reader.complete()) return std::nullopt;
+    return message;
+  }
+};
+
+/// One end of a connected line. Sending is safe from any thread; receiving from one.
+class Link {
+ public:
+  explicit Link(int socket) : socket_(socket) {}
+  ~Link();
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+
+  /// Connects to the supervisor of `domain`, trying until `deadline`.
+  static core::Result<int> connect(int domain, std::chrono::steady_clock::time_point deadline);
+
+  int socket() const { return socket_; }
+
+  /// Sends a frame, waiting while the other end is slow. False when the other end is gone.
+  bool send(FrameType type, std::string_view payload);
+  template <typename Message>
+  bool send(FrameType type, Message message) {
+    core::StateWriter writer;
+    writer(message);
+    return send(type, std::string_view(writer.bytes()));
+  }
+
+  /// Reads what is there, without waiting. False when the other end is gone.
+  bool receive();
+  /// The next whole frame received, if any.
+  std::optional<Frame> next();
+
+ private:
+  int socket_;
+  std::mutex sending_;
+  std::string received_;
+  std::size_t consumed_ = 0;
+};
+
+/// The supervisor's listening end, which holds its domain while it lives.
+class LinkListener {
+ public:
+  /// Binds the line of `domain`; none if another run holds it.
+  static std::optional<int> bind(int domain);
+};
+
+}  // namespace clew::bridge

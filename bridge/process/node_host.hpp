@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dds/participant.hpp"
+#include "process/journal.hpp"
+#include "process/link.hpp"
+#include "process/start_barrier.hpp"
+#include "process/tick_clock.hpp"
+#include "runtime/input_buffer.hpp"
+#include "runtime/run_plan.hpp"
+
+namespace clew::bridge {
+
+/// A node on the wire: samples come in on the vendor's threads, the last input of a tick steps the
+/// node in the thread that brought it, and outputs go out at once. A write that the vendor does not
+/// take waits in a queue for poll(), since a receive thread must never wait for acknowledgements
+/// that only it can process.
+class NodeHost {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  /// Calls come from any thread, with the host's lock held: they may send, and must not call back.
+  struct Handlers {
+    std::function<void(std::string)> on_notice;
+    std::function<void(std::string)> on_fatal;
+    /// Every few ticks, and when the run's outcome is known.
+    std::function<void(const Progress&)> on_progress;
+    /// Samples for the recording, as Journal spools them.
+    std::function<void(std::string)> on_spooled;
+  };
+
+  /// With `account_inputs` the journal is kept over the inputs instead of the outputs, in their
+  /// canonical form: for topics whose writer does not keep one.
+  NodeHost(runtime::Node node, const Assignment& assignment, double tick_s, Handlers handlers,
+           bool account_inputs = false);
+  ~NodeHost();
+  NodeHost(const NodeHost&) = delete;
+  NodeHost& operator=(const NodeHost&) = delete;
+
+  /// Creates the endpoints. `barrier` and `participant` must outlive the host.
+  core::Result<void> open(Participant& participant, const StartBarrier& barrier);
+
+  /// Lets the stage that starts ticks begin with tick 0.
+  void go(Time now);
+  /// Ticks up to this one, not included, may start.
+  void allow_until(std::uint64_t tick);
+  /// Does what is due by the clock, and tries waiting writes again.
+  void poll(Time now);
+  /// When poll() should be called next; none: when something has arrived.
+  std::optional<Time> next_due() const;
+
+  /// Reports progress, and hands over what is spooled.
+  void flush();
+  /// What the node wrote, if it has stepped `last_tick` and every write was taken; else none yet.
+  std::optional<Finished> finished(std::uint64_t last_tick) const;
+
+ private:
+  template <typename Message>
+  class Input;
+  struct Output {
+    std::unique_ptr<SampleWriter> writer;
+    std::deque<std::string> waiting;
+  };
+
+  template <typename Message>
+  void deliver(Message& message);
+  void refuse(const std::string& topic, const core::Error& error);
+  void run_ready(Time now);
+  bool may_step(Time now) const;
+  void step();
+  void account(const runtime::TopicSet& present);
+  void publish(runtime::Topic topic);
+  void write(Output& output, runtime::Topic topic, std::string_view cdr);
+  void report();
+  bool starts_ticks() const { return node_.ports().delayed_inputs.any(); }
+
+  mutable std::mutex mutex_;
+  runtime::Node node_;
+  const std::string user_data_;
+  const int history_depth_;
+  const bool lockstep_;
+  const bool account_inputs_;
+  Handlers handlers_;
+  runtime::InputBuffer buffer_;
+  domain::Messages messages_;
+  Codecs codecs_;
+  Journal journal_;
+  TickClock clock_;
+  bool started_ = false;
+  bool stopped_ = false;  ///< a write failed, or the run has its outcome
+  std::uint64_t allowed_until_ = 0;
+  std::uint64_t refused_samples_ = 0;
+  std::array<Output, domain::kTopicCount> outputs_;
+  std::vector<std::unique_ptr<SampleListener>> listeners_;
+  std::vector<std::unique_ptr<SampleReader>> readers_;  // closed before the listeners go
+};
+
+}  // namespace clew::bridge

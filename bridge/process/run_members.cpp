@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process/run_members.hpp"
+
+#include "cyclonedds/configuration.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using runtime::Graph;
+using runtime::GraphStage;
+using runtime::Topic;
+
+bool is_foreign(const GraphStage& stage) { return !stage.deployment.exec.empty(); }
+
+}  // namespace
+
+std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayout& layout) {
+  std::vector<Member> members;
+  for (const GraphStage& stage : plan.graph.stages) {
+    Member member;
+    member.stage = stage.info->name;
+    member.foreign = is_foreign(stage);
+    member.external = layout.external.count(member.stage) != 0;
+    member.starts_ticks = stage.ports.delayed_inputs.any();
+    members.push_back(std::move(member));
+  }
+  return members;
+}
+
+std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const GraphStage& stage) {
+  std::vector<ExpectedEndpoint> expected;
+  for (Topic topic : domain::kAllTopics) {
+    const auto index = static_cast<std::size_t>(topic);
+    const std::string name(domain::topic_name(topic));
+    if (stage.ports.outputs[index]) {
+      for (const GraphStage* reader : graph.readers_of(topic)) {
+        expected.push_back({name, false, reader->info->name, is_foreign(*reader)});
+      }
+    }
+    if (stage.ports.all_inputs()[index]) {
+      const GraphStage* writer = graph.writer_of(topic);
+      expected.push_back({name, true, writer->info->name, is_foreign(*writer)});
+    }
+  }
+  return expected;
+}
+
+std::string middleware_of(const GraphStage& stage, const ProcessLayout& layout) {
+  const auto chosen = layout.stage_middleware.find(stage.info->name);
+  if (chosen != layout.stage_middleware.end()) return chosen->second;
+  return stage.deployment.middleware.empty() ? layout.middleware : stage.deployment.middleware;
+}
+
+ChildCommand command_of(const Member& member, const GraphStage& stage, const ProcessLayout& layout,
+                        int domain, const std::string& run_id) {
+  ChildCommand command;
+  if (member.foreign) {
+    command.arguments = stage.deployment.exec;
+  } else {
+    command.arguments = {layout.program, "component", "-", member.stage};
+  }
+  const auto prefix = layout.prefix.find(member.stage);
+  if (prefix != layout.prefix.end()) {
+    // The shell knows how to take a command line apart; it is replaced by the program at once.
+    const std::vector<std::string> shell = {"/bin/sh", "-c", "exec " + prefix->second + " \"$@\"",
+                                            "sh"};
+    command.arguments.insert(command.arguments.begin(), shell.begin(), shell.end());
+    command.keeps_terminal = true;
+  }
+  command.environment = {{"CLEW_DOMAIN_ID", std::to_string(domain)},
+                         {"CLEW_RUN_ID", run_id},
+                         {"CYCLONEDDS_URI", cyclonedds_configuration({domain, member.stage})}};
+  return command;
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process/run_tally.hpp"
+
+namespace clew::bridge {
+
+void RunTally::add(const domain::State& state) {
+  truth = Truth{state.stamp.tick,           state.outcome,
+                state.stamp.sim_time_s,     state.path_length_m,
+                state.pose_world_robot.x_m, state.pose_world_robot.y_m,
+                state.collisions,           state.hit_by,
+                state.safety_stops};
+}
+
+void RunTally::add(const domain::Guidance& guidance) { mode = guidance.mode; }
+
+void RunTally::add(const domain::Event& event) {
+  for (const domain::EventEntry& entry : event.entries) {
+    if (entry.shadow) continue;
+    if (entry.kind == domain::EventKind::kTrap) ++traps_detected;
+    if (entry.kind == domain::EventKind::kVirtualTarget) ++virtual_targets;
+  }
+}
+
+void RunTally::merge(const RunTally& other) {
+  if (other.truth) truth = other.truth;
+  if (other.mode) mode = other.mode;
+  traps_detected += other.traps_detected;
+  virtual_targets += other.virtual_targets;
+}
+
+}  // namespace clew::bridge

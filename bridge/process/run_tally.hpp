@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "domain/topics.hpp"
+
+namespace clew::bridge {
+
+/// What is counted and shown of a run, gathered from the samples of whichever topics pass by.
+/// Tallies of several processes add up to the whole.
+struct RunTally {
+  struct Truth {
+    std::uint64_t tick = 0;
+    domain::Outcome outcome = domain::Outcome::kRunning;
+    double sim_time_s = 0.0;
+    double path_length_m = 0.0;
+    double x_m = 0.0;
+    double y_m = 0.0;
+    std::uint32_t collisions = 0;
+    std::uint32_t hit_by = 0;
+    std::uint32_t safety_stops = 0;
+  };
+
+  std::optional<Truth> truth;                ///< from `state`
+  std::optional<domain::GuidanceMode> mode;  ///< from `guidance`
+  std::uint32_t traps_detected = 0;          ///< from `event`, shadows left out
+  std::uint32_t virtual_targets = 0;         ///< from `event`
+
+  void add(const domain::State& state);
+  void add(const domain::Guidance& guidance);
+  void add(const domain::Event& event);
+  /// Other topics say nothing that is counted.
+  template <typename Message>
+  void add(const Message&) {}
+
+  /// Takes over what another process, which saw other topics, has gathered.
+  void merge(const RunTally& other);
+};
+
+template <typename V>
+void visit_fields(V& v, RunTally::Truth& t) {
+  v(t.tick, t.outcome, t.sim_time_s, t.path_length_m, t.x_m, t.y_m, t.collisions, t.hit_by,
+    t.safety_stops);
+}
+template <typename V>
+void visit_fields(V& v, RunTally& t) {
+  v(t.truth, t.mode, t.traps_detected, t.virtual_targets);
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,473 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process/supervisor.hpp"
+
+#include <poll.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <utility>
+
+#include "process/domain_hold.hpp"
+#include "process/foreign_observer.hpp"
+#include "process/run_members.hpp"
+#include "recording/run_hash.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using core::Error;
+using core::Result;
+using runtime::GraphStage;
+using std::chrono::milliseconds;
+
+constexpr std::uint32_t kHistoryDepth = 256;
+constexpr auto kPollPeriod = milliseconds(20);
+constexpr auto kDisplayPeriod = milliseconds(100);
+// No tick for so long means that a component is stuck.
+constexpr auto kStallTimeout = std::chrono::seconds(10);
+// A person at a debugger may take his time.
+constexpr auto kPatience = std::chrono::hours(1);
+constexpr double kPatientLease_s = 3600.0;
+constexpr auto kTermGrace = milliseconds(500);
+
+/// Blocks the signals that concern a supervisor and reads them from a descriptor.
+class SignalQueue {
+ public:
+  SignalQueue() {
+    sigemptyset(&set_);
+    for (int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set_, number);
+    ::sigprocmask(SIG_BLOCK, &set_, &before_);
+    descriptor_ = ::signalfd(-1, &set_, SFD_NONBLOCK | SFD_CLOEXEC);
+  }
+  ~SignalQueue() {
+    ::close(descriptor_);
+    ::sigprocmask(SIG_SETMASK, &before_, nullptr);
+  }
+  SignalQueue(const SignalQueue&) = delete;
+  SignalQueue& operator=(const SignalQueue&) = delete;
+
+  int descriptor() const { return descriptor_; }
+  /// The last signal that asks for an end, or 0.
+  int take() {
+    int asked = 0;
+    signalfd_siginfo info{};
+    while (::read(descriptor_, &info, sizeof info) == sizeof info) {
+      if (info.ssi_signo != SIGCHLD) asked = static_cast<int>(info.ssi_signo);
+    }
+    return asked;
+  }
+
+ private:
+  sigset_t set_{};
+  sigset_t before_{};
+  int descriptor_ = -1;
+};
+
+class Supervisor {
+ public:
+  Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout, DomainHold hold,
+             SampleSink* recording, const ProgressDisplay& display)
+      : plan_(plan),
+        layout_(layout),
+        hold_(std::move(hold)),
+        recording_(recording),
+        display_(display),
+        members_(list_members(plan, layout)),
+        started_at_(Clock::now()),
+        patient_(!layout.external.empty() || !layout.prefix.empty()) {
+    run_id_ = std::to_string(::getpid()) + '-' + std::to_string(hold_.domain());
+  }
+
+  RunReport run() {
+    start_members();
+    while (!over()) {
+      wait_for_something();
+      if (const int number = signals_.take()) {
+        report_.interrupted_by = number;
+        abort("interrupted by signal " + std::to_string(number) + " (" + ::strsignal(number) + ")");
+      }
+      accept_connections();
+      for (Member& member : members_) serve(member);
+      if (observer_) observe();
+      watch();
+    }
+    stop_members();
+    return finish_report();
+  }
+
+ private:
+  bool over() const { return !report_.aborted.empty() || all_finished_; }
+
+  void abort(const std::string& why) {
+    if (report_.aborted.empty()) report_.aborted = why;
+  }
+
+  static void log(const std::string& line) { std::fprintf(stderr, "clew: %s\n", line.c_str()); }
+
+  // ---- start ----
+
+  void start_members() {
+    for (Member& member : members_) {
+      if (member.external) {
+        log("waiting for " + member.stage + "; start it with: clew component " + plan_.graph.name +
+            ' ' + member.stage + " --domain " + std::to_string(hold_.domain()));
+        continue;
+      }
+      auto child = ChildProcess::start(
+          command_of(member, *plan_.graph.find(member.stage), layout_, hold_.domain(), run_id_));
+      if (!child.ok()) return abort(member.stage + ": " + child.error().text());
+      member.child = std::move(child).value();
+    }
+    auto observer = ForeignObserver::create(plan_, assignment_for("observer", layout_.middleware));
+    if (!observer.ok()) return abort(observer.error().text());
+    observer_ = std::move(observer).value();
+  }
+
+  Assignment assignment_for(const std::string& stage, const std::string& middleware) const {
+    Assignment assignment;
+    assignment.run_id = run_id_;
+    assignment.bundle = plan_.bundle;
+    assignment.middleware = middleware;
+    assignment.domain = hold_.domain();
+    if (patient_) assignment.lease_s = kPatientLease_s;
+    assignment.pace = layout_.pace;
+    assignment.pace_factor = layout_.pace_factor;
+    assignment.hash = layout_.hash;
+    assignment.spool = recording_ != nullptr;
+    assignment.history_depth = kHistoryDepth;
+    if (const GraphStage* graph_stage = plan_.graph.find(stage)) {
+      assignment.expected = expected_endpoints(plan_.graph, *graph_stage);
+    }
+    return assignment;
+  }
+
+  void accept_connections() {
+    while (const auto socket = hold_.accept())
+      newcomers_.push_back(std::make_unique<Link>(*socket));
+    for (auto& newcomer : newcomers_) {
+      if (!newcomer->receive()) {
+        newcomer.reset();
+      } else if (const auto frame = newcomer->next()) {
+        welcome(std::move(newcomer), frame->as<Hello>());
+      }
+    }
+    newcomers_.erase(std::remove(newcomers_.begin(), newcomers_.end(), nullptr), newcomers_.end());
+  }
+
+  void welcome(std::unique_ptr<Link> link, const std::optional<Hello>& hello) {
+    if (!hello) return;
+    const auto member =
+        std::find_if(members_.begin(), members_.end(), [&](const Member& candidate) {
+          return candidate.stage == hello->stage && !candidate.foreign;
+        });
+    if (member == members_.end() || member->link != nullptr) {
+      link->send(FrameType::kNotice, Text{"this run has no place for a component " + hello->stage});
+      return;
+    }
+    if (hello->idl_fingerprint != idl_fingerprint()) {
+      const std::string what = hello->stage + " (process " + std::to_string(hello->process_id) +
+                               ") was built from other IDL files: its fingerprint is " +
+                               hello->idl_fingerprint + ", that of the run is " +
+                               std::string(idl_fingerprint());
+      link->send(FrameType::kNotice, Text{what});
+      return abort(what);
+    }
+    const GraphStage& stage = *plan_.graph.find(hello->stage);
+    link->send(FrameType::kAssignment, assignment_for(hello->stage, middleware_of(stage, layout_)));
+    member->link = std::move(link);
+  }
+
+  // ---- while it runs ----
+
+  void wait_for_something() {
+    std::vector<pollfd> descriptors = {{signals_.descriptor(), POLLIN, 0},
+                                       {hold_.socket(), POLLIN, 0}};
+    for (const auto& newcomer : newcomers_) descriptors.push_back({newcomer->socket(), POLLIN, 0});
+    for (const Member& member : members_) {
+      if (member.link) descriptors.push_back({member.link->socket(), POLLIN, 0});
+    }
+    ::poll(descriptors.data(), descriptors.size(), static_cast<int>(kPollPeriod.count()));
+  }
+
+  void serve(Member& member) {
+    if (member.link) {
+      const bool open = member.link->receive();
+      while (auto frame = member.link->next()) handle(member, *frame);
+      if (!open && !member.finished) leave(member);
+    }
+    if (member.child && member.child->reap() && !member.finished) {
+      abort(member.stage + " (process " + std::to_string(member.child->process_id()) + ") " +
+            member.child->end());
+    }
+  }
+
+  // The line broke: the process has died, or is dying; its end says more than the line's.
+  void leave(Member& member) {
+    member.link.reset();
+    const auto deadline = Clock::now() + kTermGrace;
+    while (member.child && !member.child->reap() && Clock::now() < deadline) {
+      ::poll(nullptr, 0, 1);
+    }
+    if (member.child && !member.child->running()) {
+      abort(member.stage + " (process " + std::to_string(member.child->process_id()) + ") " +
+            member.child->end());
+    } else {
+      abort(member.stage + " has left the run");
+    }
+  }
+
+  void handle(Member& member, const Frame& frame) {
+    switch (frame.type) {
+      case FrameType::kWaiting:
+        if (const auto waiting = frame.as<Waiting>()) {
+          member.missing = waiting->missing;
+          member.ready = waiting->missing.empty();
+        }
+        break;
+      case FrameType::kProgress:
+        if (const auto progress = frame.as<Progress>()) note_progress(member, *progress);
+        break;
+      case FrameType::kSamples:
+        record(frame.payload);
+        break;
+      case FrameType::kFinished:
+        member.finished = frame.as<Finished>();
+        break;
+      case FrameType::kNotice:
+      case FrameType::kFatal:
+        if (const auto text = frame.as<Text>()) {
+          frame.type == FrameType::kFatal ? abort(text->text) : log(text->text);
+        }
+        break;
+      default:
+        break;
+    }
+  }
+
+  void note_progress(Member& member, const Progress& progress) {
+    if (progress.ticks > member.progress.ticks) stalled_since_ = Clock::now();
+    member.progress = progress;
+    if (!member.starts_ticks || !progress.tally.truth) return;
+    if (!first_tick_at_) {
+      first_tick_at_ = Clock::now();
+      first_tick_ = progress.tally.truth->tick;
+    }
+    last_tick_at_ = Clock::now();
+    if (progress.tally.truth->outcome != domain::Outcome::kRunning && !last_tick_) {
+      last_tick_ = progress.tally.truth->tick;
+      for (Member& other : members_) {
+        if (other.link) other.link->send(FrameType::kFinish, Tick{*last_tick_});
+      }
+    }
+  }
+
+  void record(const std::string& spool) {
+    if (recording_ == nullptr) return;
+    const bool whole = for_each_spooled(spool, [this](const SpooledSample& sample) {
+      const auto added = recording_->add(sample);
+      if (!added.ok()) abort(added.error().text());
+    });
+    if (!whole) abort("a component sent a damaged spool");
+  }
+
+  void observe() {
+    observer_->poll();
+    for (const std::string& line : observer_->take_notices()) log(line);
+    if (const auto fatal = observer_->fatal()) abort(*fatal);
+    record(observer_->take_spooled());
+  }
+
+  void watch() {
+    const auto now = Clock::now();
+    if (!gone_) {
+      if (everybody_ready()) {
+        go(now);
+      } else if (now - started_at_ > start_timeout()) {
+        abort(start_failure());
+      }
+    } else if (!last_tick_ && now - stalled_since_ > stall_timeout()) {
+      abort(stall());
+    }
+    give_credit();
+    if (last_tick_ && everybody_finished()) all_finished_ = true;
+    if (display_ && gone_ && now - displayed_at_ >= kDisplayPeriod) {
+      displayed_at_ = now;
+      display_(tally(), ticks_per_s());
+    }
+  }
+
+  Clock::duration start_timeout() const {
+    if (patient_) return kPatience;
+    return std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(plan_.graph.start_timeout_s));
+  }
+  Clock::duration stall_timeout() const {
+    if (patient_) return kPatience;
+    const double tick_s =
+        layout_.pace == Pace::kLockstep ? 0.0 : plan_.graph.tick_s / layout_.pace_factor;
+    return kStallTimeout +
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(2.0 * tick_s));
+  }
+
+  bool everybody_ready() const {
+    return std::all_of(members_.begin(), members_.end(),
+                       [](const Member& m) { return m.foreign || m.ready; }) &&
+           (!observer_ || observer_->ready());
+  }
+  bool everybody_finished() const {
+    return std::all_of(members_.begin(), members_.end(),
+                       [](const Member& m) { return m.foreign || m.finished; }) &&
+           (!observer_ || observer_->finished(*last_tick_));
+  }
+
+  void go(Clock::time_point now) {
+    gone_ = true;
+    stalled_since_ = now;
+    for (Member& member : members_) {
+      if (member.starts_ticks && member.link) member.link->send(FrameType::kGo, Tick{0});
+    }
+  }
+
+  // The stage that starts ticks stays within half a history of the slowest member and of the
+  // recording, so that nobody loses a sample.
+  void give_credit() {
+    std::uint64_t done = UINT64_MAX;
+    for (const Member& member : members_) {
+      if (!member.foreign) done = std::min(done, member.progress.ticks);
+    }
+    if (observer_) done = std::min(done, observer_->ticks());
+    if (recording_ != nullptr) done = std::min(done, recording_->complete_ticks());
+    const std::uint64_t credit = done + kHistoryDepth / 2;
+    if (credit < credit_ + kHistoryDepth / 8) return;
+    credit_ = credit;
+    for (Member& member : members_) {
+      if (member.starts_ticks && member.link) member.link->send(FrameType::kCredit, Tick{credit});
+    }
+  }
+
+  std::string start_failure() const {
+    std::string why = "not everybody was there within " +
+                      std::to_string(static_cast<int>(plan_.graph.start_timeout_s)) + " s:";
+    for (const Member& member : members_) {
+      if (!member.foreign && !member.link) why += "\n  " + member.stage + " has not reported";
+      for (const std::string& missing : member.missing) why += "\n  " + missing;
+    }
+    if (observer_) {
+      for (const std::string& missing : observer_->missing()) why += "\n  " + missing;
+    }
+    return why;
+  }
+
+  std::string stall() const {
+    std::string why = "no tick was completed for 10 s; ticks done:";
+    for (const Member& member : members_) {
+      if (member.foreign) continue;
+      why += ' ' + member.stage + ' ' + std::to_string(member.progress.ticks);
+    }
+    return why;
+  }
+
+  // ---- end ----
+
+  // A closed line tells ours that the run is over; then signals, the gentle one first.
+  void stop_members() {
+    for (Member& member : members_) {
+      member.link.reset();
+      if (member.child && (member.foreign || !all_finished_)) member.child->signal(SIGTERM);
+    }
+    if (!wait_for_children(Clock::now() + kTermGrace)) {
+      for (Member& member : members_) {
+        if (member.child) member.child->signal(SIGKILL);
+      }
+      wait_for_children(Clock::now() + kTermGrace);
+    }
+  }
+
+  bool wait_for_children(Clock::time_point deadline) {
+    while (true) {
+      bool running = false;
+      for (Member& member : members_) {
+        if (!member.child) continue;
+        member.child->reap();
+        running = running || member.child->running();
+      }
+      if (!running) return true;
+      if (Clock::now() >= deadline) return false;
+      ::poll(nullptr, 0, 1);
+    }
+  }
+
+  RunTally tally() const {
+    RunTally total;
+    for (const Member& member : members_) {
+      total.merge(member.finished ? member.finished->tally : member.progress.tally);
+    }
+    if (observer_) total.merge(observer_->tally());
+    return total;
+  }
+
+  double ticks_per_s() const {
+    if (!first_tick_at_ || !last_tick_at_) return 0.0;
+    const double seconds = std::chrono::duration<double>(*last_tick_at_ - *first_tick_at_).count();
+    const RunTally total = tally();
+    if (!total.truth || seconds <= 0.0) return 0.0;
+    return static_cast<double>(total.truth->tick - first_tick_) / seconds;
+  }
+
+  RunReport finish_report() {
+    report_.tally = tally();
+    report_.ticks_per_s = ticks_per_s();
+    report_.wall_s = std::chrono::duration<double>(Clock::now() - started_at_).count();
+    std::map<std::string, core::Hash128> chains;
+    for (const Member& member : members_) {
+      if (!member.finished) continue;
+      chains.insert(member.finished->chains.begin(), member.finished->chains.end());
+      report_.refused_samples += member.finished->refused_samples;
+    }
+    if (observer_ && report_.aborted.empty()) {
+      const auto foreign = observer_->chains();
+      chains.insert(foreign.begin(), foreign.end());
+    }
+    if (layout_.hash && report_.aborted.empty()) report_.hash = run_hash(chains);
+    return report_;
+  }
+
+  const runtime::RunPlan& plan_;
+  const ProcessLayout& layout_;
+  DomainHold hold_;
+  SampleSink* recording_;
+  const ProgressDisplay& display_;
+  SignalQueue signals_;
+  std::vector<Member> members_;
+  std::vector<std::unique_ptr<Link>> newcomers_;
+  std::unique_ptr<ForeignObserver> observer_;
+  std::string run_id_;
+  RunReport report_;
+  const Clock::time_point started_at_;
+  const bool patient_;
+  bool gone_ = false;
+  bool all_finished_ = false;
+  std::uint64_t credit_ = kHistoryDepth / 2;
+  std::uint64_t first_tick_ = 0;
+  std::optional<std::uint64_t> last_tick_;
+  std::optional<Clock::time_point> first_tick_at_;
+  std::optional<Clock::time_point> last_tick_at_;
+  Clock::time_point stalled_since_{};
+  Clock::time_point displayed_at_{};
+};
+
+}  // namespace
+
+Result<RunReport> run_processes(const runtime::RunPlan& plan, const ProcessLayout& layout,
+                                SampleSink* recording, const ProgressDisplay& display) {
+  auto hold = DomainHold::take(layout.domain);
+  if (!hold.ok()) return hold.error();
+  return Supervisor(plan, layout, std::move(hold).value(), recording, display).run();
+}
+
+}  // namespace clew::bridge

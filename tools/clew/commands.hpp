@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The commands of `clew`, without their command lines: each takes what was asked for and returns
+/// the exit status. Results go to stdout, everything else to stderr.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/graph.hpp"
+
+namespace clew::tools {
+
+inline constexpr int kExitGood = 0;
+inline constexpr int kExitFailed = 1;
+inline constexpr int kExitBadInput = 2;
+inline constexpr int kExitTimeout = 3;
+inline constexpr int kExitCollided = 4;
+inline constexpr int kExitUnreachable = 5;
+inline constexpr int kExitInterrupted = 130;
+
+struct RunOptions {
+  std::string graph;
+  runtime::GraphOverrides overrides;
+  std::string layout = "processes";
+  std::vector<std::string> middleware;  ///< `VENDOR` or `STAGE=VENDOR`
+  std::string pace = "lockstep";
+  std::optional<int> domain;
+  std::string record;
+  bool force = false;
+  std::vector<std::string> external;
+  std::vector<std::string> prefix;  ///< `STAGE=COMMAND`
+  bool json = false;
+  bool no_hash = false;
+};
+int run_command(const RunOptions& options);
+
+struct CheckOptions {
+  std::string graph;
+  runtime::GraphOverrides overrides;
+  bool expand = false;
+};
+int check_command(const CheckOptions& options);
+
+struct ListOptions {
+  std::string what;  ///< `graphs`, `worlds`, a stage, or `STAGE.PART`; empty: what there is
+  std::string name;
+};
+int list_command(const ListOptions& options);
+
+struct ComponentOptions {
+  std::string graph;  ///< `-`: as the run has it
+  std::string stage;
+  std::optional<int> domain;
+};
+int component_command(const ComponentOptions& options);
+
+struct PlotOptions {
+  std::vector<std::string> recordings;
+  std::string output;
+};
+int plot_command(const PlotOptions& options);
+
+struct TrainSomOptions {
+  std::string recipe;
+  std::string output;
+};
+int train_som_command(const TrainSomOptions& options);
+
+/// Prints an error as `clew: file:line: message` and returns `status`.
+int complain(const core::Error& error, int status = kExitBadInput);
+
+}  // namespace clew::tools

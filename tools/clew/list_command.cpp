@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "clew/commands.hpp"
+#include "core/nearest_name.hpp"
+#include "core/yaml_reader.hpp"
+#include "runtime/config_source.hpp"
+#include "runtime/stage.hpp"
+#include "stages/all.hpp"
+
+namespace clew::tools {
+namespace {
+
+using runtime::PartInfo;
+using runtime::PortInfo;
+using runtime::StageInfo;
+using runtime::VariantInfo;
+
+struct ValueText {
+  std::string operator()(bool v) const { return v ? "true" : "false"; }
+  std::string operator()(std::int64_t v) const { return std::to_string(v); }
+  std::string operator()(double v) const { return fmt::format("{}", v); }
+  std::string operator()(const std::string& v) const { return v.empty() ? "\"\"" : v; }
+  std::string operator()(const std::vector<std::string>& v) const {
+    return fmt::format("[{}]", fmt::join(v, ", "));
+  }
+};
+
+std::string allowed_text(const core::ParameterInfo& info) {
+  if (info.range) return fmt::format("{} to {}", info.range->min, info.range->max);
+  if (!info.choices.empty()) return fmt::format("{}", fmt::join(info.choices, " | "));
+  if (!info.folder.empty()) return "a file of configs/" + info.folder;
+  return {};
+}
+
+void print_parameters(const std::vector<core::ParameterInfo>& infos) {
+  for (const core::ParameterInfo& info : infos) {
+    const std::string unit = info.unit.empty() || info.unit == "1" ? "" : ' ' + info.unit;
+    const std::string allowed = allowed_text(info);
+    fmt::print("    {} = {}{}{}  {}\n", info.name, std::visit(ValueText{}, info.default_value),
+               unit, allowed.empty() ? "" : " (" + allowed + ")", info.doc);
+  }
+}
+
+void print_port(const PortInfo& port) {
+  std::string kind = port.direction == PortInfo::Direction::kOutput ? "out" : "in";
+  if (port.need == PortInfo::Need::kOptional) kind += ", optional";
+  if (port.need == PortInfo::Need::kFallback) {
+    kind += ", if there is no " + std::string(domain::topic_name(port.instead_of));
+  }
+  if (port.delayed) kind += ", of the tick before";
+  fmt::print("    {} ({}, {})  {}\n", domain::topic_name(port.topic), kind,
+             domain::type_name(port.topic), port.doc);
+}
+
+void print_variant(const StageInfo& stage, const PartInfo& part, const VariantInfo& variant) {
+  fmt::print("  {}.{} {}: {}\n", stage.name, part.name, variant.name, variant.summary);
+  print_parameters(variant.parameters);
+}
+
+int list_files(const std::string& folder, const std::string& name) {
+  const auto path = runtime::ConfigPath::from_environment();
+  for (const std::string& known : path.names(folder)) {
+    if (!name.empty() && known != name) continue;
+    const auto file = path.find(folder, known);
+    if (!file.ok()) return complain(file.error());
+    if (!name.empty()) {
+      fmt::print("{}", file->text);
+      return kExitGood;
+    }
+    std::string about;
+    const auto root = core::YamlNode::parse(file->text, file->file);
+    if (root.ok()) {
+      if (const auto node = root->find("about")) about = node->string().ok() ? *node->string() : "";
+    }
+    fmt::print("{:<32} {}\n", known, about);
+  }
+  if (name.empty()) return kExitGood;
+  return complain(path.find(folder, name).error());
+}
+
+int list_stage(const StageInfo& stage, const std::string& part_name, const std::string& name) {
+  std::vector<std::string> parts;
+  std::vector<std::string> names;
+  bool found = false;
+  if (part_name.empty() && name.empty()) {
+    fmt::print("{}: {}\n  ports:\n", stage.name, stage.summary);
+    for (const PortInfo& port : stage.ports) print_port(port);
+    if (!stage.parameters.empty()) fmt::print("  parameters of every {}:\n", stage.name);
+    print_parameters(stage.parameters);
+  }
+  for (const PartInfo& part : stage.parts) {
+    parts.push_back(part.name);
+    if (!part_name.empty() && part.name != part_name) continue;
+    for (const VariantInfo& variant : part.variants) {
+      names.push_back(variant.name);
+      if (!name.empty() && variant.name != name) continue;
+      found = true;
+      print_variant(stage, part, variant);
+    }
+  }
+  if (found) return kExitGood;
+  if (names.empty()) {
+    return complain({core::unknown_name("part of " + stage.name, part_name, parts), {}, 0, 0});
+  }
+  return complain({core::unknown_name("behaviour of " + stage.name, name, names), {}, 0, 0});
+}
+
+int list_all() {
+  fmt::print("graphs, worlds, or a stage:\n");
+  for (const StageInfo& stage : stages::all())
+    fmt::print("  {:<9} {}\n", stage.name, stage.summary);
+  return kExitGood;
+}
+
+}  // namespace
+
+int list_command(const ListOptions& options) {
+  if (options.what.empty()) return list_all();
+  if (options.what == "graphs" || options.what == "worlds") {
+    return list_files(options.what, options.name);
+  }
+  const std::size_t dot = options.what.find('.');
+  const std::string stage_name = options.what.substr(0, dot);
+  std::vector<std::string> known = {"graphs", "worlds"};
+  for (const StageInfo& stage : stages::all()) {
+    if (stage.name == stage_name) {
+      return list_stage(stage, dot == std::string::npos ? "" : options.what.substr(dot + 1),
+                        options.name);
+    }
+    known.push_back(stage.name);
+  }
+  return complain({core::unknown_name("list", stage_name, known), {}, 0, 0});
+}
+
+}  // namespace clew::tools

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <set>
+
+#include "clew/commands.hpp"
+#include "clew/version.hpp"
+
+namespace clew::tools {
+namespace {
+
+// A status that a command line gives is remembered here, since CLI11's callbacks return nothing.
+struct Outcome {
+  int status = kExitGood;
+};
+
+void add_overrides(CLI::App& app, runtime::GraphOverrides& overrides) {
+  app.add_option("--world", overrides.world, "another world: a name or a path");
+  app.add_option("--robot", overrides.robot, "another robot: a name or a path");
+  app.add_option("--with", overrides.with, "STAGE[.PART]=NAME[,NAME...]: another behaviour")
+      ->allow_extra_args(false);
+  app.add_option("--set", overrides.set, "STAGE[.PART][.NAME].PARAM=VALUE: another value")
+      ->allow_extra_args(false);
+  app.add_option("--seed", overrides.seed, "of all random numbers (1)");
+  app.add_option("--max-ticks", overrides.max_ticks, "give up after so many (20000)");
+}
+
+void add_run(CLI::App& main, RunOptions& options, Outcome& outcome) {
+  CLI::App* app = main.add_subcommand("run", "Run a graph with a simulated robot");
+  app->add_option("graph", options.graph, "a name or a path")->required();
+  add_overrides(*app, options.overrides);
+  app->add_option("--layout", options.layout, "processes | composed");
+  app->add_option("--middleware", options.middleware,
+                  "cyclonedds | fastdds, or STAGE=VENDOR; may be repeated")
+      ->allow_extra_args(false);
+  app->add_option("--pace", options.pace, "lockstep | realtime | Nx");
+  app->add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)");
+  app->add_option("--record", options.record, "write a recording (MCAP)");
+  app->add_flag("--force", options.force, "overwrite the recording");
+  app->add_option("--external", options.external, "wait for a STAGE that a person starts")
+      ->allow_extra_args(false);
+  app->add_option("--prefix", options.prefix, "STAGE='gdb --args': start it with a command before")
+      ->allow_extra_args(false);
+  app->add_flag("--json", options.json, "print the result as one JSON object");
+  app->add_flag("--no-hash", options.no_hash, "do not hash what is published");
+  auto view = std::make_shared<bool>(false);
+  app->add_flag("--view", *view, "not in this version");
+  app->callback([&options, &outcome, view] {
+    outcome.status =
+        *view ? complain({"--view is not in this version", {}, 0, 0}) : run_command(options);
+  });
+}
+
+void add_check(CLI::App& main, CheckOptions& options, Outcome& outcome) {
+  CLI::App* app = main.add_subcommand("check", "Check a graph and show its wiring");
+  app->add_option("graph", options.graph, "a name or a path")->required();
+  add_overrides(*app, options.overrides);
+  app->add_flag("--expand", options.expand, "print the graph with every value in it");
+  app->callback([&] { outcome.status = check_command(options); });
+}
+
+void add_list(CLI::App& main, ListOptions& options, Outcome& outcome) {
+  CLI::App* app = main.add_subcommand("list", "List graphs, worlds, stages and behaviours");
+  app->add_option("what", options.what, "graphs | worlds | STAGE[.PART]");
+  app->add_option("name", options.name, "only this one");
+  app->callback([&] { outcome.status = list_command(options); });
+}
+
+void add_component(CLI::App& main, ComponentOptions& options, Outcome& outcome) {
+  CLI::App* app = main.add_subcommand("component", "Run one stage of a run as this process");
+  app->add_option("graph", options.graph, "a name or a path; -: as the run has it")->required();
+  app->add_option("stage", options.stage)->required();
+  app->add_option("--domain", options.domain, "the run's DDS domain (CLEW_DOMAIN_ID)");
+  app->callback([&] { outcome.status = component_command(options); });
+}
+
+void add_plot(CLI::App& main, PlotOptions& options, Outcome& outcome) {
+  CLI::App* app = main.add_subcommand("plot", "Draw the path of one or more recordings");
+  app->add_option("recording", options.recordings)->required();
+  app->add_option("-o,--output", options.output, "FILE.svg or FILE.png")->required();
+  app->callback([&] { outcome.status = plot_command(options); });
+}
+
+void add_train(CLI::App& main, TrainSomOptions& options, Outcome& outcome) {
+  CLI::App* train = main.add_subcommand("train", "Train a network");
+  train->require_subcommand(1);
+  CLI::App* som = train->add_subcommand("som", "The landmark map of Krishna & Kalra 2000");
+  som->add_option("--recipe", options.recipe, "worlds, scales, iterations and seed")
+      ->capture_default_str();
+  som->add_option("-o,--output", options.output, "the file to write (stdout)");
+  som->callback([&] { outcome.status = train_som_command(options); });
+}
+
+// Names that later versions will use.
+void add_reserved(CLI::App& main, Outcome& outcome) {
+  for (const char* name :
+       {"info", "diff", "replay", "bench", "topic", "view", "bridge", "doctor"}) {
+    CLI::App* app = main.add_subcommand(name, "not in this version");
+    app->group("");
+    app->allow_extras();
+    app->callback([&outcome, name] {
+      outcome.status = complain({std::string(name) + ": not in this version", {}, 0, 0});
+    });
+  }
+}
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app("Sensor-based navigation of a mobile robot as a graph of DDS components", "clew");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version_text());
+  Outcome outcome;
+  RunOptions run;
+  CheckOptions check;
+  ListOptions list;
+  ComponentOptions component;
+  PlotOptions plot;
+  TrainSomOptions train;
+  train.recipe = "krishna_kalra_som_training";
+  add_run(app, run, outcome);
+  add_check(app, check, outcome);
+  add_list(app, list, outcome);
+  add_component(app, component, outcome);
+  add_plot(app, plot, outcome);
+  add_train(app, train, outcome);
+  add_reserved(app, outcome);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? kExitGood : kExitBadInput;
+  }
+  return outcome.status;
+}
+
+}  // namespace
+}  // namespace clew::tools
+
+int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  std::signal(SIGPIPE, SIG_IGN);
+  return clew::tools::parse_and_run(argc, argv);
+}

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "clew/run_output.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "clew/commands.hpp"
+#include "world/world.hpp"
+
+namespace clew::tools {
+namespace {
+
+using bridge::RunReport;
+using bridge::RunTally;
+using domain::Outcome;
+
+const char* mode_word(const RunTally& tally) {
+  if (!tally.mode) return "seek";
+  switch (*tally.mode) {
+    case domain::GuidanceMode::kSeek:
+      return "seek";
+    case domain::GuidanceMode::kRecover:
+      return "recover";
+    case domain::GuidanceMode::kUnreachable:
+      return "unreachable";
+  }
+  return "seek";
+}
+
+RunTally::Truth truth_of(const RunReport& report) {
+  return report.tally.truth.value_or(RunTally::Truth{});
+}
+
+}  // namespace
+
+std::string outcome_word(const RunReport& report) {
+  if (!report.aborted.empty()) return "aborted";
+  switch (truth_of(report).outcome) {
+    case Outcome::kReached:
+      return "reached";
+    case Outcome::kCollided:
+      return "collided";
+    case Outcome::kUnreachable:
+      return "unreachable";
+    case Outcome::kTimeout:
+      return "timeout";
+    case Outcome::kRunning:
+      break;
+  }
+  return "aborted";
+}
+
+int exit_status(const RunReport& report) {
+  if (report.interrupted_by != 0) return kExitInterrupted;
+  if (!report.aborted.empty()) return kExitFailed;
+  switch (truth_of(report).outcome) {
+    case Outcome::kReached:
+      return kExitGood;
+    case Outcome::kCollided:
+      return kExitCollided;
+    case Outcome::kUnreachable:
+      return kExitUnreachable;
+    case Outcome::kTimeout:
+      return kExitTimeout;
+    case Outcome::kRunning:
+      break;
+  }
+  return kExitFailed;
+}
+
+std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
+                        const RunFacts& facts) {
+  const RunTally::Truth truth = truth_of(report);
+  const auto shortest_m = plan.setup.world->shortest_path_m();
+  nlohmann::ordered_json json;
+  json["outcome"] = outcome_word(report);
+  json["ticks"] = truth.tick;
+  json["sim_time_s"] = truth.sim_time_s;
+  json["path_length_m"] = truth.path_length_m;
+  json["shortest_path_m"] = shortest_m ? nlohmann::ordered_json(*shortest_m) : nullptr;
+  json["traps_detected"] = report.tally.traps_detected;
+  json["virtual_targets"] = report.tally.virtual_targets;
+  json["collisions"] = truth.collisions;
+  json["hit_by"] = truth.hit_by;
+  json["safety_stops"] = truth.safety_stops;
+  json["restarts"] = report.restarts;
+  json["wall_s"] = report.wall_s;
+  json["ticks_per_s"] = report.ticks_per_s;
+  json["layout"] = facts.layout;
+  json["middleware"] = facts.middleware;
+  json["seed"] = plan.graph.seed;
+  json["hash"] = report.hash ? nlohmann::ordered_json(report.hash->hex()) : nullptr;
+  json["recording"] = facts.recording.empty() ? nullptr : nlohmann::ordered_json(facts.recording);
+  json["refused_samples"] = report.refused_samples;
+  json["why"] = report.aborted;
+  return json.dump();
+}
+
+std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {
+  const RunTally::Truth truth = truth_of(report);
+  const auto shortest_m = plan.setup.world->shortest_path_m();
+  std::string line =
+      fmt::format("{} in {}: {} ticks ({:.1f} s), path {:.2f} m", outcome_word(report),
+                  plan.graph.world, truth.tick, truth.sim_time_s, truth.path_length_m);
+  if (shortest_m) line += fmt::format(" ({:.2f} x shortest)", truth.path_length_m / *shortest_m);
+  line += fmt::format(", {} traps, {} collisions, {} safety stops", report.tally.traps_detected,
+                      truth.collisions, truth.safety_stops);
+  line += fmt::format(", {:.0f} ticks/s", report.ticks_per_s);
+  if (report.hash) line += ", hash " + report.hash->hex();
+  return line;
+}
+
+bridge::ProgressDisplay terminal_display(const runtime::RunPlan& plan) {
+  if (::isatty(STDERR_FILENO) == 0) return {};
+  const core::Vec2 target = plan.setup.world->target();
+  return [target](const RunTally& tally, double ticks_per_s) {
+    if (!tally.truth) return;
+    const double distance_m = core::length(target - core::Vec2(tally.truth->x_m, tally.truth->y_m));
+    std::fprintf(stderr, "\r\033[Ktick %llu  distance %.2f m  %s  %.0f ticks/s",
+                 static_cast<unsigned long long>(tally.truth->tick), distance_m, mode_word(tally),
+                 ticks_per_s);
+  };
+}
+
+void clear_display() {
+  if (::isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
+}
+
+}  // namespace clew::tools

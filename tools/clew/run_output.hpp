@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "process/run_report.hpp"
+#include "runtime/run_plan.hpp"
+
+namespace clew::tools {
+
+/// What a report does not know of its run.
+struct RunFacts {
+  std::string layout;
+  std::string middleware;
+  std::string recording;  ///< the file, or empty
+};
+
+/// `reached`, ..., or `aborted`.
+std::string outcome_word(const bridge::RunReport& report);
+
+/// The exit status that the outcome asks for.
+int exit_status(const bridge::RunReport& report);
+
+/// The object that `run --json` prints, on one line.
+std::string report_json(const bridge::RunReport& report, const runtime::RunPlan& plan,
+                        const RunFacts& facts);
+
+/// The same for people, in a line.
+std::string report_line(const bridge::RunReport& report, const runtime::RunPlan& plan);
+
+/// Shows progress in one line on the terminal; does nothing in a pipe.
+bridge::ProgressDisplay terminal_display(const runtime::RunPlan& plan);
+/// Clears that line.
+void clear_display();
+
+}  // namespace clew::tools
