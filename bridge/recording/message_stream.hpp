@@ -20,13 +20,13 @@ enum class Order {
 };
 
 struct MessageFilter {
-  std::set<std::uint16_t> channels;                                   ///< empty: all
+  std::optional<std::set<std::uint16_t>> channels;                    ///< nothing: all
   std::uint64_t first_ns = 0;                                         ///< least log time
   std::uint64_t last_ns = std::numeric_limits<std::uint64_t>::max();  ///< greatest log time
 
   bool passes(std::uint64_t log_time_ns, std::uint16_t channel_id) const {
     return log_time_ns >= first_ns && log_time_ns <= last_ns &&
-           (channels.empty() || channels.count(channel_id) != 0);
+           (!channels || channels->count(channel_id) != 0);
   }
 };
 

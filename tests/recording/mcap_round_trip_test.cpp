@@ -57,7 +57,7 @@ TEST_P(McapRoundTrip, GivesOnlyWhatTheFilterPasses) {
   const auto reader = McapReader::open(path_);
   ASSERT_TRUE(reader) << reader.error().text();
   MessageFilter filter;
-  filter.channels = {1};
+  filter.channels = std::set<std::uint16_t>{1};
   filter.first_ns = 2'000'000'000;
   filter.last_ns = 9'000'000'000;
   std::vector<StoredMessage> expected;

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recording/run_description.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <system_error>
+
+namespace clew::bridge {
+namespace {
+
+constexpr std::string_view kFormat = "clew-recording/1";
+constexpr std::string_view kVersionPrefix = "version.";
+constexpr const char* kDigestKey = "digest";
+
+/// The shortest digits that read back as the same number.
+std::string text_of(double value) {
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value);
+  return {digits, end.ptr};
+}
+
+template <typename Number>
+std::optional<Number> number_from(std::string_view text, int base) {
+  Number number = 0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), number, base);
+  if (end.ec != std::errc() || end.ptr != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// A tick's length; within these bounds ticks and nanoseconds turn into each other.
+std::optional<double> tick_s_from(std::string_view text) {
+  constexpr double kShortest = 1e-6;
+  constexpr double kLongest = 1e6;
+  double number = 0.0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (end.ec != std::errc() || end.ptr != text.data() + text.size()) return std::nullopt;
+  if (!(number >= kShortest && number <= kLongest)) return std::nullopt;
+  return number;
+}
+
+std::optional<core::Hash128> hash_from(std::string_view hexadecimal) {
+  if (hexadecimal.size() != 32) return std::nullopt;
+  const auto high = number_from<std::uint64_t>(hexadecimal.substr(0, 16), 16);
+  const auto low = number_from<std::uint64_t>(hexadecimal.substr(16), 16);
+  if (!high || !low) return std::nullopt;
+  return core::Hash128{*high, *low};
+}
+
+/// Over all entries but itself; lengths keep two different maps from one text.
+std::string digest(const mcap::StringMap& entries) {
+  std::string text;
+  for (const auto& [key, value] : entries) {
+    if (key == kDigestKey) continue;
+    for (const std::string& part : {key, value}) text += std::to_string(part.size()) + ':' + part;
+  }
+  return core::hash128(text).hex();
+}
+
+core::Error refused(const mcap::Metadata& metadata, const std::string& why) {
+  return {"its metadata record '" + metadata.name + "' " + why, {}, 0, 0};
+}
+
+core::Result<void> check_digest(const mcap::Metadata& metadata) {
+  const auto found = metadata.entries.find(kDigestKey);
+  if (found == metadata.entries.end()) return refused(metadata, "has no digest");
+  if (found->second != digest(metadata.entries)) {
+    return refused(metadata, "does not match its digest: some of its bytes were changed");
+  }
+  return {};
+}
+
+/// An entry's text; empty if it is missing.
+std::string_view entry(const mcap::Metadata& metadata, const std::string& key) {
+  const auto found = metadata.entries.find(key);
+  return found == metadata.entries.end() ? std::string_view() : found->second;
+}
+
+}  // namespace
+
+mcap::Metadata to_metadata(const RunDescription& description) {
+  mcap::Metadata metadata;
+  metadata.name = kDescriptionName;
+  metadata.entries["format"] = kFormat;
+  metadata.entries["tick_s"] = text_of(description.tick_s);
+  metadata.entries["seed"] = std::to_string(description.seed);
+  metadata.entries["idl_fingerprint"] = description.idl_fingerprint;
+  for (const auto& [name, version] : description.versions) {
+    metadata.entries[std::string(kVersionPrefix) + name] = version;
+  }
+  metadata.entries[kDigestKey] = digest(metadata.entries);
+  return metadata;
+}
+
+mcap::Metadata to_metadata(const RunEnd& end) {
+  mcap::Metadata metadata;
+  metadata.name = kEndName;
+  metadata.entries["ticks"] = std::to_string(end.ticks);
+  metadata.entries["hash"] = end.hash.hex();
+  metadata.entries[kDigestKey] = digest(metadata.entries);
+  return metadata;
+}
+
+core::Result<RunDescription> description_from_metadata(const mcap::Metadata& metadata) {
+  CLEW_RETURN_IF_ERROR(check_digest(metadata));
+  const std::string_view format = entry(metadata, "format");
+  if (format != kFormat) {
+    return refused(metadata, "is of format '" + std::string(format) + "'; this version reads '" +
+                                 std::string(kFormat) + "'");
+  }
+  const auto tick_s = tick_s_from(entry(metadata, "tick_s"));
+  const auto seed = number_from<std::uint64_t>(entry(metadata, "seed"), 10);
+  if (!tick_s) return refused(metadata, "has no 'tick_s' between 1e-6 and 1e6");
+  if (!seed) return refused(metadata, "has no number 'seed'");
+  RunDescription description;
+  description.tick_s = *tick_s;
+  description.seed = *seed;
+  description.idl_fingerprint = entry(metadata, "idl_fingerprint");
+  for (const auto& [key, value] : metadata.entries) {
+    if (key.compare(0, kVersionPrefix.size(), kVersionPrefix) == 0) {
+      description.versions[key.substr(kVersionPrefix.size())] = value;
+    }
+  }
+  return description;
+}
+
+core::Result<RunEnd> end_from_metadata(const mcap::Metadata& metadata) {
+  CLEW_RETURN_IF_ERROR(check_digest(metadata));
+  const auto ticks = number_from<std::uint64_t>(entry(metadata, "ticks"), 10);
+  const auto hash = hash_from(entry(metadata, "hash"));
+  if (!ticks) return refused(metadata, "has no number 'ticks'");
+  if (!hash) return refused(metadata, "has no 'hash' of 32 hexadecimal digits");
+  return RunEnd{*ticks, *hash};
+}
+
+std::uint64_t tick_to_ns(std::uint64_t tick, double tick_s) {
+  return static_cast<std::uint64_t>(std::llround(static_cast<double>(tick) * tick_s * 1e9));
+}
+
+std::uint64_t ns_to_tick(std::uint64_t time_ns, double tick_s) {
+  return static_cast<std::uint64_t>(std::llround(static_cast<double>(time_ns) * 1e-9 / tick_s));
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/hash128.hpp"
+#include "core/result.hpp"
+#include "domain/topics.hpp"
+#include "recording/mcap_records.hpp"
+
+namespace clew::bridge {
+
+/// What a run is a function of, and nothing else: no wall clock, host, process, layout or
+/// middleware. The same run has the same description wherever it goes.
+struct RunDescription {
+  double tick_s = 0.0;  ///< simulated time of a tick, 1e-6..1e6
+  std::uint64_t seed = 0;
+  std::map<std::string, std::string> versions;  ///< by program or library: `clew` to `0.1.0`
+  std::string idl_fingerprint;
+  /// The texts that the run was made of, by name: `graph.yaml`, `world.yaml`, `robot.yaml`, ...
+  std::map<std::string, std::string> bundle;
+  std::map<domain::Topic, std::string> schemas;  ///< IDL text by topic: every topic of the run
+};
+
+/// How a recording ended: written by its recorder after the last sample.
+struct RunEnd {
+  std::uint64_t ticks = 0;  ///< for which every topic has a sample
+  core::Hash128 hash;       ///< run_hash of all topics
+};
+
+/// The metadata records that carry them (bundle and schemas have records of their own). Metadata
+/// have no CRC in MCAP, so each carries a hash of its entries.
+mcap::Metadata to_metadata(const RunDescription& description);
+mcap::Metadata to_metadata(const RunEnd& end);
+
+/// Names of those records.
+inline constexpr const char* kDescriptionName = "clew";
+inline constexpr const char* kEndName = "clew_end";
+
+/// Refused: entries that were changed or are missing, numbers that are none, and recordings of
+/// another format.
+core::Result<RunDescription> description_from_metadata(const mcap::Metadata& metadata);
+core::Result<RunEnd> end_from_metadata(const mcap::Metadata& metadata);
+
+/// Simulated time at the start of a tick: llround(tick * tick_s * 1e9); a recording's log time.
+std::uint64_t tick_to_ns(std::uint64_t tick, double tick_s);
+/// The tick that a recording's log time belongs to.
+std::uint64_t ns_to_tick(std::uint64_t time_ns, double tick_s);
+
+}  // namespace clew::bridge

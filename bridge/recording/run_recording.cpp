@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recording/run_recording.hpp"
+
+#include "recording/run_hash.hpp"
+
+namespace clew::bridge {
+namespace {
+
+/// Adds a sample to a topic's survey; false if it does not come after the last one.
+bool add(RunSurvey::TopicSurvey& topic, const RecordedSample& sample) {
+  if (topic.samples == 0) {
+    topic.first_tick = sample.tick;
+  } else {
+    if (sample.tick <= topic.last_tick) return false;
+    topic.missing_ticks += sample.tick - topic.last_tick - 1;
+  }
+  ++topic.samples;
+  topic.last_tick = sample.tick;
+  topic.chain.add(sample.tick, sample.sequence, sample.cdr);
+  return true;
+}
+
+}  // namespace
+
+core::Result<std::optional<RecordedSample>> SampleStream::next() {
+  const auto message = messages_.next();
+  if (!message) return message.error();
+  if (!*message) return std::optional<RecordedSample>();
+  const mcap::Message& found = **message;
+  return std::optional<RecordedSample>({topics_.at(found.channel_id),
+                                        ns_to_tick(found.log_time_ns, tick_s_), found.sequence,
+                                        found.data});
+}
+
+core::Result<RunRecording> RunRecording::open(const std::string& path) {
+  auto reader = mcap::McapReader::open(path);
+  if (!reader) return reader.error();
+  RunRecording recording(path, std::move(reader).value());
+  CLEW_RETURN_IF_ERROR(recording.read_description());
+  CLEW_RETURN_IF_ERROR(recording.read_bundle());
+  CLEW_RETURN_IF_ERROR(recording.read_topics());
+  return recording;
+}
+
+RunRecording::RunRecording(std::string path, mcap::McapReader reader)
+    : path_(std::move(path)), reader_(std::move(reader)) {}
+
+core::Result<void> RunRecording::read_description() {
+  bool described = false;
+  for (const auto& place : reader_.metadata()) {
+    const auto metadata = reader_.metadata(place);
+    if (!metadata) return metadata.error();
+    if (metadata->name == kDescriptionName) {
+      auto description = description_from_metadata(*metadata);
+      if (!description) return error(description.error().message);
+      description_ = std::move(description).value();
+      described = true;
+    } else if (metadata->name == kEndName) {
+      const auto end = end_from_metadata(*metadata);
+      if (!end) return error(end.error().message);
+      end_ = *end;
+    }
+  }
+  if (described) return {};
+  if (tear()) return error("is cut off before it says which run it is of");
+  return error("is no recording of a run: it has no metadata record '" +
+               std::string(kDescriptionName) + "'");
+}
+
+core::Result<void> RunRecording::read_bundle() {
+  mcap::ByteBuffer buffer;
+  for (const auto& place : reader_.attachments()) {
+    const auto attachment = reader_.attachment(place, buffer);
+    if (!attachment) return attachment.error();
+    description_.bundle[attachment->name] = std::string(attachment->data);
+  }
+  return {};
+}
+
+core::Result<void> RunRecording::read_topics() {
+  for (const auto& [id, channel] : reader_.channels()) {
+    if (channel.topic.empty() || channel.topic.front() != '/') continue;
+    const auto topic = domain::topic_from_name(channel.topic.substr(1));
+    if (!topic) continue;
+    const auto schema = reader_.schemas().find(channel.schema_id);
+    if (channel.message_encoding != "cdr" || schema == reader_.schemas().end() ||
+        schema->second.encoding != "omgidl" || schema->second.name != domain::type_name(*topic)) {
+      return error("its channel " + channel.topic + " does not hold " +
+                   std::string(domain::type_name(*topic)) + " as cdr with an omgidl schema");
+    }
+    if (!description_.schemas.emplace(*topic, schema->second.data).second) {
+      return error("has two channels " + channel.topic);
+    }
+    topics_.emplace(id, *topic);
+  }
+  return {};
+}
+
+SampleStream RunRecording::samples(const SampleFilter& filter) const {
+  mcap::MessageFilter messages;
+  messages.channels.emplace();
+  for (const auto& [channel_id, topic] : topics_) {
+    if (filter.topics.empty() || filter.topics.count(topic) != 0) {
+      messages.channels->insert(channel_id);
+    }
+  }
+  // Ticks beyond what a time in nanoseconds can tell are those up to the end.
+  constexpr double kLastNs = 9.2e18;
+  const double tick_ns = description_.tick_s * 1e9;
+  messages.first_ns = static_cast<double>(filter.first_tick) * tick_ns < kLastNs
+                          ? tick_to_ns(filter.first_tick, description_.tick_s)
+                          : std::numeric_limits<std::uint64_t>::max();
+  if (static_cast<double>(filter.last_tick) * tick_ns < kLastNs) {
+    messages.last_ns = tick_to_ns(filter.last_tick, description_.tick_s);
+  }
+  return {reader_.messages(mcap::Order::kFile, messages), topics_, description_.tick_s};
+}
+
+core::Result<RunSurvey> RunRecording::survey() const {
+  RunSurvey survey;
+  SampleStream stream = samples();
+  std::optional<std::pair<std::uint64_t, domain::Topic>> last;
+  for (;;) {
+    const auto sample = stream.next();
+    if (!sample) return sample.error();
+    if (!*sample) break;
+    const std::pair<std::uint64_t, domain::Topic> place((*sample)->tick, (*sample)->topic);
+    if ((last && place <= *last) || !add(survey.topics[(*sample)->topic], **sample)) {
+      return error("its samples are not in the order of tick and topic at tick " +
+                   std::to_string(place.first) + " of " +
+                   std::string(domain::topic_name(place.second)));
+    }
+    last = place;
+  }
+  std::map<std::string, core::Hash128> chains;
+  for (const auto& [topic, found] : survey.topics) {
+    chains[std::string(domain::topic_name(topic))] = found.chain.value();
+  }
+  survey.hash = run_hash(chains);
+  if (end_ && end_->hash != survey.hash) {
+    return error("its samples have the hash " + survey.hash.hex() + ", its recorder wrote " +
+                 end_->hash.hex());
+  }
+  return survey;
+}
+
+}  // namespace clew::bridge

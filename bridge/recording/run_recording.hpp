@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/hash128.hpp"
+#include "core/result.hpp"
+#include "domain/topics.hpp"
+#include "recording/mcap_reader.hpp"
+#include "recording/run_description.hpp"
+
+namespace clew::bridge {
+
+/// A sample as it was recorded; `cdr` is the stream's.
+struct RecordedSample {
+  domain::Topic topic = domain::Topic::kCommand;
+  std::uint64_t tick = 0;
+  std::uint64_t sequence = 0;
+  std::string_view cdr;
+};
+
+struct SampleFilter {
+  std::set<domain::Topic> topics;  ///< empty: all
+  std::uint64_t first_tick = 0;
+  std::uint64_t last_tick = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// Reads the samples of a recording in canonical order: tick, topic, sequence.
+class SampleStream {
+ public:
+  SampleStream(mcap::MessageStream messages, std::map<std::uint16_t, domain::Topic> topics,
+               double tick_s)
+      : messages_(std::move(messages)), topics_(std::move(topics)), tick_s_(tick_s) {}
+
+  /// The next sample, valid until the next call; nothing at the end. An error, a changed byte or a
+  /// failing disk, ends the stream.
+  core::Result<std::optional<RecordedSample>> next();
+
+ private:
+  mcap::MessageStream messages_;
+  std::map<std::uint16_t, domain::Topic> topics_;  ///< by channel
+  double tick_s_;
+};
+
+/// What all samples of a recording together say.
+struct RunSurvey {
+  struct TopicSurvey {
+    std::uint64_t samples = 0;
+    std::uint64_t first_tick = 0;
+    std::uint64_t last_tick = 0;
+    std::uint64_t missing_ticks = 0;  ///< between first and last, without a sample
+    core::HashChain chain;
+  };
+  std::map<domain::Topic, TopicSurvey> topics;  ///< with a sample at least
+  core::Hash128 hash;                           ///< run_hash of them
+};
+
+/// The recording of a run, opened for reading. A file that was cut off opens up to the tear.
+class RunRecording {
+ public:
+  /// Refused: what mcap::McapReader refuses, files that are no recording of a run, and one whose
+  /// description was changed.
+  static core::Result<RunRecording> open(const std::string& path);
+
+  const std::string& path() const { return path_; }
+  const RunDescription& description() const { return description_; }
+  /// Nothing in a recording that was cut off.
+  const std::optional<RunEnd>& end() const { return end_; }
+  const std::optional<mcap::Tear>& tear() const { return reader_.tear(); }
+  /// Whether its recorder finished it, and all of it is there.
+  bool complete() const { return end_.has_value() && !tear(); }
+
+  SampleStream samples(const SampleFilter& filter = {}) const;
+
+  /// Reads all samples. Refused: a changed byte, samples that are not in canonical order, and a
+  /// hash other than the one that the recorder wrote.
+  core::Result<RunSurvey> survey() const;
+
+ private:
+  RunRecording(std::string path, mcap::McapReader reader);
+  core::Result<void> read_description();
+  core::Result<void> read_bundle();
+  core::Result<void> read_topics();
+  core::Error error(const std::string& message) const { return {message, path_, 0, 0}; }
+
+  std::string path_;
+  mcap::McapReader reader_;
+  RunDescription description_;
+  std::optional<RunEnd> end_;
+  std::map<std::uint16_t, domain::Topic> topics_;  ///< by channel
+};
+
+}  // namespace clew::bridge
