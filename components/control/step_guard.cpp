@@ -8,6 +8,9 @@
 namespace clew::control {
 namespace {
 
+// Where steps shrink toward a contact without end, a step below this is none.
+constexpr double kLeastStep_m = 0.01;
+
 /// How far a disc of radius rho_m may move before it touches a point at distance_m from its centre,
 /// angle_rad off its way.
 double free_before_point_m(double distance_m, double angle_rad, double rho_m) {
@@ -28,13 +31,14 @@ domain::Motion StepGuard::limit(const domain::Motion& motion, const domain::Odom
   }
   domain::Motion limited = motion;
   limited.step_m = std::min(motion.step_m, free_m(motion.turn_rad, odometry, scan));
-  if (limited.step_m > 0.0) {
+  if (limited.step_m >= std::min(motion.step_m, kLeastStep_m)) {
     state_.turning_side = 0;
     return limited;
   }
   if (state_.turning_side == 0) {
     state_.turning_side = nearest_bearing_rad(odometry, scan) > 0.0 ? -1 : 1;
   }
+  limited.step_m = 0.0;
   limited.turn_rad = state_.turning_side * parameters_.turn_away_rad;
   return limited;
 }

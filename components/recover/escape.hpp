@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "core/archive.hpp"
+#include "recover/situation.hpp"
+#include "recover/trap_detector.hpp"
+
+namespace clew::recover {
+
+enum class EscapeStatus : std::uint8_t {
+  kActive,      ///< goes on
+  kEnded,       ///< the way is open: back to seeking
+  kFailed,      ///< cannot help: the next escape's turn
+  kUnreachable  ///< has proved that there is no way to the target
+};
+
+/// A way out of a trap. It speaks through the guidance alone: another target, virtual obstacles, or
+/// a motion that overrides the controller's.
+class Escape {
+ public:
+  virtual ~Escape() = default;
+
+  /// A trap was noticed; step() follows in the same tick.
+  virtual void begin(const Situation& situation, const TrapEvidence& evidence) = 0;
+
+  /// One tick at work. `guidance` comes set to the mission's target and mode kRecover.
+  virtual EscapeStatus step(const Situation& situation, domain::Guidance& guidance) = 0;
+
+  virtual void save(core::StateWriter& writer) const = 0;
+  virtual void load(core::StateReader& reader) = 0;
+};
+
+}  // namespace clew::recover

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recover/immediate_memory.hpp"
+
+#include <cmath>
+
+#include "core/angle.hpp"
+#include "core/yaml_reader.hpp"
+
+namespace clew::recover {
+namespace {
+
+using core::Result;
+using core::YamlNode;
+
+constexpr char kFormat[] = "clew-krishna-kalra-actions/1";
+constexpr double kHalfClass = 0.5;
+
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  double squared = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) squared += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(squared);
+}
+
+Result<ImmediateMemory::Action> read_action(const YamlNode& node) {
+  CLEW_RETURN_IF_ERROR(node.check_keys({"classes", "turn_deg"}));
+  const auto list = node.at("classes");
+  if (!list.ok()) return list.error();
+  const auto classes = list->numbers(3, "three classes");
+  if (!classes.ok()) return classes.error();
+  const auto turn = node.at("turn_deg");
+  if (!turn.ok()) return turn.error();
+  const auto turn_deg = turn->number();
+  if (!turn_deg.ok()) return turn_deg.error();
+  if (std::fabs(*turn_deg) > 180.0) return turn->error("a turn is within 180 degrees");
+
+  ImmediateMemory::Action action;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double value = (*classes)[i];
+    if (value < 0.0 || value > 8.0 || value != std::floor(value)) {
+      return list->error("a class is a whole number, 0 to 8");
+    }
+    action.classes[i] = value;
+  }
+  action.turn_rad = core::radians(*turn_deg);
+  return action;
+}
+
+}  // namespace
+
+Result<ImmediateMemory> ImmediateMemory::parse(const core::Resource& resource) {
+  const auto root = YamlNode::parse(resource.text, resource.file);
+  if (!root.ok()) return root.error();
+  CLEW_RETURN_IF_ERROR(root->check_keys({"format", "actions"}));
+  const auto format = root->at("format");
+  if (!format.ok()) return format.error();
+  const auto name = format->string();
+  if (!name.ok() || *name != kFormat) {
+    return format->error(std::string("expected ") + kFormat + ", found " + format->found());
+  }
+  const auto list = root->at("actions");
+  if (!list.ok()) return list.error();
+  const auto items = list->items();
+  if (!items.ok()) return items.error();
+  std::vector<Action> actions;
+  for (const YamlNode& item : *items) {
+    const auto action = read_action(item);
+    if (!action.ok()) return action.error();
+    for (const Action& other : actions) {
+      if (other.classes == action->classes)
+        return item.error("this landmark has an action already");
+    }
+    actions.push_back(*action);
+  }
+  return ImmediateMemory(std::move(actions));
+}
+
+std::optional<double> ImmediateMemory::turn_rad(const domain::Landmark& landmark) const {
+  for (const domain::Recognition& recognition : landmark.recognitions) {
+    if (recognition.network != domain::Network::kSom) continue;
+    const Action* nearest = nullptr;
+    double nearest_distance = kHalfClass;
+    for (const Action& action : actions_) {
+      const double d = distance(action.classes, recognition.prototype_classes);
+      if (d <= nearest_distance) {
+        nearest = &action;
+        nearest_distance = d;
+      }
+    }
+    if (nearest != nullptr) return nearest->turn_rad;
+  }
+  return std::nullopt;
+}
+
+}  // namespace clew::recover

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recover/recover_component.hpp"
+
+#include <utility>
+
+namespace clew::recover {
+namespace {
+
+using domain::Event;
+using domain::EventEntry;
+using domain::EventKind;
+using domain::Guidance;
+using domain::Topic;
+
+/// Adds a mark at the robot's position. Beyond the list's bound, marks are dropped.
+void mark(Event& event, EventKind kind, const std::string& rule, const Situation& situation,
+          std::string text) {
+  if (event.entries.full()) return;
+  EventEntry entry;
+  entry.kind = kind;
+  entry.rule = rule;
+  entry.x_m = situation.pose().x_m;
+  entry.y_m = situation.pose().y_m;
+  entry.text = std::move(text);
+  event.entries.push_back(entry);
+}
+
+void mark_trap(Event& event, const std::string& rule, bool shadow, const Situation& situation,
+               const TrapEvidence& evidence) {
+  if (event.entries.full()) return;
+  mark(event, EventKind::kTrap, rule, situation, evidence.text);
+  EventEntry& entry = event.entries[event.entries.size() - 1];
+  entry.shadow = shadow;
+  entry.has_earlier = true;
+  entry.earlier_tick = evidence.earlier_tick;
+  entry.earlier_x_m = evidence.earlier_position_odom.x();
+  entry.earlier_y_m = evidence.earlier_position_odom.y();
+  entry.cell = evidence.cell;
+  entry.travel_m = evidence.travel_m;
+}
+
+void mark_landmarks(Event& event, const Situation& situation) {
+  if (situation.landmark == nullptr) return;
+  const domain::Landmark& landmark = *situation.landmark;
+  for (const domain::Recognition& recognition : landmark.recognitions) {
+    std::string text;
+    for (const std::uint8_t spatial_class : landmark.classes) {
+      text += text.empty() ? '[' : ' ';
+      text += std::to_string(spatial_class);
+    }
+    const bool by_som = recognition.network == domain::Network::kSom;
+    mark(event, EventKind::kLandmark, by_som ? "som" : "fuzzy_art", situation, text + ']');
+    if (!event.entries.empty()) {
+      event.entries[event.entries.size() - 1].cell = recognition.neuron;
+    }
+  }
+}
+
+void seek(const Situation& situation, Guidance& guidance) {
+  guidance.target_x_m = situation.target_odom.x();
+  guidance.target_y_m = situation.target_odom.y();
+}
+
+}  // namespace
+
+std::vector<runtime::PortInfo> RecoverComponent::ports() {
+  return {runtime::required_input(Topic::kOdometry, "where the robot believes it is"),
+          runtime::required_input(Topic::kScan, "what is around"),
+          runtime::required_input(Topic::kTarget, "where the mission wants the robot"),
+          runtime::optional_input(Topic::kLandmark, "what place this is"),
+          runtime::output(Topic::kGuidance, "the target in force, and what control must do"),
+          runtime::output(Topic::kEvent, "landmarks, traps and escapes, for people")};
+}
+
+void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
+  const Situation situation{inputs.tick(), inputs.get<domain::Odometry>(),
+                            inputs.get<domain::Scan>(), inputs.find<domain::Landmark>(),
+                            inputs.get<domain::Target>().position()};
+  auto& guidance = outputs.get<Guidance>();
+  auto& event = outputs.get<Event>();
+  seek(situation, guidance);
+  if (state_.gave_up) {
+    guidance.mode = domain::GuidanceMode::kUnreachable;
+    return;
+  }
+
+  mark_landmarks(event, situation);
+  watch_shadows(situation, event);
+  auto evidence = parts_.detector.behaviour->observe(situation);
+  if (evidence && !state_.escaping) {
+    mark_trap(event, parts_.detector.name, false, situation, *evidence);
+    state_.evidence = std::move(*evidence);
+    begin_escape(0, situation, event);
+  }
+  if (state_.escaping) step_escape(situation, guidance, event);
+  if (!guidance.has_override) act_at_once(situation, guidance, event);
+}
+
+void RecoverComponent::watch_shadows(const Situation& situation, Event& event) {
+  for (auto& shadow : parts_.shadows) {
+    const auto evidence = shadow.behaviour->observe(situation);
+    if (evidence) mark_trap(event, shadow.name, true, situation, *evidence);
+  }
+}
+
+/// Hands over to an escape; beyond the last one, the robot seeks again.
+void RecoverComponent::begin_escape(std::uint32_t index, const Situation& situation, Event& event) {
+  if (index >= parts_.escapes.size()) {
+    stop_escaping();
+    return;
+  }
+  state_.escaping = true;
+  state_.escape = index;
+  mark(event, EventKind::kEscapeBegun, parts_.escapes[index].name, situation, {});
+  parts_.escapes[index].behaviour->begin(situation, state_.evidence);
+}
+
+void RecoverComponent::step_escape(const Situation& situation, Guidance& guidance, Event& event) {
+  const std::string& name = parts_.escapes[state_.escape].name;
+  guidance.mode = domain::GuidanceMode::kRecover;
+  switch (parts_.escapes[state_.escape].behaviour->step(situation, guidance)) {
+    case EscapeStatus::kActive:
+      return;
+    case EscapeStatus::kEnded:
+      mark(event, EventKind::kEscapeEnded, name, situation, {});
+      stop_escaping();
+      break;
+    case EscapeStatus::kFailed:
+      mark(event, EventKind::kEscapeFailed, name, situation, {});
+      begin_escape(state_.escape + 1, situation, event);
+      break;
+    case EscapeStatus::kUnreachable:
+      mark(event, EventKind::kUnreachable, name, situation, {});
+      stop_escaping();
+      state_.gave_up = true;
+      break;
+  }
+  // What the escape said in its last tick is void; the next one speaks from the next tick on.
+  guidance.has_override = false;
+  guidance.override_motion = {};
+  guidance.virtual_obstacles.clear();
+  guidance.target_is_virtual = false;
+  guidance.mode = state_.gave_up ? domain::GuidanceMode::kUnreachable
+                                 : (state_.escaping ? domain::GuidanceMode::kRecover
+                                                    : domain::GuidanceMode::kSeek);
+  seek(situation, guidance);
+}
+
+/// Immediate memory: a turn on the spot, in place of this tick's motion.
+void RecoverComponent::act_at_once(const Situation& situation, Guidance& guidance, Event& event) {
+  if (!parts_.immediate_memory || situation.landmark == nullptr || state_.gave_up) return;
+  const auto turn_rad = parts_.immediate_memory->turn_rad(*situation.landmark);
+  if (!turn_rad) return;
+  guidance.has_override = true;
+  guidance.override_motion.kind = domain::CommandKind::kTurnAndStep;
+  guidance.override_motion.turn_rad = *turn_rad;
+  guidance.why = "reflex";
+  mark(event, EventKind::kReflex, "immediate_memory", situation, {});
+}
+
+void RecoverComponent::stop_escaping() {
+  state_.escaping = false;
+  parts_.detector.behaviour->escape_ended();
+  for (auto& shadow : parts_.shadows) shadow.behaviour->escape_ended();
+}
+
+void RecoverComponent::save(core::StateWriter& writer) const {
+  State state = state_;
+  writer(state);
+  parts_.detector.behaviour->save(writer);
+  for (const auto& shadow : parts_.shadows) shadow.behaviour->save(writer);
+  for (const auto& escape : parts_.escapes) escape.behaviour->save(writer);
+}
+
+void RecoverComponent::load(core::StateReader& reader) {
+  reader(state_);
+  parts_.detector.behaviour->load(reader);
+  for (auto& shadow : parts_.shadows) shadow.behaviour->load(reader);
+  for (auto& escape : parts_.escapes) escape.behaviour->load(reader);
+}
+
+}  // namespace clew::recover

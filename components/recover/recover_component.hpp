@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recover/escape.hpp"
+#include "recover/immediate_memory.hpp"
+#include "recover/trap_detector.hpp"
+#include "runtime/component.hpp"
+#include "runtime/stage.hpp"
+
+namespace clew::recover {
+
+struct RecoverParameters {
+  bool immediate_memory = true;
+  std::string actions = "krishna_kalra_actions";
+};
+
+template <typename Visitor>
+void visit_parameters(Visitor& visit, RecoverParameters& p) {
+  visit.flag("immediate_memory", p.immediate_memory,
+             "whether landmarks that the map knows fire their actions");
+  visit.file("actions", p.actions, "rulebases", "action table of the immediate memory");
+}
+
+/// A behaviour and the name that it goes by in events.
+template <typename Behaviour>
+struct Named {
+  std::string name;
+  std::unique_ptr<Behaviour> behaviour;
+};
+
+/// Watches for traps and leads out of them. One detector is in command; others may watch in shadow,
+/// and are only logged. A trap starts the first escape; one that fails hands over to the next;
+/// after the last, the robot seeks again and the detector starts afresh.
+class RecoverComponent final : public runtime::Component {
+ public:
+  struct Parts {
+    Named<TrapDetector> detector;
+    std::vector<Named<TrapDetector>> shadows;
+    std::vector<Named<Escape>> escapes;  ///< in order of fallback
+    std::optional<ImmediateMemory> immediate_memory;
+  };
+  struct State {
+    bool escaping = false;
+    std::uint32_t escape = 0;  ///< index of the one at work, if escaping
+    bool gave_up = false;
+    TrapEvidence evidence;  ///< of the trap that it is at work on
+  };
+
+  static std::vector<runtime::PortInfo> ports();
+
+  explicit RecoverComponent(Parts parts) : parts_(std::move(parts)) {}
+
+  void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
+  void save(core::StateWriter& writer) const override;
+  void load(core::StateReader& reader) override;
+
+ private:
+  void watch_shadows(const Situation& situation, domain::Event& event);
+  void begin_escape(std::uint32_t index, const Situation& situation, domain::Event& event);
+  void step_escape(const Situation& situation, domain::Guidance& guidance, domain::Event& event);
+  void act_at_once(const Situation& situation, domain::Guidance& guidance, domain::Event& event);
+  void stop_escaping();
+
+  Parts parts_;
+  State state_;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, TrapEvidence& e) {
+  visit(e.earlier_tick, e.earlier_position_odom, e.travel_m, e.cell, e.text);
+}
+template <typename Visitor>
+void visit_fields(Visitor& visit, RecoverComponent::State& s) {
+  visit(s.escaping, s.escape, s.gave_up, s.evidence);
+}
+
+}  // namespace clew::recover

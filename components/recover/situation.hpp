@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "core/geometry.hpp"
+#include "domain/messages.hpp"
+
+namespace clew::recover {
+
+/// What detectors and escapes see of a tick.
+struct Situation {
+  std::uint64_t tick = 0;
+  const domain::Odometry& odometry;
+  const domain::Scan& scan;
+  const domain::Landmark* landmark = nullptr;  ///< null if nobody classifies
+  core::Vec2 target_odom;                      ///< the mission's
+
+  const core::Pose2& pose() const { return odometry.pose_odom_robot; }
+  double target_bearing_rad() const { return core::bearing_rad(pose(), target_odom); }
+  double target_distance_m() const { return core::distance_m(pose(), target_odom); }
+};
+
+}  // namespace clew::recover
