@@ -141,7 +141,7 @@ void NodeHost::deliver(Message& message) {
     const std::string topic(domain::topic_name(domain::topic_of<Message>()));
     const std::string what = node_.name() + " is at tick " + std::to_string(buffer_.next_tick()) +
                              " and lost '" + topic + "' of tick " + std::to_string(tick);
-    lockstep_ ? handlers_.on_fatal(what) : handlers_.on_notice(what);
+    handlers_.on_fatal(what);
     return;
   }
   run_ready(clock_.is_free() ? Time{} : std::chrono::steady_clock::now());
@@ -164,10 +164,6 @@ bool NodeHost::may_step(Time now) const {
 }
 
 void NodeHost::run_ready(Time now) {
-  if (!lockstep_ && !starts_ticks()) {
-    // In real time the newest tick is the one that matters.
-    if (const auto newest = buffer_.newest_ready()) buffer_.restart_at(*newest);
-  }
   while (may_step(now)) step();
 }
 

@@ -25,14 +25,6 @@ bool InputBuffer::ready() const {
   return slots_[next_tick_ % slots_.size()].present == needed(next_tick_);
 }
 
-std::optional<std::uint64_t> InputBuffer::newest_ready() const {
-  for (std::uint64_t ahead = slots_.size(); ahead-- > 0;) {
-    const std::uint64_t tick = next_tick_ + ahead;
-    if (slots_[tick % slots_.size()].present == needed(tick)) return tick;
-  }
-  return std::nullopt;
-}
-
 TopicSet InputBuffer::take(domain::Messages& messages) {
   Slot& slot = slots_[next_tick_ % slots_.size()];
   for (Topic topic : domain::kAllTopics) {

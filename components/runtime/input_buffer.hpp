@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "runtime/node.hpp"
@@ -42,8 +41,6 @@ class InputBuffer {
 
   /// Whether every input of the next tick is here. Tick 0 needs no delayed ones.
   bool ready() const;
-  /// The newest tick from the next one on that has all its inputs, if any.
-  std::optional<std::uint64_t> newest_ready() const;
 
   /// Hands over the inputs of the next tick, present or not, and goes on to the tick after it.
   /// Returns which are present.

@@ -11,6 +11,8 @@ namespace {
 
 using core::Result;
 
+constexpr char kRobotFormat[] = "clew-robot/1";
+
 void collect_files(const std::vector<core::ParameterInfo>& infos,
                    const core::ParameterValues& values,
                    std::vector<std::pair<std::string, std::string>>& files) {
@@ -101,7 +103,12 @@ Result<void> check_drive(const Graph& graph) {
 Result<domain::Robot> read_robot(const core::Resource& file, const std::string& name) {
   const auto root = core::YamlNode::parse(file.text, file.file);
   if (!root.ok()) return root.error();
-  CLEW_RETURN_IF_ERROR(root->check_keys({"about", "radius_m"}));
+  CLEW_RETURN_IF_ERROR(root->check_keys({"format", "name", "about", "radius_m"}));
+  const auto format = root->at("format");
+  if (!format.ok()) return format.error();
+  if (format->string().ok() && *format->string() != kRobotFormat) {
+    return format->error("format is " + format->found() + "; allowed: " + kRobotFormat);
+  }
   const auto node = root->at("radius_m");
   if (!node.ok()) return node.error();
   const auto radius_m = node->number();

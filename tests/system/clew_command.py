@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the clew command as a user would, and looks at what it leaves behind."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+CLEW = os.environ.get("CLEW_COMMAND", str(SOURCE / "build" / "clew"))
+DEBUG_CLEW = os.environ.get("CLEW_DEBUG_COMMAND", str(SOURCE / "build-debug" / "clew"))
+THIRD_PARTY = pathlib.Path(os.environ.get("CLEW_THIRD_PARTY", SOURCE / "build/tests/third_party"))
+SOAK = os.environ.get("CLEW_SOAK") == "1"
+TIMEOUT_S = 120
+
+# Every way to run a graph, which must make no difference to a single byte.
+LAYOUTS = {
+    "composed": ["--layout", "composed"],
+    "cyclonedds": ["--middleware", "cyclonedds"],
+    "fastdds": ["--middleware", "fastdds"],
+    "mixed": ["--middleware", "sense=fastdds", "--middleware", "recover=fastdds",
+              "--middleware", "drive=fastdds"],
+    "mixed the other way": ["--middleware", "classify=fastdds", "--middleware", "control=fastdds"],
+}
+
+# Small and large, with and without traps.
+WORLDS = ["bug-trap", "comb", "kk-fig07-clutter", "kk-fig10-bends-and-kinks",
+          "kk-fig14-som-cannot-detect", "moving-crossing", "open-field", "two-rooms-door", "u-trap",
+          "unsolvable-box"]
+
+
+class Run:
+    """A finished clew command."""
+
+    def __init__(self, arguments, command=CLEW, cwd=None, environment=None):
+        done = subprocess.run([command, *map(str, arguments)], capture_output=True, text=True,
+                              timeout=TIMEOUT_S, cwd=cwd, stdin=subprocess.DEVNULL,
+                              env={**os.environ, **(environment or {})}, check=False)
+        self.status = done.returncode
+        self.out = done.stdout
+        self.err = done.stderr
+
+    @property
+    def report(self):
+        """The JSON object that `run --json` prints last."""
+        return json.loads(self.out.strip().splitlines()[-1])
+
+
+def run_graph(graph, *arguments, command=CLEW):
+    """clew run GRAPH --json with more arguments; returns the report."""
+    done = Run(["run", graph, "--json", *arguments], command=command)
+    assert done.out.strip(), f"no report, status {done.status}: {done.err}"
+    return done.report
+
+
+def start(arguments, **options):
+    """Starts a clew command without waiting for it."""
+    return subprocess.Popen([CLEW, *map(str, arguments)], text=True, stdin=subprocess.DEVNULL,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
+
+
+def processes_of_session(session):
+    """Process ids of a session that are not zombies."""
+    found = []
+    for entry in pathlib.Path("/proc").iterdir():
+        if not entry.name.isdigit():
+            continue
+        try:
+            fields = (entry / "stat").read_text().rsplit(")", 1)[1].split()
+        except (OSError, IndexError):
+            continue
+        if int(fields[3]) == session and fields[0] != "Z":
+            found.append(int(entry.name))
+    return found
+
+
+def write_file(text, suffix=".yaml"):
+    """A temporary file with this text; the caller's test removes its directory."""
+    directory = tempfile.mkdtemp(prefix="clew-test-")
+    path = pathlib.Path(directory) / f"file{suffix}"
+    path.write_text(text)
+    return path

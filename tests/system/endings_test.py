@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: Apache-2.0
+"""However a run ends, no process is left, and the message says why."""
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+from clew_command import THIRD_PARTY, CLEW, Run, processes_of_session, write_file
+
+LONG_RUN = ["run", "default", "--world", "unsolvable-behind-wall", "--pace", "5x", "--json"]
+GONE_WITHIN_S = 2.0
+
+
+class LongRun:
+    """A run that would last minutes, in a session of its own."""
+
+    def __init__(self, *arguments):
+        self.process = subprocess.Popen([CLEW, *LONG_RUN, *arguments], text=True,
+                                        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, start_new_session=True)
+        self.session = self.process.pid
+
+    def wait_for_components(self, count=5):
+        """Process ids of the components, when all have joined the domain's line."""
+        deadline = time.monotonic() + 20
+        while time.monotonic() < deadline:
+            components = [pid for pid in processes_of_session(self.session)
+                          if pid != self.process.pid and b"component" in command_line(pid)]
+            if len(components) == count and all(udp_sockets(pid) for pid in components):
+                return components
+        raise AssertionError("the components did not start")
+
+    def finish(self):
+        out, err = self.process.communicate(timeout=20)
+        return self.process.returncode, out, err
+
+    def assert_nothing_left(self, test):
+        deadline = time.monotonic() + GONE_WITHIN_S
+        while processes_of_session(self.session) and time.monotonic() < deadline:
+            pass
+        left = processes_of_session(self.session)
+        for pid in left:
+            os.kill(pid, signal.SIGKILL)
+        test.assertEqual(left, [])
+
+
+def command_line(pid):
+    try:
+        with open(f"/proc/{pid}/cmdline", "rb") as file:
+            return file.read()
+    except OSError:
+        return b""
+
+
+def catches(pid, number):
+    """Whether the process has a handler for the signal: it runs."""
+    with open(f"/proc/{pid}/status", encoding="ascii") as file:
+        mask = next(line for line in file if line.startswith("SigCgt:"))
+    return bool(int(mask.split()[1], 16) >> (number - 1) & 1)
+
+
+def stage_of(pid):
+    return command_line(pid).split(b"\0")[3].decode()
+
+
+def udp_sockets(pid):
+    """Whether the process has opened sockets: its participant lives."""
+    try:
+        links = [os.readlink(f"/proc/{pid}/fd/{fd}") for fd in os.listdir(f"/proc/{pid}/fd")]
+    except OSError:
+        return False
+    return sum(link.startswith("socket:") for link in links) > 1
+
+
+class Endings(unittest.TestCase):
+    def test_interrupt_and_terminate_end_in_order(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            for arguments in ([], ["--middleware", "fastdds"]):
+                run = LongRun(*arguments)
+                run.wait_for_components()
+
+                os.kill(run.process.pid, number)
+                status, out, err = run.finish()
+
+                self.assertEqual(status, 130, err)
+                self.assertIn('"outcome":"aborted"', out)
+                self.assertIn(f"interrupted by signal {int(number)}", err)
+                run.assert_nothing_left(self)
+
+    def test_interrupt_of_a_composed_run(self):
+        process = subprocess.Popen([CLEW, *LONG_RUN, "--layout", "composed"], text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        deadline = time.monotonic() + 10
+        while not catches(process.pid, signal.SIGINT) and time.monotonic() < deadline:
+            pass
+
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=10)
+
+        self.assertEqual(process.returncode, 130, err)
+        self.assertIn('"outcome":"aborted"', out)
+
+    def test_a_component_that_dies_is_named_with_its_signal(self):
+        for victim in ("sense", "drive"):
+            run = LongRun()
+            components = {stage_of(pid): pid for pid in run.wait_for_components()}
+
+            os.kill(components[victim], signal.SIGSEGV)
+            status, out, err = run.finish()
+
+            self.assertEqual(status, 1, err)
+            self.assertIn(f"{victim} (process {components[victim]}) was killed by signal 11 "
+                          "(Segmentation fault)", err)
+            self.assertIn('"outcome":"aborted"', out)
+            run.assert_nothing_left(self)
+
+    def test_a_component_of_someone_else_that_dies_is_named(self):
+        graph = write_file("world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n"
+                           f"control: {{exec: [{THIRD_PARTY}/straight_control, --without-guidance, "
+                           "--crash-at, '5']}\ndrive: {behaviour: turn_then_step}\n")
+
+        run = Run(["run", graph])
+
+        self.assertEqual(run.status, 1)
+        self.assertRegex(run.err, r"control \(process \d+\) was killed by signal 6 \(Aborted\)")
+
+    def test_nobody_outlives_a_supervisor_that_is_killed(self):
+        for arguments in ([], ["--middleware", "fastdds"]):
+            run = LongRun(*arguments)
+            run.wait_for_components()
+
+            os.kill(run.process.pid, signal.SIGKILL)
+            run.process.communicate(timeout=10)
+
+            run.assert_nothing_left(self)
+
+    def test_a_program_that_cannot_be_started_is_named(self):
+        graph = write_file("world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n"
+                           "control: {exec: [./no-such-program]}\n"
+                           "drive: {behaviour: turn_then_step}\n")
+
+        run = Run(["run", graph])
+
+        self.assertEqual(run.status, 1)
+        self.assertIn("control: ./no-such-program: cannot be started: No such file or directory",
+                      run.err)
+
+    def test_an_external_component_that_never_comes_does_not_hang_an_interrupt(self):
+        run = LongRun("--external", "control")
+        run.wait_for_components(4)
+
+        os.kill(run.process.pid, signal.SIGINT)
+        status, _, err = run.finish()
+
+        self.assertEqual(status, 130)
+        self.assertIn("clew component default control --domain", err)
+        run.assert_nothing_left(self)
+
+
+class External(unittest.TestCase):
+    def test_a_person_starts_a_component(self):
+        whole = Run(["run", "default", "--json"]).report["hash"]
+        run = subprocess.Popen([CLEW, "run", "default", "--json", "--external", "control",
+                                "--domain", "77"], text=True, stdout=subprocess.PIPE,
+                               stderr=subprocess.DEVNULL)
+
+        component = Run(["component", "default", "control", "--domain", "77"])
+        out, _ = run.communicate(timeout=60)
+
+        self.assertEqual(component.status, 0, component.err)
+        self.assertIn(whole, out)
+
+    def test_a_prefix_goes_before_the_component(self):
+        run = Run(["run", "default", "--json", "--prefix", "control=env CLEW_TEST_PREFIX=1"])
+
+        self.assertEqual(run.status, 0, run.err)
+        self.assertEqual(run.report["outcome"], "reached")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The same graph, world and seed give the same bytes in every layout, on either vendor, in either
+build, and under load."""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from clew_command import CLEW, DEBUG_CLEW, LAYOUTS, SOAK, SOURCE, WORLDS, Run, run_graph
+
+TICKS = "6000" if SOAK else "1500"
+REPEATS = 20
+
+
+def all_worlds():
+    return sorted(path.stem for path in (SOURCE / "configs/worlds").glob("*.yaml"))
+
+
+class Layouts(unittest.TestCase):
+    def test_every_layout_gives_the_same_hash(self):
+        for world in all_worlds() if SOAK else WORLDS:
+            hashes = {name: run_graph("default", "--world", world, "--max-ticks", TICKS,
+                                      *layout)["hash"]
+                      for name, layout in LAYOUTS.items()}
+
+            self.assertEqual(len(set(hashes.values())), 1, f"{world}: {hashes}")
+            self.assertRegex(hashes["composed"], "^[0-9a-f]{32}$")
+
+    def test_debug_and_release_give_the_same_hash(self):
+        for world in all_worlds() if SOAK else WORLDS:
+            arguments = ["--world", world, "--layout", "composed", "--max-ticks", TICKS]
+
+            release = run_graph("default", *arguments, command=CLEW)
+            debug = run_graph("default", *arguments, command=DEBUG_CLEW)
+
+            self.assertEqual(debug["hash"], release["hash"], world)
+
+    def test_repeats_under_full_load_give_the_same_hash(self):
+        worlds = all_worlds() if SOAK else ["u-trap"]
+        load = [subprocess.Popen([sys.executable, "-c", "while True: pass"])
+                for _ in range(os.cpu_count())]
+        try:
+            for world in worlds:
+                hashes = set()
+                for repeat in range(REPEATS):
+                    layout = list(LAYOUTS.values())[repeat % len(LAYOUTS)]
+                    hashes.add(run_graph("default", "--world", world, "--max-ticks", TICKS,
+                                         *layout)["hash"])
+                self.assertEqual(len(hashes), 1, world)
+        finally:
+            for process in load:
+                process.kill()
+                process.wait()
+
+    def test_noise_depends_on_the_seed_alone(self):
+        arguments = ["--set", "sense.noise_stddev_m=0.02", "--set", "sense.drop_out_ratio=0.05"]
+
+        first = run_graph("default", *arguments, "--seed", "7", *LAYOUTS["composed"])
+        again = run_graph("default", *arguments, "--seed", "7", *LAYOUTS["mixed"])
+        other = run_graph("default", *arguments, "--seed", "8", *LAYOUTS["composed"])
+
+        self.assertEqual(again["hash"], first["hash"])
+        self.assertNotEqual(other["hash"], first["hash"])
+
+    def test_recordings_are_the_same_file_in_every_layout(self):
+        with tempfile.TemporaryDirectory() as directory:
+            contents = set()
+            for name, layout in LAYOUTS.items():
+                path = pathlib.Path(directory) / (name.replace(" ", "-") + ".mcap")
+                report = run_graph("default", "--record", path, *layout)
+                self.assertEqual(report["recording"], str(path))
+                contents.add(path.read_bytes())
+
+            self.assertEqual(len(contents), 1)
+
+    def test_recording_changes_no_hash(self):
+        with tempfile.TemporaryDirectory() as directory:
+            plain = run_graph("default", "--middleware", "fastdds")
+            recorded = run_graph("default", "--middleware", "fastdds", "--record",
+                                 pathlib.Path(directory) / "r.mcap")
+
+            self.assertEqual(recorded["hash"], plain["hash"])
+
+
+class Isolation(unittest.TestCase):
+    def test_runs_at_the_same_time_do_not_meet(self):
+        alone = {vendor: run_graph("default", "--middleware", vendor)["hash"]
+                 for vendor in ("cyclonedds", "fastdds")}
+        together = [(vendor, subprocess.Popen([CLEW, "run", "default", "--json", "--middleware",
+                                               vendor], stdout=subprocess.PIPE, text=True))
+                    for vendor in ("cyclonedds", "fastdds", "cyclonedds", "fastdds")]
+
+        for vendor, process in together:
+            out, _ = process.communicate(timeout=60)
+            self.assertIn(alone[vendor], out)
+
+    def test_nothing_is_left_in_shared_memory(self):
+        before = set(os.listdir("/dev/shm"))
+
+        for vendor in ("cyclonedds", "fastdds"):
+            run_graph("default", "--middleware", vendor)
+
+        self.assertEqual(set(os.listdir("/dev/shm")) - before, set())
+
+    def test_a_domain_that_is_held_is_refused(self):
+        holder = subprocess.Popen([CLEW, "run", "default", "--world", "unsolvable-box", "--pace", "1x",
+                                   "--domain", "42"], stderr=subprocess.DEVNULL,
+                                  stdout=subprocess.DEVNULL)
+        try:
+            refused = None
+            for _ in range(100):
+                refused = Run(["run", "default", "--domain", "42", "--max-ticks", "1"])
+                if refused.status == 2:
+                    break
+            self.assertEqual(refused.status, 2)
+            self.assertIn("domain 42 is held by another run", refused.err)
+        finally:
+            holder.terminate()
+            holder.wait(timeout=10)
+
+
+class Paces(unittest.TestCase):
+    def test_a_scaled_run_has_the_same_hash_and_takes_its_time(self):
+        free = run_graph("default", "--world", "pillar-on-line")
+        for layout in ("composed", "cyclonedds"):
+            scaled = run_graph("default", "--world", "pillar-on-line", "--pace", "20x",
+                               *LAYOUTS[layout])
+
+            self.assertEqual(scaled["hash"], free["hash"])
+            # Tick N begins at N ticks of 0.3 s / 20.
+            self.assertGreaterEqual(scaled["wall_s"], scaled["ticks"] * 0.3 / 20.0)
+
+    def test_real_time_reaches_the_target(self):
+        # A straight way of 12 ticks or so, in the speed of the wall clock.
+        report = run_graph("reactive", "--world", "open-field", "--pace", "realtime",
+                           "--max-ticks", "15")
+
+        self.assertIn(report["outcome"], ("reached", "timeout"))
+        self.assertGreaterEqual(report["wall_s"], 15 * 0.3 - 0.3)
+
+
+if __name__ == "__main__":
+    unittest.main()
