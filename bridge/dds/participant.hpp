@@ -22,8 +22,8 @@ enum class Vendor : std::uint8_t { kCycloneDds, kFastDds };
 std::string_view vendor_name(Vendor vendor);
 std::optional<Vendor> vendor_from_name(std::string_view name);
 
-/// An endpoint's topic, its type, and how much of its past it keeps. The rest of the QoS is the same
-/// everywhere: RELIABLE, TRANSIENT_LOCAL, KEEP_LAST history_depth, XCDR1, keyless.
+/// An endpoint's topic, its type, and how much of its past it keeps. The rest of the QoS is the
+/// same everywhere: RELIABLE, TRANSIENT_LOCAL, KEEP_LAST history_depth, XCDR1, keyless.
 struct EndpointSpec {
   std::string topic;      ///< `scan`
   std::string type;       ///< `clew::msg::Scan`
@@ -37,7 +37,7 @@ struct RemoteEndpoint {
   std::string topic;
   std::string type;
   std::string user_data;
-  std::string guid;  ///< 32 hexadecimal digits
+  std::string guid;    ///< 32 hexadecimal digits
   int process_id = 0;  ///< 0 where the vendor does not tell
 };
 

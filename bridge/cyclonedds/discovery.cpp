@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cyclonedds/discovery.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <cstring>
+
+#include "dds/loopback.hpp"
+
+namespace clew::bridge {
+namespace {
+
+std::string hex(const dds_guid_t& guid) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : guid.v) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
+  }
+  return text;
+}
+
+std::string user_data_of(const dds_qos_t* qos) {
+  void* data = nullptr;
+  std::size_t size = 0;
+  if (!dds_qget_userdata(qos, &data, &size) || data == nullptr) return {};
+  std::string text(static_cast<const char*>(data), size);
+  dds_free(data);
+  return text;
+}
+
+}  // namespace
+
+CycloneDiscovery::CycloneDiscovery(dds_entity_t participant, DiscoveryListener& listener)
+    : participant_(participant), listener_(listener) {
+  dds_get_guid(participant_, &participant_guid_);
+}
+
+core::Result<void> CycloneDiscovery::start() {
+  const auto create = [&](dds_entity_t topic, dds_on_data_available_fn on_data,
+                          CycloneEntity& reader) -> core::Result<void> {
+    dds_listener_t* listener = dds_create_listener(this);
+    dds_lset_data_available(listener, on_data);
+    const dds_entity_t handle = dds_create_reader(participant_, topic, nullptr, listener);
+    dds_delete_listener(listener);
+    if (handle < 0) return cyclone_error("creating a reader of what was discovered", handle);
+    reader = CycloneEntity(handle);
+    return {};
+  };
+  CLEW_RETURN_IF_ERROR(create(DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, nullptr, participants_reader_));
+  CLEW_RETURN_IF_ERROR(
+      create(DDS_BUILTIN_TOPIC_DCPSPUBLICATION, &on_endpoints<true>, writers_reader_));
+  return create(DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION, &on_endpoints<false>, readers_reader_);
+}
+
+void CycloneDiscovery::add_local(const std::string& topic, const std::string& type) {
+  std::vector<std::shared_ptr<const RemoteEndpoint>> inconsistent;
+  {
+    const std::lock_guard lock(mutex_);
+    local_types_.emplace(topic, type);
+    for (const auto& [handle, remote] : remotes_) {
+      if (remote->topic == topic && remote->type != type) inconsistent.push_back(remote);
+    }
+  }
+  for (const auto& remote : inconsistent) listener_.on_inconsistent_type(*remote);
+}
+
+void CycloneDiscovery::remove_local(const std::string& topic, const std::string& type) {
+  const std::lock_guard lock(mutex_);
+  const auto [first, last] = local_types_.equal_range(topic);
+  for (auto it = first; it != last; ++it) {
+    if (it->second != type) continue;
+    local_types_.erase(it);
+    return;
+  }
+}
+
+std::shared_ptr<const RemoteEndpoint> CycloneDiscovery::describe(
+    const dds_builtintopic_endpoint_t& endpoint, bool is_writer) const {
+  if (std::memcmp(endpoint.participant_key.v, participant_guid_.v, sizeof participant_guid_.v) ==
+      0) {
+    return nullptr;
+  }
+  RemoteEndpoint remote;
+  remote.is_writer = is_writer;
+  remote.topic = endpoint.topic_name;
+  remote.type = endpoint.type_name;
+  remote.user_data = user_data_of(endpoint.qos);
+  remote.guid = hex(endpoint.key);
+  remote.process_id = process_id(endpoint.participant_instance_handle);
+  return std::make_shared<const RemoteEndpoint>(std::move(remote));
+}
+
+template <bool is_writer>
+void CycloneDiscovery::on_endpoints(dds_entity_t reader, void* self) {
+  static_cast<CycloneDiscovery*>(self)->take_endpoints(reader, is_writer);
+}
+
+void CycloneDiscovery::take_endpoints(dds_entity_t reader, bool is_writer) {
+  std::array<void*, 16> samples{};
+  std::array<dds_sample_info_t, 16> infos{};
+  dds_return_t count = 0;
+  while ((count = dds_take(reader, samples.data(), infos.data(), samples.size(),
+                           static_cast<std::uint32_t>(samples.size()))) > 0) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      if (infos[i].valid_data && infos[i].instance_state == DDS_IST_ALIVE) {
+        const auto& endpoint = *static_cast<const dds_builtintopic_endpoint_t*>(samples[i]);
+        add_remote(infos[i].instance_handle, describe(endpoint, is_writer));
+      } else {
+        const std::lock_guard lock(mutex_);
+        remotes_.erase(infos[i].instance_handle);
+      }
+    }
+    dds_return_loan(reader, samples.data(), count);
+  }
+}
+
+void CycloneDiscovery::add_remote(dds_instance_handle_t handle,
+                                  std::shared_ptr<const RemoteEndpoint> remote) {
+  if (remote == nullptr) return;
+  bool is_inconsistent = false;
+  {
+    const std::lock_guard lock(mutex_);
+    remotes_[handle] = remote;
+    const auto [first, last] = local_types_.equal_range(remote->topic);
+    for (auto it = first; it != last; ++it) {
+      if (it->second != remote->type) is_inconsistent = true;
+    }
+  }
+  if (is_inconsistent) listener_.on_inconsistent_type(*remote);
+}
+
+int CycloneDiscovery::process_id(dds_instance_handle_t participant) const {
+  void* sample = nullptr;
+  dds_sample_info_t info{};
+  int id = 0;
+  if (dds_read_instance(participants_reader_.handle(), &sample, &info, 1, 1, participant) <= 0) {
+    return id;
+  }
+  const auto& found = *static_cast<const dds_builtintopic_participant_t*>(sample);
+  char* value = nullptr;
+  if (info.valid_data && dds_qget_prop(found.qos, kProcessIdProperty, &value)) {
+    id = std::atoi(value);
+    dds_free(value);
+  }
+  dds_return_loan(participants_reader_.handle(), &sample, 1);
+  return id;
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/rtps/common/Guid.h>
+
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "dds/participant.hpp"
+
+namespace clew::bridge {
+
+/// What Fast DDS tells of other participants and their endpoints. It passes over endpoints with
+/// another type in silence, so types are compared here. Nothing of Fast DDS is called with the lock
+/// held.
+class FastDiscovery : public eprosima::fastdds::dds::DomainParticipantListener {
+ public:
+  using Guid = eprosima::fastrtps::rtps::GUID_t;
+
+  explicit FastDiscovery(DiscoveryListener& listener) : listener_(listener) {}
+
+  /// From now on, or no longer, this participant has an endpoint on `topic` with `type`.
+  void add_local(const std::string& topic, const std::string& type);
+  void remove_local(const std::string& topic, const std::string& type);
+
+  /// The remote endpoint with this GUID; null if it is unknown.
+  std::shared_ptr<const RemoteEndpoint> find(const Guid& guid) const;
+  DiscoveryListener& listener() const { return listener_; }
+
+ private:
+  void on_participant_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
+                                eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
+  void on_subscriber_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
+                               eprosima::fastrtps::rtps::ReaderDiscoveryInfo&& info) override;
+  void on_publisher_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
+                              eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
+  template <typename ProxyData>
+  void add_remote(const ProxyData& endpoint, bool is_writer);
+  void remove_remote(const Guid& guid);
+
+  DiscoveryListener& listener_;
+  mutable std::mutex mutex_;
+  std::multimap<std::string, std::string> local_types_;  ///< by topic
+  std::map<Guid, std::shared_ptr<const RemoteEndpoint>> remotes_;
+  std::map<eprosima::fastrtps::rtps::GuidPrefix_t, int> process_ids_;
+};
+
+}  // namespace clew::bridge

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fastdds/qos.hpp"
+
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
+#include <fastrtps/xmlparser/XMLProfileManager.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/log/Log.hpp>
+#include <fastdds/dds/log/StdoutErrConsumer.hpp>
+#include <memory>
+#include <mutex>
+
+#include "dds/loopback.hpp"
+
+namespace clew::bridge {
+
+using namespace eprosima::fastdds::dds;
+using eprosima::fastrtps::Duration_t;
+using eprosima::fastrtps::rtps::IPLocator;
+using eprosima::fastrtps::rtps::Locator_t;
+
+namespace {
+
+Locator_t loopback_locator(std::uint32_t port) {
+  Locator_t locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  IPLocator::setIPv4(locator, kLoopbackAddress);
+  locator.port = port;
+  return locator;
+}
+
+template <typename Qos>
+void set_common(Qos& qos, const EndpointSpec& spec) {
+  qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
+  qos.reliability().max_blocking_time = Duration_t(0, 0);
+  qos.durability().kind = TRANSIENT_LOCAL_DURABILITY_QOS;
+  qos.history().kind = KEEP_ALL_HISTORY_QOS;
+  qos.resource_limits().max_instances = 1;
+  qos.endpoint().history_memory_policy =
+      eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  qos.data_sharing().off();
+  qos.user_data().data_vec(
+      std::vector<eprosima::fastrtps::rtps::octet>(spec.user_data.begin(), spec.user_data.end()));
+}
+
+}  // namespace
+
+void prepare_fastdds_process() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    // Participants would turn into clients of that server.
+    unsetenv("ROS_DISCOVERY_SERVER");
+    Log::ClearConsumers();
+    Log::RegisterConsumer(std::make_unique<StdoutErrConsumer>());
+    // Profiles are read now, so that they cannot come after the next setting; participants and
+    // endpoints are created with explicit QoS and take nothing from them.
+    DomainParticipantFactory::get_instance()->load_profiles();
+    eprosima::fastrtps::LibrarySettingsAttributes settings;
+    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+  });
+}
+
+DomainParticipantQos fastdds_participant_qos(const ParticipantConfig& config) {
+  DomainParticipantQos qos;
+  qos.name(config.name);
+  // No shared memory: its segments outlive a kill. Only the loopback interface.
+  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  udp->interfaceWhiteList.emplace_back(kLoopbackAddress);
+  qos.transport().use_builtin_transports = false;
+  qos.transport().user_transports.push_back(udp);
+  // Port 0: the one that belongs to the participant's index. Naming locators here keeps multicast
+  // out.
+  auto& wire = qos.wire_protocol();
+  wire.builtin.metatrafficUnicastLocatorList.push_back(loopback_locator(0));
+  wire.default_unicast_locator_list.push_back(loopback_locator(0));
+  for (int index = 0; index <= kMaxParticipantIndex; ++index) {
+    wire.builtin.initialPeersList.push_back(loopback_locator(discovery_port(config.domain, index)));
+  }
+  auto& discovery = wire.builtin.discovery_config;
+  discovery.leaseDuration = Duration_t(static_cast<long double>(config.lease_s));
+  discovery.leaseDuration_announcementperiod = Duration_t(0.4L);
+  discovery.initial_announcements.count = 10;
+  discovery.initial_announcements.period = Duration_t(0.02L);
+  qos.properties().properties().emplace_back(kProcessIdProperty, std::to_string(getpid()), true);
+  return qos;
+}
+
+DataWriterQos fastdds_writer_qos(const EndpointSpec& spec) {
+  DataWriterQos qos;
+  set_common(qos, spec);
+  // With KEEP_LAST, a full history drops its oldest sample, acknowledged or not. With KEEP_ALL it
+  // drops an acknowledged one or refuses the new one. Late readers get what is in it either way.
+  qos.resource_limits().max_samples = spec.history_depth;
+  qos.resource_limits().max_samples_per_instance = spec.history_depth;
+  qos.resource_limits().allocated_samples = 0;
+  // Asynchronous sending is 2 to 10 times slower a tick.
+  qos.publish_mode().kind = SYNCHRONOUS_PUBLISH_MODE;
+  // By default 3 s, for which a sample written just before a match may be missing.
+  qos.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0.02L);
+  qos.representation().m_value.push_back(XCDR_DATA_REPRESENTATION);
+  return qos;
+}
+
+DataReaderQos fastdds_reader_qos(const EndpointSpec& spec) {
+  DataReaderQos qos;
+  set_common(qos, spec);
+  // Emptied at every arrival, so this bounds nothing; by default it would stop at 5000.
+  qos.resource_limits().max_samples = LENGTH_UNLIMITED;
+  qos.resource_limits().max_samples_per_instance = LENGTH_UNLIMITED;
+  qos.resource_limits().allocated_samples = 0;
+  qos.type_consistency().representation.m_value.push_back(XCDR_DATA_REPRESENTATION);
+  return qos;
+}
+
+}  // namespace clew::bridge
