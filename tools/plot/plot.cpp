@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/plot.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/check.hpp"
+#include "plot/png.hpp"
+#include "plot/run_picture.hpp"
+#include "plot/run_track.hpp"
+#include "world/world.hpp"
+
+namespace clew::plot {
+namespace {
+
+core::Result<void> write_file(const std::string& path, const std::string& bytes) {
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (out) return {};
+  return core::Error{std::string("cannot be written: ") + std::strerror(errno), path, 0, 0};
+}
+
+}  // namespace
+
+core::Result<void> plot_recordings(const std::vector<std::string>& recordings,
+                                   const std::string& output) {
+  CLEW_CHECK(!recordings.empty(), "a picture of no recording");
+  const std::string ending = std::filesystem::path(output).extension().string();
+  if (ending != ".svg" && ending != ".png") {
+    return core::Error{"found ending '" + ending + "'; allowed: .svg, .png", output, 0, 0};
+  }
+  std::vector<RunTrack> tracks;
+  for (const std::string& recording : recordings) {
+    auto track = read_run_track(recording);
+    if (!track) return track.error();
+    if (!tracks.empty() && track->world != tracks.front().world) {
+      return core::Error{"was made in another world than " + tracks.front().path, recording, 0, 0};
+    }
+    tracks.push_back(std::move(track).value());
+  }
+  const auto world = world::World::parse(tracks.front().world, tracks.front().path + ":world.yaml");
+  if (!world) return world.error();
+  std::string picture = draw_runs(*world, tracks);
+  if (ending == ".png") {
+    auto png = render_png(picture);
+    if (!png) return png.error();
+    picture = std::move(png).value();
+  }
+  return write_file(output, picture);
+}
+
+}  // namespace clew::plot

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/run_picture.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "plot/map_view.hpp"
+#include "plot/palette.hpp"
+#include "plot/svg_writer.hpp"
+#include "plot/symbols.hpp"
+#include "plot/track_layer.hpp"
+#include "plot/world_layer.hpp"
+
+namespace clew::plot {
+namespace {
+
+constexpr double kMarginPx = 24.0;
+constexpr double kTitlePx = 56.0;    ///< height of title and details
+constexpr double kMapPx = 720.0;     ///< the map's longer side
+constexpr double kLegendPx = 250.0;  ///< the legend's width
+constexpr double kFooterPx = 44.0;   ///< height of the scale bar
+constexpr double kLegendLinePx = 21.0;
+constexpr std::size_t kLongestName = 30;
+
+std::string outcome_text(const RunTrack& track) {
+  const domain::State& state = track.last_state;
+  const std::string after = " after " + short_number(state.stamp.sim_time_s) + " s (tick " +
+                            std::to_string(state.stamp.tick) + ")";
+  switch (state.outcome) {
+    case domain::Outcome::kReached:
+      return "reached" + after;
+    case domain::Outcome::kCollided:
+      return "collided" + after;
+    case domain::Outcome::kUnreachable:
+      return "given up as unreachable" + after;
+    case domain::Outcome::kTimeout:
+      return "timed out" + after;
+    case domain::Outcome::kRunning:
+      break;
+  }
+  return (track.cut_off ? "recording cut off" : "ended without an outcome") + after;
+}
+
+std::string count_text(std::size_t count, const std::string& what) {
+  return ", " + std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+std::string details_text(const world::World& world, const RunTrack& track) {
+  std::string text = "path " + short_number(track.last_state.path_length_m) + " m";
+  if (world.shortest_path_m())
+    text += " (shortest " + short_number(*world.shortest_path_m()) + " m)";
+  const auto traps = static_cast<std::size_t>(std::count_if(
+      track.traps.begin(), track.traps.end(), [](const TrapMark& trap) { return !trap.shadow; }));
+  if (traps > 0) text += count_text(traps, "trap");
+  if (track.last_state.safety_stops > 0) {
+    text += count_text(track.last_state.safety_stops, "safety stop");
+  }
+  return text + ", seed " + std::to_string(track.seed);
+}
+
+std::string shortened(const std::string& name) {
+  if (name.size() <= kLongestName) return name;
+  return name.substr(0, kLongestName - 3) + "...";
+}
+
+/// Writes the legend's lines from top to bottom.
+class Legend {
+ public:
+  Legend(SvgWriter& svg, const Point& upper_left) : svg_(svg), at_(upper_left) {}
+
+  void path(const Paint& paint, std::string_view text) {
+    svg_.line({at_.x, at_.y}, {at_.x + 26.0, at_.y}, paint);
+    entry(text);
+  }
+  void band_under_path(const Paint& band, const Paint& path, std::string_view text) {
+    svg_.line({at_.x + 3.0, at_.y}, {at_.x + 23.0, at_.y}, band);
+    this->path(path, text);
+  }
+  void symbol(Symbol symbol) {
+    draw_symbol(svg_, symbol, {at_.x + 13.0, at_.y}, kBlack);
+    entry(symbol_name(symbol));
+  }
+  void disc(const Paint& paint, bool with_heading, std::string_view text) {
+    svg_.circle({at_.x + 13.0, at_.y}, 7.0, paint);
+    if (with_heading) {
+      svg_.line({at_.x + 13.0, at_.y}, {at_.x + 20.0, at_.y}, {"none", paint.stroke, 1.6});
+    }
+    entry(text);
+  }
+  /// A line of text under the last entry.
+  void note(std::string_view text) {
+    svg_.text({at_.x + 36.0, at_.y + 1.0}, text, {10.5, Anchor::kStart, "#666666"});
+    at_.y += kLegendLinePx - 3.0;
+  }
+
+ private:
+  void entry(std::string_view text) {
+    svg_.text({at_.x + 36.0, at_.y + 4.0}, text);
+    at_.y += kLegendLinePx;
+  }
+
+  SvgWriter& svg_;
+  Point at_;
+};
+
+std::set<Symbol> symbols_of_all(const std::vector<RunTrack>& tracks) {
+  std::set<Symbol> symbols;
+  for (const RunTrack& track : tracks) symbols.merge(symbols_of(track));
+  return symbols;
+}
+
+bool any_recovers(const std::vector<RunTrack>& tracks) {
+  return std::any_of(tracks.begin(), tracks.end(), [](const RunTrack& track) {
+    return std::find(track.recovering.begin(), track.recovering.end(), true) !=
+           track.recovering.end();
+  });
+}
+
+void draw_legend(SvgWriter& svg, const Point& upper_left, const world::World& world,
+                 const std::vector<RunTrack>& tracks) {
+  svg.begin_group("legend");
+  Legend legend(svg, upper_left);
+  for (std::size_t run = 0; run < tracks.size(); ++run) {
+    const TrackPaint paint = TrackPaint::of(run, tracks.size());
+    if (tracks.size() == 1) {
+      legend.path(paint.seek, "path");
+    } else {
+      legend.path(paint.seek, shortened(tracks[run].name));
+      legend.note(outcome_text(tracks[run]));
+      legend.note("path " + short_number(tracks[run].last_state.path_length_m) + " m");
+    }
+  }
+  if (any_recovers(tracks)) {
+    const TrackPaint paint = TrackPaint::of(0, tracks.size());
+    if (paint.recover_is_under) {
+      legend.band_under_path(paint.recover, paint.seek, "under recovery");
+    } else {
+      legend.path(paint.recover, "path under recovery");
+    }
+  }
+  legend.disc({kWhite, kBlack, 1.6}, true, "robot at the start");
+  legend.disc({"#CDEBE1", kGreen, 2.0}, false, "target");
+  if (!world.moving().empty()) {
+    legend.disc({"none", kMovingGrey, 1.2, "3 3"}, false, "moving obstacle at the start");
+    legend.disc({kObstacleGrey, kMovingGrey, 1.5}, false, "moving obstacle at the end");
+  }
+  for (const Symbol symbol : symbols_of_all(tracks)) legend.symbol(symbol);
+  svg.end_group();
+}
+
+double legend_height_px(const world::World& world, const std::vector<RunTrack>& tracks) {
+  const std::size_t runs = tracks.size() == 1 ? 1 : 3 * tracks.size();
+  const std::size_t lines =
+      runs + 3 + (world.moving().empty() ? 0 : 2) + symbols_of_all(tracks).size();
+  return static_cast<double>(lines) * kLegendLinePx;
+}
+
+void draw_title(SvgWriter& svg, const world::World& world, const std::vector<RunTrack>& tracks) {
+  const bool alone = tracks.size() == 1;
+  const std::string title =
+      world.name() + ": " +
+      (alone ? outcome_text(tracks[0]) : std::to_string(tracks.size()) + " runs");
+  std::string details = world.about();
+  if (alone) details = details_text(world, tracks[0]);
+  svg.text({kMarginPx, kMarginPx + 14.0}, title, {18.0, Anchor::kStart, kBlack, true});
+  svg.text({kMarginPx, kMarginPx + 36.0}, details, {12.5, Anchor::kStart, "#555555"});
+}
+
+double end_time_s(const std::vector<RunTrack>& tracks) {
+  double end_s = 0.0;
+  for (const RunTrack& track : tracks) end_s = std::max(end_s, track.last_state.stamp.sim_time_s);
+  return end_s;
+}
+
+}  // namespace
+
+std::string draw_runs(const world::World& world, const std::vector<RunTrack>& tracks) {
+  const Point map_corner{kMarginPx, kMarginPx + kTitlePx};
+  const MapView view(world.bounds_min(), world.bounds_max(), map_corner, kMapPx, kMapPx);
+  const double map_height_px = view.height() + kFooterPx;
+  const double legend_bottom_px = kMarginPx + legend_height_px(world, tracks);
+  SvgWriter svg(view.right() + kMarginPx + kLegendPx,
+                view.top() + std::max(map_height_px, legend_bottom_px));
+
+  draw_title(svg, world, tracks);
+  draw_world(svg, view, world, end_time_s(tracks));
+  for (const RunTrack& track : tracks) draw_under_track(svg, view, track);
+  draw_start(svg, view, world.start(), tracks[0].robot_radius_m);
+  for (std::size_t run = 0; run < tracks.size(); ++run) {
+    draw_track(svg, view, tracks[run], TrackPaint::of(run, tracks.size()));
+  }
+  for (std::size_t run = 0; run < tracks.size(); ++run) {
+    draw_over_track(svg, view, tracks[run], TrackPaint::of(run, tracks.size()));
+  }
+  draw_scale_bar(svg, view, world);
+  draw_legend(svg, {view.right() + kMarginPx, view.top() + 10.0}, world, tracks);
+  return std::move(svg).finish();
+}
+
+}  // namespace clew::plot

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/run_track.hpp"
+
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "convert/codec.hpp"
+#include "recording/run_recording.hpp"
+#include "runtime/run_plan.hpp"
+
+namespace clew::plot {
+namespace {
+
+using core::Pose2;
+using core::Vec2;
+using domain::Topic;
+
+/// Where the odometry's frame lies in the world, as the poses of one tick tell.
+struct FramePair {
+  Pose2 world_robot;
+  Pose2 odom_robot;
+
+  Vec2 to_world(double x_m, double y_m) const {
+    const Vec2 turn = core::direction(world_robot.heading_rad - odom_robot.heading_rad);
+    const Vec2 offset = Vec2(x_m, y_m) - odom_robot.position();
+    return world_robot.position() + Vec2(turn.x() * offset.x() - turn.y() * offset.y(),
+                                         turn.y() * offset.x() + turn.x() * offset.y());
+  }
+};
+
+/// Decodes samples into what a track needs, tick by tick.
+class TrackReader {
+ public:
+  core::Result<void> add(const bridge::RecordedSample& sample) {
+    switch (sample.topic) {
+      case Topic::kState:
+        return decode(sample, states_, state_);
+      case Topic::kOdometry:
+        return decode(sample, odometries_, odometry_);
+      case Topic::kGuidance:
+        return decode(sample, guidances_, guidance_);
+      case Topic::kLandmark:
+        return decode(sample, landmarks_, landmark_);
+      case Topic::kEvent:
+        return decode(sample, events_, event_);
+      default:
+        return {};
+    }
+  }
+
+  /// Enters what was decoded since the last call: the samples of one tick.
+  void end_tick(std::uint64_t tick, RunTrack& track) {
+    if (state_) enter_state(track);
+    // Without a pose there is no place to draw anything at.
+    if (state_ && odometry_) {
+      frames_[tick] = {state_->pose_world_robot, odometry_->pose_odom_robot};
+      if (guidance_) enter_guidance(frames_[tick], track);
+      if (event_) enter_event(frames_[tick], track);
+    }
+    if (state_ && landmark_) enter_landmark(track);
+    state_.reset();
+    odometry_.reset();
+    guidance_.reset();
+    landmark_.reset();
+    event_.reset();
+  }
+
+ private:
+  template <typename Message>
+  static core::Result<void> decode(const bridge::RecordedSample& sample,
+                                   bridge::Codec<Message>& codec, std::optional<Message>& message) {
+    const auto decoded = codec.decode(sample.cdr, message.emplace());
+    if (decoded) return {};
+    return core::Error{"tick " + std::to_string(sample.tick) + " of " +
+                           std::string(domain::topic_name(sample.topic)) + ": " +
+                           decoded.error().message,
+                       {},
+                       0,
+                       0};
+  }
+
+  void enter_state(RunTrack& track) {
+    const domain::State& before = track.last_state;
+    const Vec2 position = state_->pose_world_robot.position();
+    if (state_->safety_stops > before.safety_stops) track.safety_stops.push_back(position);
+    if (state_->collisions > before.collisions || state_->hit_by > before.hit_by) {
+      track.collisions.push_back(position);
+    }
+    track.poses.push_back(state_->pose_world_robot);
+    track.recovering.push_back(guidance_ && guidance_->mode == domain::GuidanceMode::kRecover);
+    track.last_state = *state_;
+  }
+
+  void enter_guidance(const FramePair& frames, RunTrack& track) {
+    std::optional<Vec2> target;
+    if (guidance_->target_is_virtual) target = Vec2(guidance_->target_x_m, guidance_->target_y_m);
+    if (target && target != virtual_target_) {
+      track.virtual_targets.push_back(frames.to_world(target->x(), target->y()));
+    }
+    virtual_target_ = target;
+  }
+
+  void enter_landmark(RunTrack& track) {
+    for (const auto& recognition : landmark_->recognitions) {
+      track.landmarks.push_back({state_->pose_world_robot.position(), recognition.network});
+    }
+  }
+
+  void enter_event(const FramePair& frames, RunTrack& track) {
+    for (const auto& entry : event_->entries) {
+      const Vec2 position = frames.to_world(entry.x_m, entry.y_m);
+      switch (entry.kind) {
+        case domain::EventKind::kLandmark:       // told by the landmark topic
+        case domain::EventKind::kVirtualTarget:  // told by the guidance topic
+          break;
+        case domain::EventKind::kTrap:
+          track.traps.push_back({position, earlier_visit(entry, frames), entry.shadow});
+          break;
+        default:
+          track.marks.push_back({entry.kind, position});
+      }
+    }
+  }
+
+  std::optional<Vec2> earlier_visit(const domain::EventEntry& entry, const FramePair& now) const {
+    if (!entry.has_earlier) return std::nullopt;
+    const auto then = frames_.find(entry.earlier_tick);
+    const FramePair& frames = then == frames_.end() ? now : then->second;
+    return frames.to_world(entry.earlier_x_m, entry.earlier_y_m);
+  }
+
+  bridge::Codec<domain::State> states_;
+  bridge::Codec<domain::Odometry> odometries_;
+  bridge::Codec<domain::Guidance> guidances_;
+  bridge::Codec<domain::Landmark> landmarks_;
+  bridge::Codec<domain::Event> events_;
+  std::optional<domain::State> state_;
+  std::optional<domain::Odometry> odometry_;
+  std::optional<domain::Guidance> guidance_;
+  std::optional<domain::Landmark> landmark_;
+  std::optional<domain::Event> event_;
+  std::optional<Vec2> virtual_target_;  ///< of the tick before, odometry's frame
+  std::map<std::uint64_t, FramePair> frames_;
+};
+
+core::Result<void> read_samples(const bridge::RunRecording& recording, RunTrack& track) {
+  TrackReader reader;
+  auto samples = recording.samples(
+      {{Topic::kState, Topic::kOdometry, Topic::kGuidance, Topic::kLandmark, Topic::kEvent}});
+  std::optional<std::uint64_t> tick;
+  for (;;) {
+    const auto sample = samples.next();
+    if (!sample) return sample.error();
+    const bool at_end = !sample->has_value();
+    if (tick && (at_end || (*sample)->tick != *tick)) reader.end_tick(*tick, track);
+    if (at_end) return {};
+    tick = (*sample)->tick;
+    CLEW_RETURN_IF_ERROR(reader.add(**sample));
+  }
+}
+
+core::Result<void> read_configuration(const bridge::RunDescription& description, RunTrack& track) {
+  const auto world = description.bundle.find("world.yaml");
+  const auto robot = description.bundle.find("robot.yaml");
+  if (world == description.bundle.end() || robot == description.bundle.end()) {
+    return core::Error{"does not hold the run's world.yaml and robot.yaml", {}, 0, 0};
+  }
+  track.world = world->second;
+  track.seed = description.seed;
+  const auto body = runtime::read_robot({"robot.yaml", robot->second}, "robot");
+  if (!body) return body.error();
+  track.robot_radius_m = body->radius_m;
+  return {};
+}
+
+}  // namespace
+
+core::Result<RunTrack> read_run_track(const std::string& path) {
+  const auto recording = bridge::RunRecording::open(path);
+  if (!recording) return recording.error();
+  const auto refused = [&path](const std::string& why) { return core::Error{why, path, 0, 0}; };
+  if (recording->description().idl_fingerprint != bridge::idl_fingerprint()) {
+    return refused("was recorded with other message types than this version has");
+  }
+  RunTrack track;
+  track.name = std::filesystem::path(path).stem().string();
+  track.path = path;
+  track.cut_off = !recording->complete();
+  if (const auto read = read_configuration(recording->description(), track); !read) {
+    return refused(read.error().text());
+  }
+  if (const auto read = read_samples(*recording, track); !read) {
+    return refused(read.error().message);
+  }
+  if (track.poses.empty()) return refused("holds no sample of the topic state");
+  return track;
+}
+
+}  // namespace clew::plot

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry.hpp"
+#include "core/result.hpp"
+#include "domain/messages.hpp"
+
+namespace clew::plot {
+
+/// A place of the world where something happened.
+struct Mark {
+  domain::EventKind kind = domain::EventKind::kLandmark;
+  core::Vec2 position = core::Vec2::Zero();
+};
+
+/// A trap that a detector reported, and the earlier visit that proves it.
+struct TrapMark {
+  core::Vec2 position = core::Vec2::Zero();
+  std::optional<core::Vec2> earlier;
+  bool shadow = false;  ///< by a detector that only watched
+};
+
+/// A landmark that a network knew.
+struct LandmarkMark {
+  core::Vec2 position = core::Vec2::Zero();
+  domain::Network network = domain::Network::kSom;
+};
+
+/// What a picture shows of one run. All places are in the world's frame.
+struct RunTrack {
+  std::string name;   ///< of the file, without folder and ending
+  std::string path;   ///< of the file
+  std::string world;  ///< the world file's text
+  double robot_radius_m = 0.0;
+  std::uint64_t seed = 0;
+  bool cut_off = false;  ///< the recording is not whole
+
+  std::vector<core::Pose2> poses;  ///< at the start of each tick, from the first to the last
+  std::vector<bool> recovering;    ///< in each tick; as many as poses
+  domain::State last_state;
+
+  std::vector<TrapMark> traps;
+  std::vector<LandmarkMark> landmarks;
+  std::vector<Mark> marks;  ///< reflexes, escapes begun, ended and failed, unreachable
+  std::vector<core::Vec2> virtual_targets;
+  std::vector<core::Vec2> safety_stops;
+  std::vector<core::Vec2> collisions;  ///< that the robot moved into, and by moving obstacles
+};
+
+/// Reads the track of a recorded run. Places that were recorded in the odometry's frame are taken
+/// to the world by the true and the odometric pose of the same tick, so that drift does not move
+/// them off the path. Refused: see plot_recordings.
+core::Result<RunTrack> read_run_track(const std::string& path);
+
+}  // namespace clew::plot

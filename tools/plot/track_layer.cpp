@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/track_layer.hpp"
+
+#include <cstddef>
+
+#include "plot/palette.hpp"
+
+namespace clew::plot {
+namespace {
+
+Symbol symbol_of(domain::EventKind kind) {
+  switch (kind) {
+    case domain::EventKind::kReflex:
+      return Symbol::kReflex;
+    case domain::EventKind::kEscapeBegun:
+      return Symbol::kEscapeBegun;
+    case domain::EventKind::kEscapeEnded:
+      return Symbol::kEscapeEnded;
+    case domain::EventKind::kEscapeFailed:
+      return Symbol::kEscapeFailed;
+    case domain::EventKind::kTrap:
+      return Symbol::kTrap;
+    case domain::EventKind::kLandmark:
+      return Symbol::kLandmarkSom;
+    case domain::EventKind::kVirtualTarget:
+      return Symbol::kVirtualTarget;
+    case domain::EventKind::kUnreachable:
+      break;
+  }
+  return Symbol::kUnreachable;
+}
+
+Symbol symbol_of(domain::Network network) {
+  return network == domain::Network::kSom ? Symbol::kLandmarkSom : Symbol::kLandmarkArt;
+}
+
+Symbol symbol_of(const TrapMark& trap) { return trap.shadow ? Symbol::kShadowTrap : Symbol::kTrap; }
+
+/// Draws the stretches of the path of ticks in which recovery was at work, or of the others. What
+/// was commanded in tick k moves the robot from pose k to pose k + 1.
+void draw_stretches(SvgWriter& svg, const MapView& view, const RunTrack& track, bool recovering,
+                    const Paint& paint) {
+  std::vector<Point> stretch;
+  for (std::size_t k = 0; k + 1 < track.poses.size(); ++k) {
+    if (track.recovering[k] == recovering) {
+      if (stretch.empty()) stretch.push_back(view.at(track.poses[k].position()));
+      stretch.push_back(view.at(track.poses[k + 1].position()));
+    }
+    const bool ends = k + 2 == track.poses.size() || track.recovering[k + 1] != recovering;
+    if (ends && !stretch.empty()) {
+      svg.polyline(stretch, paint);
+      stretch.clear();
+    }
+  }
+}
+
+void draw_all(SvgWriter& svg, const MapView& view, const std::vector<core::Vec2>& positions,
+              Symbol symbol, std::string_view outline) {
+  for (const auto& position : positions) draw_symbol(svg, symbol, view.at(position), outline);
+}
+
+}  // namespace
+
+TrackPaint TrackPaint::of(std::size_t run, std::size_t runs) {
+  if (runs == 1) {
+    return {{"none", kBlue, 2.2}, {"none", kVermilion, 2.8}, false, kBlack};
+  }
+  const std::string_view colour = run_colour(run);
+  return {{"none", colour, 2.0}, {"none", colour, 7.0, "", 0.3}, true, colour};
+}
+
+void draw_under_track(SvgWriter& svg, const MapView& view, const RunTrack& track) {
+  // Diamonds are larger than squares: where both networks know a place, both can be seen.
+  for (const auto network : {domain::Network::kFuzzyArt, domain::Network::kSom}) {
+    for (const auto& landmark : track.landmarks) {
+      if (landmark.network != network) continue;
+      draw_symbol(svg, symbol_of(network), view.at(landmark.position), kBlack);
+    }
+  }
+  for (const auto& trap : track.traps) {
+    if (!trap.earlier) continue;
+    svg.line(view.at(trap.position), view.at(*trap.earlier), {"none", kPurple, 2.0, "5 3"});
+  }
+}
+
+void draw_track(SvgWriter& svg, const MapView& view, const RunTrack& track,
+                const TrackPaint& paint) {
+  svg.begin_group(track.name);
+  if (paint.recover_is_under) {
+    draw_stretches(svg, view, track, true, paint.recover);
+    std::vector<Point> whole;
+    for (const auto& pose : track.poses) whole.push_back(view.at(pose.position()));
+    svg.polyline(whole, paint.seek);
+  } else {
+    draw_stretches(svg, view, track, false, paint.seek);
+    draw_stretches(svg, view, track, true, paint.recover);
+  }
+  svg.end_group();
+}
+
+void draw_over_track(SvgWriter& svg, const MapView& view, const RunTrack& track,
+                     const TrackPaint& paint) {
+  for (const auto& mark : track.marks) {
+    draw_symbol(svg, symbol_of(mark.kind), view.at(mark.position), paint.outline);
+  }
+  for (const auto& trap : track.traps) {
+    if (!trap.earlier) continue;
+    draw_symbol(svg, Symbol::kEarlierVisit, view.at(*trap.earlier), paint.outline);
+  }
+  for (const auto& trap : track.traps) {
+    draw_symbol(svg, symbol_of(trap), view.at(trap.position), paint.outline);
+  }
+  draw_all(svg, view, track.virtual_targets, Symbol::kVirtualTarget, paint.outline);
+  draw_all(svg, view, track.safety_stops, Symbol::kSafetyStop, paint.outline);
+  draw_all(svg, view, track.collisions, Symbol::kCollision, paint.outline);
+  draw_symbol(svg, Symbol::kEnd, view.at(track.poses.back().position()), paint.outline);
+}
+
+std::set<Symbol> symbols_of(const RunTrack& track) {
+  std::set<Symbol> symbols = {Symbol::kEnd};
+  for (const auto& landmark : track.landmarks) symbols.insert(symbol_of(landmark.network));
+  for (const auto& mark : track.marks) symbols.insert(symbol_of(mark.kind));
+  for (const auto& trap : track.traps) {
+    symbols.insert(symbol_of(trap));
+    if (trap.earlier) symbols.insert(Symbol::kEarlierVisit);
+  }
+  if (!track.virtual_targets.empty()) symbols.insert(Symbol::kVirtualTarget);
+  if (!track.safety_stops.empty()) symbols.insert(Symbol::kSafetyStop);
+  if (!track.collisions.empty()) symbols.insert(Symbol::kCollision);
+  return symbols;
+}
+
+}  // namespace clew::plot

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "plot/map_view.hpp"
+#include "plot/run_track.hpp"
+#include "plot/svg_writer.hpp"
+#include "plot/symbols.hpp"
+
+namespace clew::plot {
+
+/// How a run's path is drawn.
+struct TrackPaint {
+  Paint seek;                ///< on the way to the target
+  Paint recover;             ///< while an escape is at work
+  bool recover_is_under;     ///< as a broad band under the whole path, not in place of it
+  std::string_view outline;  ///< of its marks
+
+  /// For run number `run` of `runs` in one picture: alone, recovery is a colour of its own; among
+  /// others each run has its colour, and recovery is a band.
+  static TrackPaint of(std::size_t run, std::size_t runs);
+};
+
+/// What lies under the paths: landmarks, and the lines from traps to the visits that prove them.
+void draw_under_track(SvgWriter& svg, const MapView& view, const RunTrack& track);
+void draw_track(SvgWriter& svg, const MapView& view, const RunTrack& track,
+                const TrackPaint& paint);
+/// What lies over the paths: traps, escapes, virtual targets, safety stops, collisions, the end.
+void draw_over_track(SvgWriter& svg, const MapView& view, const RunTrack& track,
+                     const TrackPaint& paint);
+
+/// The symbols that a track's picture contains.
+std::set<Symbol> symbols_of(const RunTrack& track);
+
+}  // namespace clew::plot

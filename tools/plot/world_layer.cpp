@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/world_layer.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "plot/palette.hpp"
+
+namespace clew::plot {
+namespace {
+
+using core::Vec2;
+
+void draw_grid(SvgWriter& svg, const MapView& view, const world::World& world) {
+  const Vec2& low = world.bounds_min();
+  const Vec2& high = world.bounds_max();
+  const double step_m = round_length_m((high.x() - low.x()) / 2.0);
+  std::vector<Point> lines;
+  for (double x_m = std::ceil(low.x() / step_m) * step_m; x_m < high.x(); x_m += step_m) {
+    lines.push_back(view.at({x_m, low.y()}));
+    lines.push_back(view.at({x_m, high.y()}));
+  }
+  for (double y_m = std::ceil(low.y() / step_m) * step_m; y_m < high.y(); y_m += step_m) {
+    lines.push_back(view.at({low.x(), y_m}));
+    lines.push_back(view.at({high.x(), y_m}));
+  }
+  svg.segments(lines, {"none", kGridGrey, 1.0});
+}
+
+void draw_obstacles(SvgWriter& svg, const MapView& view, const world::World& world) {
+  const Paint filled{kObstacleGrey, kWallGrey, 1.5};
+  for (const auto& polygon : world.polygons()) svg.polygon(view.at(polygon), filled);
+  for (const auto& circle : world.circles()) {
+    svg.circle(view.at(circle.centre), view.px(circle.radius_m), filled);
+  }
+  std::vector<Point> walls;
+  for (const auto& wall : world.walls()) {
+    walls.push_back(view.at(wall.a));
+    walls.push_back(view.at(wall.b));
+  }
+  if (!walls.empty()) svg.segments(walls, {"none", kWallGrey, 3.0});
+}
+
+void draw_moving(SvgWriter& svg, const MapView& view, const world::MovingObstacle& obstacle,
+                 double end_time_s) {
+  std::vector<Point> way;
+  for (const auto& waypoint : obstacle.path) way.push_back(view.at(waypoint.position));
+  const double radius_px = view.px(obstacle.radius_m);
+  svg.polyline(way, {"none", kMovingGrey, 1.2, "6 4"});
+  svg.circle(view.at(obstacle.position_at(0.0)), radius_px, {"none", kMovingGrey, 1.2, "3 3"});
+  svg.circle(view.at(obstacle.position_at(end_time_s)), radius_px,
+             {kObstacleGrey, kMovingGrey, 1.5, "", 0.8});
+}
+
+void draw_target(SvgWriter& svg, const MapView& view, const world::World& world) {
+  const Point centre = view.at(world.target());
+  const double radius_px = view.px(world.target_radius_m());
+  const double arm_px = 5.0;
+  svg.circle(centre, radius_px, {"#CDEBE1", kGreen, 2.0});
+  svg.segments({{centre.x - arm_px, centre.y},
+                {centre.x + arm_px, centre.y},
+                {centre.x, centre.y - arm_px},
+                {centre.x, centre.y + arm_px}},
+               {"none", kGreen, 2.0});
+}
+
+}  // namespace
+
+double round_length_m(double extent_m) {
+  double step_m = 1e-3;
+  // 1, 2, 5, 10, ...: the next of the series as long as it stays within a fifth.
+  for (int i = 0; step_m * (i % 3 == 1 ? 2.5 : 2.0) <= extent_m / 5.0; ++i) {
+    step_m *= i % 3 == 1 ? 2.5 : 2.0;
+  }
+  return step_m;
+}
+
+void draw_world(SvgWriter& svg, const MapView& view, const world::World& world, double end_time_s) {
+  svg.begin_group("world");
+  draw_grid(svg, view, world);
+  draw_target(svg, view, world);
+  draw_obstacles(svg, view, world);
+  for (const auto& obstacle : world.moving()) draw_moving(svg, view, obstacle, end_time_s);
+  svg.rectangle({view.left(), view.top()}, view.width(), view.height(), {"none", kWallGrey, 3.0});
+  svg.end_group();
+}
+
+void draw_start(SvgWriter& svg, const MapView& view, const core::Pose2& start, double radius_m) {
+  const Vec2 nose = start.position() + radius_m * core::direction(start.heading_rad);
+  svg.circle(view.at(start.position()), view.px(radius_m), {kWhite, kBlack, 1.6});
+  svg.line(view.at(start.position()), view.at(nose), {"none", kBlack, 1.6});
+}
+
+void draw_scale_bar(SvgWriter& svg, const MapView& view, const world::World& world) {
+  const double length_m = round_length_m(world.bounds_max().x() - world.bounds_min().x());
+  const double y = view.bottom() + 22.0;
+  const double end = view.left() + view.px(length_m);
+  svg.segments({{view.left(), y},
+                {end, y},
+                {view.left(), y - 4.0},
+                {view.left(), y + 4.0},
+                {end, y - 4.0},
+                {end, y + 4.0}},
+               {"none", kBlack, 1.6});
+  svg.text({end + 8.0, y + 4.0}, short_number(length_m) + " m");
+}
+
+}  // namespace clew::plot
