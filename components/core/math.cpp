@@ -57,6 +57,9 @@ struct Reduced {
 };
 
 Reduced reduce_to_quadrant(double x) {
+  if (!(std::fabs(x) <= std::numeric_limits<double>::max())) {
+    return {0, std::numeric_limits<double>::quiet_NaN(), 0.0};
+  }
   const double n = std::floor(x * (2.0 / kPi) + 0.5);
   const double first = x - n * kHalfPiHigh;
   const double middle = n * kHalfPiMiddle;
@@ -94,6 +97,7 @@ constexpr double kAtanEighths[] = {0.0,
 // atan(x), 0 <= x <= 1: atan(c) + atan((x - c) / (1 + c x)) with c the nearest eighth, whose
 // argument is at most 1/16, so that nine terms of the series are enough.
 double atan_unit(double x) {
+  if (x != x) return x;
   const int k = static_cast<int>(std::floor(x * 8.0 + 0.5));
   const double c = k * 0.125;
   const double t = (x - c) / (1.0 + c * x);

@@ -2,7 +2,8 @@
 /// Transcendental functions with one implementation on every machine. The C library picks variants
 /// by processor whose last bits differ; these use only +, -, *, /, sqrt and floor, which IEEE 754
 /// fixes, so results are the same bits wherever clew runs. Accuracy: within 4 units in the last
-/// place for |x| below 1e5 (trigonometric) and over the whole range of finite results (others).
+/// place for |x| below 1e5 (trigonometric) and over the whole range of finite results (others). NaN
+/// gives NaN, and so do the sine and cosine of infinities.
 #pragma once
 
 namespace clew::core {

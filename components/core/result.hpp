@@ -51,7 +51,10 @@ class [[nodiscard]] Result {
   const T* operator->() const { return &value(); }
   T* operator->() { return &value(); }
 
-  const Error& error() const { return std::get<1>(content_); }
+  const Error& error() const {
+    CLEW_CHECK(!ok(), "a result that is no error");
+    return std::get<1>(content_);
+  }
 
  private:
   std::variant<T, Error> content_;
@@ -66,7 +69,10 @@ class [[nodiscard]] Result<void> {
 
   bool ok() const { return !error_.has_value(); }
   explicit operator bool() const { return ok(); }
-  const Error& error() const { return *error_; }
+  const Error& error() const {
+    CLEW_CHECK(!ok(), "a result that is no error");
+    return *error_;
+  }
 
  private:
   std::optional<Error> error_;
