@@ -135,7 +135,7 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
   NodeHost host(std::move(node).value(), assignment, plan->graph.tick_s,
                 {say(FrameType::kNotice), say(FrameType::kFatal),
                  [&link](const Progress& progress) { link.send(FrameType::kProgress, progress); },
-                 [&link](std::string spool) { link.send(FrameType::kSamples, spool); }});
+                 [&link](std::string spool) { link.send_bytes(FrameType::kSamples, spool); }});
   CLEW_RETURN_IF_ERROR(host.open(**participant, barrier));
   report_missing(barrier);
   return ComponentLoop(link, host).run();

@@ -59,7 +59,7 @@ core::Result<int> Link::connect(int domain, std::chrono::steady_clock::time_poin
   }
 }
 
-bool Link::send(FrameType type, std::string_view payload) {
+bool Link::send_bytes(FrameType type, std::string_view payload) {
   char header[kHeaderBytes];
   const auto size = static_cast<std::uint32_t>(payload.size());
   header[0] = static_cast<char>(type);

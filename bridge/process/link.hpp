@@ -157,12 +157,12 @@ class Link {
   int socket() const { return socket_; }
 
   /// Sends a frame, waiting while the other end is slow. False when the other end is gone.
-  bool send(FrameType type, std::string_view payload);
+  bool send_bytes(FrameType type, std::string_view payload);
   template <typename Message>
   bool send(FrameType type, Message message) {
     core::StateWriter writer;
     writer(message);
-    return send(type, std::string_view(writer.bytes()));
+    return send_bytes(type, writer.bytes());
   }
 
   /// Reads what is there, without waiting. False when the other end is gone.
