@@ -29,6 +29,12 @@ struct Value {
 
 constexpr std::size_t kMostShown = 40;
 
+// What yaml-cpp takes and we do not. An exception, because it passes through yaml-cpp's parser.
+class Refusal : public YAML::ParserException {
+ public:
+  using ParserException::ParserException;
+};
+
 // The whole text as a decimal number of type T, whatever the locale.
 template <typename T>
 bool parse_number(std::string_view text, T& number) {
@@ -70,7 +76,7 @@ struct YamlNode::Document {
   }
 };
 
-/// Takes yaml-cpp's events. It leaves its parser by yaml-cpp's own exception, which parse catches.
+/// Makes a document of yaml-cpp's events.
 class YamlNode::Builder : public YAML::EventHandler {
  public:
   Builder(Document& document, std::string_view yaml) : document_(document), yaml_(yaml) {}
@@ -115,7 +121,7 @@ class YamlNode::Builder : public YAML::EventHandler {
 
  private:
   [[noreturn]] static void refuse(const YAML::Mark& mark, const std::string& message) {
-    throw YAML::ParserException(mark, message);
+    throw Refusal(mark, message);
   }
   [[noreturn]] static void refuse(const Value& value, const std::string& message) {
     YAML::Mark mark;
@@ -186,9 +192,11 @@ Result<YamlNode> YamlNode::parse(std::string_view yaml, const std::string& file)
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {
     }
-  } catch (const YAML::Exception& e) {
-    if (e.mark.is_null()) return Error{e.msg, file};
+  } catch (const Refusal& e) {
     return Error{e.msg, file, e.mark.line + 1, e.mark.column + 1};
+  } catch (const YAML::Exception& e) {
+    // A null mark, -1, gives 0: no place.
+    return Error{"broken YAML: " + e.msg, file, e.mark.line + 1, e.mark.column + 1};
   }
   if (!builder.has_document()) return Error{"the file is empty", file};
   const std::uint32_t root = document->root;

@@ -36,14 +36,16 @@ class Bvh {
 
  private:
   static constexpr std::size_t kLeafSize = 4;
-  static constexpr std::size_t kDeepest = 64;  // halving 2^32 items gives 32
+  static constexpr std::size_t kDeepest = 64;  // half of it by splits, then 2^32 items by halving
 
   struct Node {
     Box box;
     std::uint32_t first = 0;  // leaf: place of its first item; else: the right child
     std::uint32_t count = 0;  // leaf: its items; else 0, and the left child is the next node
   };
-  std::uint32_t build(const std::vector<Box>& boxes, std::size_t first, std::size_t last);
+  std::size_t split(const std::vector<Box>& boxes, std::size_t first, std::size_t last);
+  std::uint32_t build(const std::vector<Box>& boxes, std::size_t first, std::size_t last,
+                      std::size_t depth);
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
@@ -56,7 +58,7 @@ void Bvh::visit_nearest_first(const Bound& bound, const double& limit, const Vis
     std::uint32_t node;
     double bound;
   };
-  std::array<Pending, kDeepest> stack;
+  std::array<Pending, kDeepest + 1> stack;  // one waits a level, and the two of the last
   std::size_t depth = 0;
   stack[depth++] = {0, bound(nodes_[0].box)};
   while (depth > 0) {

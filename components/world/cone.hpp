@@ -18,10 +18,9 @@ namespace clew::world {
 /// What two segments share they clip alike, bit for bit, so a ray never slips between them.
 class Cone {
  public:
-  Cone(const Vec2& apex, double bearing_rad, double half_angle_rad)
-      : apex_(apex), axis_(core::direction(bearing_rad)) {
-    const double c = core::cos(half_angle_rad);
-    const double s = core::sin(half_angle_rad);
+  Cone(const Vec2& apex, const ConeDirection& direction) : apex_(apex), axis_(direction.axis) {
+    const double c = direction.half_angle.x();
+    const double s = direction.half_angle.y();
     left_ = {axis_.x() * c - axis_.y() * s, axis_.y() * c + axis_.x() * s};
     right_ = {axis_.x() * c + axis_.y() * s, axis_.y() * c - axis_.x() * s};
   }
@@ -34,15 +33,15 @@ class Cone {
   }
 
   /// A lower limit of the squared distance from the apex to what lies in both the cone and the box;
-  /// infinity if nothing does.
-  double bound(const Box& box) const;
+  /// infinity if nothing does, or nothing nearer than the squared distance `limit`.
+  double bound(const Box& box, double limit) const;
 
   /// Square of the least distance from the apex to the part of a segment inside the cone; infinity
-  /// if there is none.
-  double squared_distance(const World::Segment& segment) const;
+  /// if there is none, and possibly if none is nearer than the squared distance `limit`.
+  double squared_distance(const World::Segment& segment, double limit) const;
 
   /// The same for a filled circle; 0 from inside it.
-  double squared_distance(const World::Circle& circle) const;
+  double squared_distance(const World::Circle& circle, double limit) const;
 
  private:
   static constexpr double kNothing = std::numeric_limits<double>::infinity();
@@ -79,41 +78,47 @@ class Cone {
   Vec2 right_;
 };
 
-inline double Cone::bound(const Box& box) const {
+inline double Cone::bound(const Box& box, double limit) const {
   const Vec2 min{box.min_x - apex_.x(), box.min_y - apex_.y()};
   const Vec2 max{box.max_x - apex_.x(), box.max_y - apex_.y()};
-  if (farthest(-right_.y(), right_.x(), min, max) < 0.0) return kNothing;
-  if (farthest(left_.y(), -left_.x(), min, max) < 0.0) return kNothing;
-  if (farthest(axis_.x(), axis_.y(), min, max) < 0.0) return kNothing;
   const double dx = std::max(std::max(min.x(), -max.x()), 0.0);
   const double dy = std::max(std::max(min.y(), -max.y()), 0.0);
-  return dx * dx + dy * dy;
+  const double squared_distance = dx * dx + dy * dy;
+  if (!(squared_distance < limit) || farthest(-right_.y(), right_.x(), min, max) < 0.0 ||
+      farthest(left_.y(), -left_.x(), min, max) < 0.0 ||
+      farthest(axis_.x(), axis_.y(), min, max) < 0.0) {
+    return kNothing;
+  }
+  return squared_distance;
 }
 
-inline double Cone::squared_distance(const World::Segment& segment) const {
+inline double Cone::squared_distance(const World::Segment& segment, double limit) const {
   const Vec2 a{segment.a.x() - apex_.x(), segment.a.y() - apex_.y()};
   const Vec2 b{segment.b.x() - apex_.x(), segment.b.y() - apex_.y()};
+  const Vec2 edge{b.x() - a.x(), b.y() - a.y()};
+  const double squared_length = dot(edge, edge);
+  const double area = cross(a, b);
+  // The line through the segment is too far away; the factor leaves doubtful cases to the rest.
+  if (area * area > limit * squared_length * (1.0 + 1e-12)) return kNothing;
   double from = 0.0;
   double to = 1.0;
   if (!clip(cross(right_, a), cross(right_, b), from, to)) return kNothing;
   if (!clip(cross(a, left_), cross(b, left_), from, to)) return kNothing;
   if (!clip(dot(axis_, a), dot(axis_, b), from, to)) return kNothing;
   if (from > to) return kNothing;
-  const double ex = b.x() - a.x();
-  const double ey = b.y() - a.y();
-  const double squared_length = ex * ex + ey * ey;
-  const double foot = squared_length > 0.0 ? -(a.x() * ex + a.y() * ey) / squared_length : 0.0;
+  const double foot = squared_length > 0.0 ? -dot(a, edge) / squared_length : 0.0;
   const double t = std::min(std::max(foot, from), to);
-  const double x = a.x() + t * ex;
-  const double y = a.y() + t * ey;
-  return x * x + y * y;
+  const Vec2 nearest{a.x() + t * edge.x(), a.y() + t * edge.y()};
+  return dot(nearest, nearest);
 }
 
 // The disc and the cone are convex. If the point of the disc that is nearest to the apex is outside
 // the cone, the nearest one inside lies on one of the cone's edges.
-inline double Cone::squared_distance(const World::Circle& circle) const {
+inline double Cone::squared_distance(const World::Circle& circle, double limit) const {
   const Vec2 centre{circle.centre.x() - apex_.x(), circle.centre.y() - apex_.y()};
   const double squared_centre = dot(centre, centre);
+  // |centre|^2 > 2 (limit + radius^2) >= (sqrt(limit) + radius)^2: too far away.
+  if (squared_centre > 2.0 * (limit + circle.radius_m * circle.radius_m)) return kNothing;
   const double power = squared_centre - circle.radius_m * circle.radius_m;
   if (power <= 0.0) return 0.0;
   double distance = kNothing;

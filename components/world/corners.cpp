@@ -29,19 +29,20 @@ void add_arm(std::vector<Arm>& arms, const Vec2& from, const Vec2& to) {
 }
 
 // All arms at a point, counter-clockwise.
-std::vector<Arm> arms_at(const Indexed<World::Segment>& segments, const Vec2& point) {
+std::vector<Arm> arms_at(const Indexed<World::Segment>& segments,
+                         const std::vector<World::Segment>& boundary, const Vec2& point) {
   std::vector<Arm> arms;
+  const auto look = [&](const World::Segment& s) {
+    if (distance(point, nearest_point(s, point)) > kJoin_m) return;
+    add_arm(arms, point, s.a);
+    add_arm(arms, point, s.b);
+  };
   segments.tree.visit_nearest_first(
       [&](const Box& box) {
         return squared_distance(point, box) <= kJoin_m * kJoin_m ? 0.0 : kFar;
       },
-      kFar,
-      [&](std::uint32_t i) {
-        const World::Segment& s = segments.shapes[i];
-        if (distance(point, nearest_point(s, point)) > kJoin_m) return;
-        add_arm(arms, point, s.a);
-        add_arm(arms, point, s.b);
-      });
+      kFar, [&](std::uint32_t i) { look(segments.shapes[i]); });
+  for (const World::Segment& side : boundary) look(side);
   std::sort(arms.begin(), arms.end(),
             [](const Arm& a, const Arm& b) { return a.angle_rad < b.angle_rad; });
   return arms;
@@ -58,12 +59,15 @@ bool filled(const Vec2& point, const FilledAreas& polygons, const Indexed<World:
   return limit == 0.0 || polygons.contains(point);
 }
 
-std::vector<Vec2> distinct_ends(const Indexed<World::Segment>& segments) {
+std::vector<Vec2> distinct_ends(const Indexed<World::Segment>& segments,
+                                const std::vector<World::Segment>& boundary) {
   std::vector<Vec2> ends;
-  ends.reserve(2 * segments.shapes.size());
-  for (const World::Segment& s : segments.shapes) {
-    ends.push_back(s.a);
-    ends.push_back(s.b);
+  ends.reserve(2 * (segments.shapes.size() + boundary.size()));
+  for (const auto* shapes : {&segments.shapes, &boundary}) {
+    for (const World::Segment& s : *shapes) {
+      ends.push_back(s.a);
+      ends.push_back(s.b);
+    }
   }
   std::sort(ends.begin(), ends.end(), [](const Vec2& a, const Vec2& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
@@ -75,11 +79,12 @@ std::vector<Vec2> distinct_ends(const Indexed<World::Segment>& segments) {
 }  // namespace
 
 std::vector<Corner> find_corners(const Indexed<World::Segment>& segments,
+                                 const std::vector<World::Segment>& boundary,
                                  const FilledAreas& polygons,
                                  const Indexed<World::Circle>& circles) {
   std::vector<Corner> corners;
-  for (const Vec2& point : distinct_ends(segments)) {
-    const std::vector<Arm> arms = arms_at(segments, point);
+  for (const Vec2& point : distinct_ends(segments, boundary)) {
+    const std::vector<Arm> arms = arms_at(segments, boundary, point);
     for (std::size_t i = 0; arms.size() > 1 && i < arms.size(); ++i) {
       const Corner corner{point, arms[i].direction, arms[(i + 1) % arms.size()].direction};
       if (cross(corner.right, corner.left) <= kStraight) continue;  // none, or on the far side
@@ -94,7 +99,8 @@ std::optional<double> nearest_corner_m(const Indexed<Corner>& corners, const Con
                                        double max_distance_m) {
   const double limit = max_distance_m * max_distance_m;
   double nearest = limit;
-  corners.tree.visit_nearest_first([&](const Box& box) { return cone.bound(box); }, nearest,
+  corners.tree.visit_nearest_first([&](const Box& box) { return cone.bound(box, nearest); },
+                                   nearest,
                                    [&](std::uint32_t i) {
                                      const Corner& corner = corners.shapes[i];
                                      if (!corner.faces(cone.apex()) || !cone.contains(corner.point))

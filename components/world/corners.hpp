@@ -29,9 +29,10 @@ inline Box box_of(const Corner& corner) {
   return {corner.point.x(), corner.point.y(), corner.point.x(), corner.point.y()};
 }
 
-/// The corners of a world's segments: where one ends within a millimetre of another. Corners that
-/// lie inside filled obstacles are left out.
+/// The corners of a world's segments and its boundary: where one ends within a millimetre of
+/// another. Corners that lie inside filled obstacles are left out.
 std::vector<Corner> find_corners(const Indexed<World::Segment>& segments,
+                                 const std::vector<World::Segment>& boundary,
                                  const FilledAreas& polygons,
                                  const Indexed<World::Circle>& circles);
 

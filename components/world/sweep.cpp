@@ -41,10 +41,11 @@ double reach_side(const Motion& motion, const World::Segment& segment, double ra
     beside = -beside;
     closing = -closing;
   }
-  if (beside < radius_m || closing <= 0.0) return kNever;
-  const double fraction = (beside - radius_m) / closing;
+  if (closing <= 0.0) return kNever;
+  const double fraction = std::max((beside - radius_m) / closing, 0.0);
   const double along = (dot(edge, p) + fraction * dot(edge, motion.way)) / length;
-  return along >= 0.0 && along <= length ? fraction : kNever;
+  // A little beyond the ends, so that rounding leaves no gap between the sides and the end circles.
+  return along >= -kSweepMargin_m && along <= length + kSweepMargin_m ? fraction : kNever;
 }
 
 double least_distance(const Motion& motion, const World::Segment& segment) {

@@ -32,13 +32,6 @@ std::vector<World::Segment> solid_segments(const WorldFile& file) {
   return segments;
 }
 
-std::vector<World::Segment> all_segments(const WorldFile& file) {
-  std::vector<World::Segment> segments = solid_segments(file);
-  const auto boundary = file.boundary();
-  segments.insert(segments.end(), boundary.begin(), boundary.end());
-  return segments;
-}
-
 // The nearest touching points, sorted by distance.
 class Contacts {
  public:
@@ -103,7 +96,7 @@ struct World::Content {
         segments(solid_segments(file)),
         circles(file.circles),
         areas(file.polygons),
-        corners(find_corners(Indexed<Segment>(all_segments(file)), areas, circles)) {}
+        corners(find_corners(segments, boundary, areas, circles)) {}
 
   Circle disc_at(const MovingObstacle& obstacle, double time_s) const {
     return {obstacle.position_at(time_s), obstacle.radius_m};
@@ -155,16 +148,31 @@ core::Result<void> World::check_robot_fits(double radius_m) const {
   return error;
 }
 
+ConeDirection ConeDirection::of(double bearing_rad, double half_angle_rad) {
+  return {core::direction(bearing_rad), core::direction(half_angle_rad)};
+}
+
+ConeDirection ConeDirection::turned(const Vec2& turn) const {
+  return {{axis.x() * turn.x() - axis.y() * turn.y(), axis.y() * turn.x() + axis.x() * turn.y()},
+          half_angle};
+}
+
 double World::cone_distance_m(const Vec2& apex, double bearing_rad, double half_angle_rad,
+                              double max_distance_m, double time_s) const {
+  return cone_distance_m(apex, ConeDirection::of(bearing_rad, half_angle_rad), max_distance_m,
+                         time_s);
+}
+
+double World::cone_distance_m(const Vec2& apex, const ConeDirection& direction,
                               double max_distance_m, double time_s) const {
   const Content& content = *content_;
   if (content.areas.contains(apex)) return 0.0;
-  const Cone cone(apex, bearing_rad, half_angle_rad);
+  const Cone cone(apex, direction);
   double nearest = max_distance_m * max_distance_m;
   const double farthest = nearest;
-  const auto bound = [&](const Box& box) { return cone.bound(box); };
+  const auto bound = [&](const Box& box) { return cone.bound(box, nearest); };
   const auto look = [&](const auto& shape) {
-    nearest = std::min(nearest, cone.squared_distance(shape));
+    nearest = std::min(nearest, cone.squared_distance(shape, nearest));
   };
   for (const MovingObstacle& obstacle : content.file.moving)
     look(content.disc_at(obstacle, time_s));
@@ -180,7 +188,8 @@ double World::cone_distance_m(const Vec2& apex, double bearing_rad, double half_
 
 std::optional<double> World::corner_distance_m(const Vec2& apex, double bearing_rad,
                                                double half_angle_rad, double max_distance_m) const {
-  return nearest_corner_m(content_->corners, Cone(apex, bearing_rad, half_angle_rad),
+  return nearest_corner_m(content_->corners,
+                          Cone(apex, ConeDirection::of(bearing_rad, half_angle_rad)),
                           max_distance_m);
 }
 
@@ -218,7 +227,9 @@ Sweep World::sweep_disc(const Vec2& from, const Vec2& to, double radius_m, doubl
   const auto touch_segment = [&](const Segment& s) {
     if (touch(s, radius_m)) sweep.contact_point = nearest_point(s, centre());
   };
-  for (const Segment& side : content.boundary) touch_segment(side);
+  for (const Segment& side : content.boundary) {
+    if (contact_bound(motion, radius_m, box_of(side)) < 1.0) touch_segment(side);
+  }
   content.segments.tree.visit_nearest_first(
       [&](const Box& box) { return contact_bound(motion, radius_m, box); }, sweep.free_fraction,
       [&](std::uint32_t i) { touch_segment(content.segments.shapes[i]); });

@@ -38,6 +38,19 @@ struct Sweep {
   bool moving_obstacle = false;       ///< the obstacle touched moves
 };
 
+/// Which way a cone looks and how wide it is. It is made with four sines and cosines and turned
+/// without any, so a sensor makes its cones once and turns them with the robot.
+struct ConeDirection {
+  Vec2 axis = Vec2::UnitX();        ///< unit vector
+  Vec2 half_angle = Vec2::UnitX();  ///< cosine and sine
+
+  /// half_angle_rad in [0, pi/2); 0 is a ray.
+  static ConeDirection of(double bearing_rad, double half_angle_rad);
+  /// Turned counter-clockwise by the angle whose unit vector is `turn`: a cone of the robot's frame
+  /// into the world's frame, if `turn` is core::direction of its heading.
+  ConeDirection turned(const Vec2& turn) const;
+};
+
 /// A world file (`clew-world/1`), checked and indexed for queries. Immutable; safe to share between
 /// threads. Obstacles are the boundary, walls, polygons and circles (filled), and moving discs; all
 /// queries take the simulated time, which only moving ones need.
@@ -89,6 +102,8 @@ class World {
   /// half_angle_rad in [0, pi/2); 0 is a ray. bearing_rad in the world's frame.
   double cone_distance_m(const Vec2& apex, double bearing_rad, double half_angle_rad,
                          double max_distance_m, double time_s) const;
+  double cone_distance_m(const Vec2& apex, const ConeDirection& cone, double max_distance_m,
+                         double time_s) const;
 
   /// The two walls' corner that a sonar in this cone would look into, if any: an inner corner
   /// (where two segments meet at less than 180 degrees on the side of the apex) inside the cone and

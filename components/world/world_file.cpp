@@ -101,10 +101,11 @@ Result<void> read(const YamlNode& node, Polygon& polygon) {
         "the last is joined to the first");
   }
   if (const auto crossing = find_crossing(polygon)) {
-    return node.error(fmt::format(
-        "the polygon crosses or touches itself where its sides {} and {} "
-        "meet (side 0 begins at its first point)",
-        std::min(crossing->first, crossing->second), std::max(crossing->first, crossing->second)));
+    const auto [first, second] = std::minmax(crossing->first, crossing->second);
+    return (*items)[second].error(fmt::format(
+        "the polygon crosses or touches itself: the side that begins here, {}, meets side {} (side "
+        "0 begins at the first point)",
+        second, first));
   }
   return {};
 }
@@ -213,7 +214,7 @@ Result<void> check_free(const YamlNode& node, const char* what, const Vec2& poin
   }
   const NearestObstacle nearest = nearest_obstacle(world, point, obstacles);
   if (nearest.clearance_m > 0.0) return {};
-  return node.error(fmt::format("the {} [{}, {}] is inside an obstacle, {}", what, point.x(),
+  return node.error(fmt::format("the {} [{}, {}] is inside or on an obstacle, {}", what, point.x(),
                                 point.y(), nearest.name));
 }
 
