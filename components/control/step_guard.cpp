@@ -8,9 +8,6 @@
 namespace clew::control {
 namespace {
 
-// Where steps shrink toward a contact without end, a step below this is none.
-constexpr double kLeastStep_m = 0.01;
-
 /// How far a disc of radius rho_m may move before it touches a point at distance_m from its centre,
 /// angle_rad off its way.
 double free_before_point_m(double distance_m, double angle_rad, double rho_m) {
@@ -24,14 +21,14 @@ double free_before_point_m(double distance_m, double angle_rad, double rho_m) {
 
 domain::Motion StepGuard::limit(const domain::Motion& motion, const domain::Odometry& odometry,
                                 const domain::Scan& scan) {
-  remember_contacts(odometry);
+  keep_contacts(odometry);
   if (!parameters_.enabled || motion.kind != domain::CommandKind::kTurnAndStep ||
       motion.step_m <= 0.0) {
     return motion;
   }
   domain::Motion limited = motion;
   limited.step_m = std::min(motion.step_m, free_m(motion.turn_rad, odometry, scan));
-  if (limited.step_m >= std::min(motion.step_m, kLeastStep_m)) {
+  if (limited.step_m >= std::min(motion.step_m, parameters_.least_step_m)) {
     state_.turning_side = 0;
     return limited;
   }
@@ -43,20 +40,13 @@ domain::Motion StepGuard::limit(const domain::Motion& motion, const domain::Odom
   return limited;
 }
 
-void StepGuard::remember_contacts(const domain::Odometry& odometry) {
-  const core::Pose2& pose = odometry.pose_odom_robot;
-  decltype(state_.contacts) kept;
-  for (const Contact& contact : state_.contacts) {
-    if (odometry.travel_m - contact.travel_m <= parameters_.contact_memory_m) {
-      kept.push_back(contact);
-    }
-  }
+void StepGuard::keep_contacts(const domain::Odometry& odometry) {
+  if (odometry.travel_m != state_.travel_m) state_.contacts_odom_rad.clear();
+  state_.travel_m = odometry.travel_m;
   for (const double bearing_rad : odometry.contact_bearings_rad) {
-    if (kept.full()) break;
-    kept.push_back({pose.position() + radius_m_ * core::direction(pose.heading_rad + bearing_rad),
-                    odometry.travel_m});
+    if (state_.contacts_odom_rad.full()) break;
+    state_.contacts_odom_rad.push_back(odometry.pose_odom_robot.heading_rad + bearing_rad);
   }
-  state_.contacts = kept;
 }
 
 /// How far the robot may go after a turn, as far as cones and contacts tell.
@@ -70,35 +60,21 @@ double StepGuard::free_m(double turn_rad, const domain::Odometry& odometry,
     const double angle_rad = std::max(0.0, off_axis_rad - 0.5 * scan.beam_width_rad);
     free_m = std::min(free_m, free_before_point_m(scan.ranges_m[i] + radius_m_, angle_rad, rho_m));
   }
-  const core::Pose2& pose = odometry.pose_odom_robot;
-  for (const Contact& contact : state_.contacts) {
-    const double angle_rad = core::bearing_rad(pose, contact.point_odom) - turn_rad;
-    const double distance_m = core::distance_m(pose, contact.point_odom);
-    free_m = std::min(free_m, free_before_point_m(distance_m, angle_rad, rho_m));
+  const double way_odom_rad = odometry.pose_odom_robot.heading_rad + turn_rad;
+  for (const double contact_rad : state_.contacts_odom_rad) {
+    free_m = std::min(free_m, free_before_point_m(radius_m_, contact_rad - way_odom_rad, rho_m));
   }
   return free_m;
 }
 
-/// Where the nearest reading or remembered contact is.
+/// Where the nearest return is: the first contact, which has no distance, or the shortest reading.
 double StepGuard::nearest_bearing_rad(const domain::Odometry& odometry,
                                       const domain::Scan& scan) const {
-  double nearest_m = std::numeric_limits<double>::max();
-  double bearing_rad = 0.0;
-  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
-    if (scan.ranges_m[i] + radius_m_ < nearest_m) {
-      nearest_m = scan.ranges_m[i] + radius_m_;
-      bearing_rad = scan.bearing_rad(i);
-    }
+  if (!state_.contacts_odom_rad.empty()) {
+    return core::wrap_angle_rad(state_.contacts_odom_rad[0] - odometry.pose_odom_robot.heading_rad);
   }
-  const core::Pose2& pose = odometry.pose_odom_robot;
-  for (const Contact& contact : state_.contacts) {
-    const double distance_m = core::distance_m(pose, contact.point_odom);
-    if (distance_m < nearest_m) {
-      nearest_m = distance_m;
-      bearing_rad = core::bearing_rad(pose, contact.point_odom);
-    }
-  }
-  return bearing_rad;
+  const auto shortest = std::min_element(scan.ranges_m.begin(), scan.ranges_m.end());
+  return scan.bearing_rad(static_cast<std::size_t>(shortest - scan.ranges_m.begin()));
 }
 
 }  // namespace clew::control

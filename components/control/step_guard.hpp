@@ -6,16 +6,15 @@
 #include "core/angle.hpp"
 #include "core/archive.hpp"
 #include "core/bounded_vector.hpp"
-#include "core/geometry.hpp"
 #include "domain/messages.hpp"
 
 namespace clew::control {
 
 struct StepGuardParameters {
   bool enabled = true;
-  double margin_m = 0.02;
+  double margin_m = 0.05;
+  double least_step_m = 0.01;
   double turn_away_rad = core::radians(15.0);
-  double contact_memory_m = 0.6;
 };
 
 template <typename Visitor>
@@ -23,43 +22,40 @@ void visit_parameters(Visitor& visit, StepGuardParameters& p) {
   visit.flag("guard", p.enabled, "whether steps are cut to what the scan shows free");
   visit.number("guard_margin_m", p.margin_m, "m", {0.0, 0.5},
                "room kept beside and before the body");
+  visit.number("guard_least_step_m", p.least_step_m, "m", {0.0, 0.1},
+               "what is left of a step, if less, counts as nothing");
   visit.angle("guard_turn_deg", p.turn_away_rad, {1.0, 90.0},
               "turn away from the nearest return where no step is left");
-  visit.number("contact_memory_m", p.contact_memory_m, "m", {0.0, 10.0},
-               "travel for which a contact is remembered");
 }
 
 /// Cuts a step to what is known to be free: the control law of Krishna & Kalra 2000 takes no step
 /// to 0 and does not see beside itself, and collides as printed in half of the worlds.
 ///
-/// Each reading d of a cone stands for an arc of points at d + r from the centre; a disc of radius
-/// rho = r + margin that moves off at an angle alpha from the arc's nearest end may go
+/// A reading d of a cone stands for an arc of points at d + r from the centre. A disc of radius rho
+/// = r + margin that moves off at an angle alpha from the arc's nearest end may go
 ///
 ///     (d + r) cos alpha - sqrt(rho^2 - ((d + r) sin alpha)^2)
 ///
-/// before it touches. Contacts are points on the skin, remembered for some travel, since the cones
-/// do not see beside the robot. Where no step is left the robot turns on the spot, away from the
-/// nearest return, and keeps that side until it moves again: without it, it deadlocks at corners.
+/// before it touches. Contacts that the bumpers felt are returns on the skin until the robot moves
+/// away, since the cones do not see beside it: else drive and guard hold each other still. Where no
+/// step is left the robot turns on the spot, away from the nearest return, and keeps that side
+/// until it moves again; without that it deadlocks at corners. Steps that shrink toward an obstacle
+/// without end count as nothing from least_step_m down.
 ///
 /// The guard binds every motion, the overrides of recovery included, but only turn-and-step ones:
-/// others need the drive's own limits.
+/// others need a drive's own limits.
 class StepGuard {
  public:
-  static constexpr std::size_t kMaxRemembered = 16;
-
-  struct Contact {
-    core::Vec2 point_odom = core::Vec2::Zero();
-    double travel_m = 0.0;  ///< when it was made
-  };
   struct State {
-    core::BoundedVector<Contact, kMaxRemembered> contacts;  ///< oldest first
     std::int8_t turning_side = 0;  ///< 1 left, -1 right, 0 not turning on the spot
+    double travel_m = 0.0;         ///< where the contacts are
+    core::BoundedVector<double, domain::kMaxContacts> contacts_odom_rad;  ///< directions
   };
 
   StepGuard(const StepGuardParameters& parameters, double radius_m)
       : parameters_(parameters), radius_m_(radius_m) {}
 
-  /// The motion, or what is allowed of it. Called every tick, so that no contact is missed.
+  /// The motion, or what is allowed of it. Called every tick.
   domain::Motion limit(const domain::Motion& motion, const domain::Odometry& odometry,
                        const domain::Scan& scan);
 
@@ -67,7 +63,7 @@ class StepGuard {
   const State& state() const { return state_; }
 
  private:
-  void remember_contacts(const domain::Odometry& odometry);
+  void keep_contacts(const domain::Odometry& odometry);
   double free_m(double turn_rad, const domain::Odometry& odometry, const domain::Scan& scan) const;
   double nearest_bearing_rad(const domain::Odometry& odometry, const domain::Scan& scan) const;
 
@@ -77,12 +73,8 @@ class StepGuard {
 };
 
 template <typename Visitor>
-void visit_fields(Visitor& visit, StepGuard::Contact& c) {
-  visit(c.point_odom, c.travel_m);
-}
-template <typename Visitor>
 void visit_fields(Visitor& visit, StepGuard::State& s) {
-  visit(s.contacts, s.turning_side);
+  visit(s.turning_side, s.travel_m, s.contacts_odom_rad);
 }
 
 }  // namespace clew::control

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "classify/som_training.hpp"
+#include "core/yaml_reader.hpp"
+
+namespace clew::classify {
+namespace {
+
+using core::Result;
+using core::YamlNode;
+
+constexpr char kFormat[] = "clew-som-training/1";
+constexpr std::int64_t kLeastIterations = 100 * static_cast<std::int64_t>(Som::kNeurons);
+
+Result<void> read_format(const YamlNode& root) {
+  const auto format = root.at("format");
+  if (!format.ok()) return format.error();
+  const auto name = format->string();
+  if (name.ok() && *name == kFormat) return {};
+  return format->error(std::string("expected ") + kFormat + ", found " + format->found());
+}
+
+Result<void> read_count(const YamlNode& root, const char* key, std::int64_t least,
+                        std::uint64_t& field) {
+  const auto node = root.at(key);
+  if (!node.ok()) return node.error();
+  const auto number = node->integer();
+  if (!number.ok()) return number.error();
+  if (*number < least) {
+    return node->error("expected at least " + std::to_string(least) + ", found " + node->found());
+  }
+  field = static_cast<std::uint64_t>(*number);
+  return {};
+}
+
+/// A pair [first, last] with 0 < last <= first <= most.
+Result<void> read_annealed(const YamlNode& root, const char* key, double most,
+                           std::array<double, 2>& field) {
+  const auto node = root.at(key);
+  if (!node.ok()) return node.error();
+  const auto pair = node->numbers(2, "[first, last]");
+  if (!pair.ok()) return pair.error();
+  field = {(*pair)[0], (*pair)[1]};
+  if (field[1] > 0.0 && field[1] <= field[0] && field[0] <= most) return {};
+  return node->error("expected [first, last] with 0 < last <= first <= " + std::to_string(most));
+}
+
+Result<void> read_least_runs(const YamlNode& root, RunLengths& field) {
+  const auto node = root.at("least_runs_ticks");
+  if (!node.ok()) return node.error();
+  const auto lengths = node->numbers(3, "three numbers of ticks");
+  if (!lengths.ok()) return lengths.error();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double length = (*lengths)[i];
+    if (length < 1.0 || length > 1e6 || length != std::floor(length)) {
+      return node->error("a run is a whole number of ticks, at least 1");
+    }
+    field[i] = static_cast<std::uint32_t>(length);
+  }
+  return {};
+}
+
+Result<void> read_scales(const YamlNode& root, std::vector<double>& field) {
+  const auto node = root.at("scales");
+  if (!node.ok()) return node.error();
+  const auto items = node->items();
+  if (!items.ok()) return items.error();
+  for (const YamlNode& item : *items) {
+    const auto scale = item.number();
+    if (!scale.ok()) return scale.error();
+    const bool falls = field.empty() ? *scale == 1.0 : *scale < field.back() && *scale > 0.0;
+    if (!falls) return item.error("scales fall from 1 and stay above 0");
+    field.push_back(*scale);
+  }
+  return field.empty() ? Result<void>(node->error("expected at least the scale 1"))
+                       : Result<void>();
+}
+
+Result<void> read_worlds(const YamlNode& root, std::vector<std::string>& field) {
+  const auto node = root.at("worlds");
+  if (!node.ok()) return node.error();
+  const auto items = node->items();
+  if (!items.ok()) return items.error();
+  for (const YamlNode& item : *items) {
+    const auto name = item.string();
+    if (!name.ok()) return name.error();
+    field.push_back(*name);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<SomRecipe> SomRecipe::parse(const core::Resource& resource) {
+  const auto root = YamlNode::parse(resource.text, resource.file);
+  if (!root.ok()) return root.error();
+  CLEW_RETURN_IF_ERROR(
+      root->check_keys({"format", "seed", "iterations", "learning_rate", "radius_neurons",
+                        "least_runs_ticks", "scales", "worlds"}));
+  CLEW_RETURN_IF_ERROR(read_format(*root));
+  SomRecipe recipe;
+  CLEW_RETURN_IF_ERROR(read_count(*root, "seed", 0, recipe.seed));
+  CLEW_RETURN_IF_ERROR(read_count(*root, "iterations", kLeastIterations, recipe.iterations));
+  CLEW_RETURN_IF_ERROR(read_annealed(*root, "learning_rate", 1.0, recipe.learning_rate));
+  CLEW_RETURN_IF_ERROR(read_annealed(*root, "radius_neurons", 7.0, recipe.radius_neurons));
+  CLEW_RETURN_IF_ERROR(read_least_runs(*root, recipe.least_runs));
+  CLEW_RETURN_IF_ERROR(read_scales(*root, recipe.scales));
+  CLEW_RETURN_IF_ERROR(read_worlds(*root, recipe.worlds));
+  return recipe;
+}
+
+}  // namespace clew::classify
