@@ -119,10 +119,13 @@ inline double Cone::squared_distance(const World::Circle& circle, double limit) 
   const double squared_centre = dot(centre, centre);
   // |centre|^2 > 2 (limit + radius^2) >= (sqrt(limit) + radius)^2: too far away.
   if (squared_centre > 2.0 * (limit + circle.radius_m * circle.radius_m)) return kNothing;
+  const double from_right = cross(right_, centre);
+  const double from_left = cross(centre, left_);
+  if (from_right < -circle.radius_m || from_left < -circle.radius_m) return kNothing;
   const double power = squared_centre - circle.radius_m * circle.radius_m;
   if (power <= 0.0) return 0.0;
   double distance = kNothing;
-  if (contains(circle.centre)) {
+  if (from_right >= 0.0 && from_left >= 0.0 && dot(axis_, centre) >= 0.0) {
     distance = power / (std::sqrt(squared_centre) + circle.radius_m);
   } else {
     distance = std::min(ray_to_circle(left_, centre, power), ray_to_circle(right_, centre, power));
