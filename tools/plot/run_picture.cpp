@@ -185,10 +185,10 @@ std::string draw_runs(const world::World& world, const std::vector<RunTrack>& tr
   draw_title(svg, world, tracks);
   draw_world(svg, view, world, end_time_s(tracks));
   for (const RunTrack& track : tracks) draw_under_track(svg, view, track);
-  draw_start(svg, view, world.start(), tracks[0].robot_radius_m);
   for (std::size_t run = 0; run < tracks.size(); ++run) {
     draw_track(svg, view, tracks[run], TrackPaint::of(run, tracks.size()));
   }
+  draw_start(svg, view, world.start(), tracks[0].robot_radius_m);
   for (std::size_t run = 0; run < tracks.size(); ++run) {
     draw_over_track(svg, view, tracks[run], TrackPaint::of(run, tracks.size()));
   }

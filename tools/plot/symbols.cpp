@@ -81,10 +81,10 @@ std::string_view symbol_name(Symbol symbol) {
 void draw_symbol(SvgWriter& svg, Symbol symbol, const Point& centre, std::string_view outline) {
   switch (symbol) {
     case Symbol::kLandmarkSom:
-      square(svg, centre, 4.5, {"#CBE6F7", kSkyBlue, 1.0});
+      square(svg, centre, 4.2, {"#CBE6F7", kSkyBlue, 1.0});
       return;
     case Symbol::kLandmarkArt:
-      svg.polygon(star(centre, 4, 8.0, 8.0), {"#FBE8BF", kOrange, 1.0});
+      svg.polygon(star(centre, 4, 7.0, 7.0), {"#FBE8BF", kOrange, 1.0});
       return;
     case Symbol::kTrap:
       trap(svg, centre, kYellow, outline);
@@ -93,13 +93,13 @@ void draw_symbol(SvgWriter& svg, Symbol symbol, const Point& centre, std::string
       trap(svg, centre, kWhite, kMovingGrey);
       return;
     case Symbol::kEarlierVisit:
-      svg.circle(centre, 4.5, {kWhite, kPurple, 2.0});
+      svg.circle(centre, 8.5, {"none", kPurple, 2.4});
       return;
     case Symbol::kEscapeBegun:
-      svg.circle(centre, 5.0, {kVermilion, outline, 1.2});
+      svg.circle(centre, 4.5, {kVermilion, outline, 1.2});
       return;
     case Symbol::kEscapeEnded:
-      svg.circle(centre, 5.0, {kGreen, outline, 1.2});
+      svg.circle(centre, 4.5, {kGreen, outline, 1.2});
       return;
     case Symbol::kEscapeFailed:
       svg.circle(centre, 5.0, {kWhite, outline, 1.2});

@@ -54,6 +54,17 @@ void draw_stretches(SvgWriter& svg, const MapView& view, const RunTrack& track, 
   }
 }
 
+/// Draws a trap as a sign beside its place, where the escape's beginning and the earlier visit are
+/// marked, too.
+void draw_trap(SvgWriter& svg, const MapView& view, const TrapMark& trap,
+               std::string_view outline) {
+  constexpr double kAsidePx = 20.0;
+  const Point place = view.at(trap.position);
+  const Point sign{place.x + kAsidePx, place.y - kAsidePx};
+  svg.line(place, sign, {"none", trap.shadow ? kMovingGrey : outline, 1.2});
+  draw_symbol(svg, symbol_of(trap), sign, outline);
+}
+
 void draw_all(SvgWriter& svg, const MapView& view, const std::vector<core::Vec2>& positions,
               Symbol symbol, std::string_view outline) {
   for (const auto& position : positions) draw_symbol(svg, symbol, view.at(position), outline);
@@ -65,8 +76,10 @@ TrackPaint TrackPaint::of(std::size_t run, std::size_t runs) {
   if (runs == 1) {
     return {{"none", kBlue, 2.2}, {"none", kVermilion, 2.8}, false, kBlack};
   }
+  // Earlier runs lie below and are broader, so that they show where paths coincide.
+  const double width_px = 2.0 + 2.2 * static_cast<double>(runs - 1 - run);
   const std::string_view colour = run_colour(run);
-  return {{"none", colour, 2.0}, {"none", colour, 7.0, "", 0.3}, true, colour};
+  return {{"none", colour, width_px}, {"none", colour, width_px + 6.0, "", 0.3}, true, colour};
 }
 
 void draw_under_track(SvgWriter& svg, const MapView& view, const RunTrack& track) {
@@ -100,15 +113,14 @@ void draw_track(SvgWriter& svg, const MapView& view, const RunTrack& track,
 
 void draw_over_track(SvgWriter& svg, const MapView& view, const RunTrack& track,
                      const TrackPaint& paint) {
+  for (const auto& trap : track.traps) {
+    if (trap.earlier) {
+      draw_symbol(svg, Symbol::kEarlierVisit, view.at(*trap.earlier), paint.outline);
+    }
+    draw_trap(svg, view, trap, paint.outline);
+  }
   for (const auto& mark : track.marks) {
     draw_symbol(svg, symbol_of(mark.kind), view.at(mark.position), paint.outline);
-  }
-  for (const auto& trap : track.traps) {
-    if (!trap.earlier) continue;
-    draw_symbol(svg, Symbol::kEarlierVisit, view.at(*trap.earlier), paint.outline);
-  }
-  for (const auto& trap : track.traps) {
-    draw_symbol(svg, symbol_of(trap), view.at(trap.position), paint.outline);
   }
   draw_all(svg, view, track.virtual_targets, Symbol::kVirtualTarget, paint.outline);
   draw_all(svg, view, track.safety_stops, Symbol::kSafetyStop, paint.outline);
