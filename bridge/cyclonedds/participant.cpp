@@ -6,6 +6,7 @@
 
 #include "cyclonedds/configuration.hpp"
 #include "cyclonedds/endpoint.hpp"
+#include "cyclonedds/loopback_sockets.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -102,6 +103,7 @@ class CycloneParticipant : public Participant {
     const dds_entity_t handle = dds_create_participant(domain, qos.get(), nullptr);
     if (handle < 0) return cyclone_error("creating participant " + config.name, handle);
     participant_ = CycloneEntity(handle);
+    confine_to_loopback(config.domain);
     discovery_ = std::make_unique<CycloneDiscovery>(handle, listener_);
     return discovery_->start();
   }
