@@ -42,7 +42,7 @@ class BadInput(unittest.TestCase):
 
 class Graphs(BadInput):
     def test_missing_file(self):
-        self.refused(Run(["run", "no/such.yaml"]), "no/such.yaml", "there is no such file")
+        self.refused(Run(["run", "no/such.yaml"]), "no/such.yaml", "No such file or directory")
 
     def test_unknown_graph_with_the_nearest(self):
         self.refused(Run(["run", "defualt"]), "unknown name 'defualt'", "did you mean 'default'?")
@@ -190,7 +190,8 @@ class Output(BadInput):
 
             self.refused(Run(["run", "reactive", "--record", path]), str(path), "exists")
             self.assertEqual(path.read_text(), "precious")
-            self.assertEqual(Run(["run", "reactive", "--record", path, "--force"]).status, 0)
+            self.assertEqual(Run(["run", "reactive", "--world", "open-field", "--record", path,
+                                  "--force"]).status, 0)
 
     def test_plot_of_what_is_no_recording(self):
         self.refused(Run(["plot", write_file("no recording", ".mcap"), "-o", "/tmp/x.svg"]),
@@ -234,10 +235,11 @@ class Rogues(BadInput):
 
     def test_an_uninvited_writer_changes_nothing(self):
         for vendor in ("cyclonedds", "fastdds"):
-            alone = Run(["run", "reactive", "--json", "--middleware", vendor]).report
+            arguments = ["run", "reactive", "--world", "open-field", "--json", "--middleware",
+                         vendor]
+            alone = Run(arguments).report
 
-            run = Run(["run", "reactive", "--json", "--middleware", vendor, "--prefix",
-                       f"sense={THIRD_PARTY}/rogue_writer --beside"])
+            run = Run([*arguments, "--prefix", f"sense={THIRD_PARTY}/rogue_writer --beside"])
 
             self.assertEqual(run.status, 0, run.err)
             self.assertEqual(run.report["hash"], alone["hash"])

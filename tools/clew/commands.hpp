@@ -62,8 +62,9 @@ struct PlotOptions {
 };
 int plot_command(const PlotOptions& options);
 
+inline constexpr char kDefaultSomRecipe[] = "krishna_kalra_som";
 struct TrainSomOptions {
-  std::string recipe;
+  std::string recipe = kDefaultSomRecipe;
   std::string output;
 };
 int train_som_command(const TrainSomOptions& options);

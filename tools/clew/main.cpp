@@ -10,6 +10,9 @@
 namespace clew::tools {
 namespace {
 
+// Counts travel through YAML as whole numbers that a double holds exactly.
+constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
+
 // A status that a command line gives is remembered here, since CLI11's callbacks return nothing.
 struct Outcome {
   int status = kExitGood;
@@ -22,8 +25,10 @@ void add_overrides(CLI::App& app, runtime::GraphOverrides& overrides) {
       ->allow_extra_args(false);
   app.add_option("--set", overrides.set, "STAGE[.PART][.NAME].PARAM=VALUE: another value")
       ->allow_extra_args(false);
-  app.add_option("--seed", overrides.seed, "of all random numbers (1)");
-  app.add_option("--max-ticks", overrides.max_ticks, "give up after so many (20000)");
+  app.add_option("--seed", overrides.seed, "of all random numbers (1)")
+      ->check(CLI::Range(std::int64_t{0}, kMaxCount));
+  app.add_option("--max-ticks", overrides.max_ticks, "give up after so many (20000)")
+      ->check(CLI::Range(std::int64_t{0}, kMaxCount));
 }
 
 void add_run(CLI::App& main, RunOptions& options, Outcome& outcome) {
@@ -116,7 +121,6 @@ int parse_and_run(int argc, char** argv) {
   ComponentOptions component;
   PlotOptions plot;
   TrainSomOptions train;
-  train.recipe = "krishna_kalra_som_training";
   add_run(app, run, outcome);
   add_check(app, check, outcome);
   add_list(app, list, outcome);

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <fstream>
+
+#include "classify/som_training.hpp"
+#include "clew/commands.hpp"
+#include "clew/scaled_world.hpp"
+#include "runtime/run_plan.hpp"
+#include "stages/all.hpp"
+#include "world/world.hpp"
+
+namespace clew::tools {
+namespace {
+
+using core::Error;
+using core::Resource;
+using core::Result;
+
+// The robot of the paper's training runs: fuzzy control, no memory; classify only tells classes.
+constexpr char kTrainingGraph[] = R"(world: landmark
+robot: disc-015
+max_ticks: 1000
+sense:    {behaviour: cones}
+classify: {behaviour: krishna_kalra, networks: [], som: ""}
+control:  {behaviour: krishna_kalra_fuzzy}
+drive:    {behaviour: turn_then_step}
+)";
+
+/// The training graph in one landmark world; everything else as usual.
+class LandmarkSource : public runtime::ConfigSource {
+ public:
+  LandmarkSource(const runtime::ConfigPath& path, Resource world)
+      : path_(path), world_(std::move(world)) {}
+
+  Result<Resource> find(const std::string& folder, const std::string& name) const override {
+    if (folder == "graphs") return Resource{"training graph", kTrainingGraph};
+    if (folder == "worlds") return world_;
+    return path_.find(folder, name);
+  }
+
+ private:
+  const runtime::ConfigPath& path_;
+  Resource world_;
+};
+
+Result<classify::LandmarkRun> run_past(const std::string& world_name, const Resource& file,
+                                       double scale, const runtime::ConfigPath& path) {
+  const auto world = world::World::parse(file.text, file.file);
+  if (!world.ok()) return world.error();
+  const LandmarkSource source(path, {file.file, scaled_world_yaml(*world, scale)});
+  const auto plan = runtime::prepare_run("training", {}, source, stages::all());
+  if (!plan.ok()) return plan.error();
+  auto nodes = runtime::make_nodes(*plan);
+  if (!nodes.ok()) return nodes.error();
+  runtime::ComposedExecutor executor(std::move(nodes).value(), nullptr);
+  classify::LandmarkRun run{world_name, scale, {}};
+  do {
+    executor.step();
+    run.classes.push_back(std::get<domain::Landmark>(executor.messages()).spatial_class);
+  } while (std::get<domain::State>(executor.messages()).outcome == domain::Outcome::kRunning);
+  return run;
+}
+
+Result<std::string> train(const TrainSomOptions& options) {
+  const auto path = runtime::ConfigPath::from_environment();
+  const auto file = path.find("training", options.recipe);
+  if (!file.ok()) return file.error();
+  const auto recipe = classify::SomRecipe::parse(*file);
+  if (!recipe.ok()) return recipe.error();
+  std::vector<classify::LandmarkRun> runs;
+  for (const std::string& name : recipe->worlds) {
+    const auto world = path.find("worlds", name);
+    if (!world.ok()) return world.error();
+    for (const double scale : recipe->scales) {
+      auto run = run_past(name, *world, scale, path);
+      if (!run.ok()) return run.error();
+      runs.push_back(std::move(run).value());
+    }
+  }
+  std::string command = "clew train som";
+  if (options.recipe != kDefaultSomRecipe) command += " --recipe " + options.recipe;
+  return classify::train_som(*recipe, runs, command);
+}
+
+}  // namespace
+
+int train_som_command(const TrainSomOptions& options) {
+  const auto trained = train(options);
+  if (!trained.ok()) return complain(trained.error());
+  if (options.output.empty()) {
+    std::fputs(trained->c_str(), stdout);
+    return kExitGood;
+  }
+  std::ofstream stream(options.output, std::ios::binary);
+  stream << *trained;
+  if (!stream.flush()) return complain({"cannot be written", options.output, 0, 0});
+  return kExitGood;
+}
+
+}  // namespace clew::tools
