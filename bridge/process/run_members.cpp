@@ -12,21 +12,6 @@ using runtime::Topic;
 
 bool is_foreign(const GraphStage& stage) { return !stage.deployment.exec.empty(); }
 
-}  // namespace
-
-std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayout& layout) {
-  std::vector<Member> members;
-  for (const GraphStage& stage : plan.graph.stages) {
-    Member member;
-    member.stage = stage.info->name;
-    member.foreign = is_foreign(stage);
-    member.external = layout.external.count(member.stage) != 0;
-    member.starts_ticks = stage.ports.delayed_inputs.any();
-    members.push_back(std::move(member));
-  }
-  return members;
-}
-
 std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const GraphStage& stage) {
   std::vector<ExpectedEndpoint> expected;
   for (Topic topic : domain::kAllTopics) {
@@ -43,6 +28,32 @@ std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const Graph
     }
   }
   return expected;
+}
+
+}  // namespace
+
+std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayout& layout) {
+  std::vector<Member> members;
+  for (const GraphStage& stage : plan.graph.stages) {
+    Member member;
+    member.stage = stage.info->name;
+    member.foreign = is_foreign(stage);
+    member.external = layout.external.count(member.stage) != 0;
+    member.starts_ticks = stage.ports.delayed_inputs.any();
+    members.push_back(std::move(member));
+  }
+  return members;
+}
+
+void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
+                     const std::string& stage, Assignment& assignment) {
+  assignment.bundle = plan.bundle;
+  assignment.pace = layout.pace;
+  assignment.pace_factor = layout.pace_factor;
+  assignment.hash = layout.hash;
+  if (const GraphStage* graph_stage = plan.graph.find(stage)) {
+    assignment.expected = expected_endpoints(plan.graph, *graph_stage);
+  }
 }
 
 std::string middleware_of(const GraphStage& stage, const ProcessLayout& layout) {
@@ -71,6 +82,26 @@ ChildCommand command_of(const Member& member, const GraphStage& stage, const Pro
                          {"CLEW_RUN_ID", run_id},
                          {"CYCLONEDDS_URI", cyclonedds_configuration({domain, member.stage})}};
   return command;
+}
+
+std::string missing_text(const std::vector<Member>& members,
+                         const std::vector<std::string>& observed) {
+  std::string text;
+  for (const Member& member : members) {
+    if (!member.foreign && !member.link) text += "\n  " + member.stage + " has not reported";
+    for (const std::string& missing : member.missing) text += "\n  " + missing;
+  }
+  for (const std::string& missing : observed) text += "\n  " + missing;
+  return text;
+}
+
+std::string ticks_text(const std::vector<Member>& members) {
+  std::string text;
+  for (const Member& member : members) {
+    if (member.foreign) continue;
+    text += ' ' + member.stage + ' ' + std::to_string(member.progress.ticks);
+  }
+  return text;
 }
 
 }  // namespace clew::bridge

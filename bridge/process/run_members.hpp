@@ -29,10 +29,10 @@ struct Member {
 /// The members of a plan, in the order of its stages.
 std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayout& layout);
 
-/// The endpoints of others that `stage` must be matched with before tick 0. `observed` topics have
-/// one reader more, in the supervisor.
-std::vector<ExpectedEndpoint> expected_endpoints(const runtime::Graph& graph,
-                                                 const runtime::GraphStage& stage);
+/// Adds to an assignment what follows from the plan and its layout: the bundle, the pace, and the
+/// endpoints of others that `stage` must be matched with before tick 0.
+void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
+                     const std::string& stage, Assignment& assignment);
 
 /// The middleware of a stage: from the command line, else from the graph, else the default.
 std::string middleware_of(const runtime::GraphStage& stage, const ProcessLayout& layout);
@@ -40,5 +40,13 @@ std::string middleware_of(const runtime::GraphStage& stage, const ProcessLayout&
 /// How to start a member's process.
 ChildCommand command_of(const Member& member, const runtime::GraphStage& stage,
                         const ProcessLayout& layout, int domain, const std::string& run_id);
+
+/// Who has not reported, and every endpoint that somebody waits for: `observed` by the observer. A
+/// line each, after a line break.
+std::string missing_text(const std::vector<Member>& members,
+                         const std::vector<std::string>& observed);
+
+/// How many ticks each member has done: ` drive 57 sense 57 ...`.
+std::string ticks_text(const std::vector<Member>& members);
 
 }  // namespace clew::bridge

@@ -2,7 +2,6 @@
 #include "process/supervisor.hpp"
 
 #include <poll.h>
-#include <sys/signalfd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include "process/domain_hold.hpp"
 #include "process/foreign_observer.hpp"
 #include "process/run_members.hpp"
+#include "process/signal_queue.hpp"
 #include "recording/run_hash.hpp"
 
 namespace clew::bridge {
@@ -34,39 +34,6 @@ constexpr auto kStallTimeout = std::chrono::seconds(10);
 constexpr auto kPatience = std::chrono::hours(1);
 constexpr double kPatientLease_s = 3600.0;
 constexpr auto kTermGrace = milliseconds(500);
-
-/// Blocks the signals that concern a supervisor and reads them from a descriptor.
-class SignalQueue {
- public:
-  SignalQueue() {
-    sigemptyset(&set_);
-    for (int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set_, number);
-    ::sigprocmask(SIG_BLOCK, &set_, &before_);
-    descriptor_ = ::signalfd(-1, &set_, SFD_NONBLOCK | SFD_CLOEXEC);
-  }
-  ~SignalQueue() {
-    ::close(descriptor_);
-    ::sigprocmask(SIG_SETMASK, &before_, nullptr);
-  }
-  SignalQueue(const SignalQueue&) = delete;
-  SignalQueue& operator=(const SignalQueue&) = delete;
-
-  int descriptor() const { return descriptor_; }
-  /// The last signal that asks for an end, or 0.
-  int take() {
-    int asked = 0;
-    signalfd_siginfo info{};
-    while (::read(descriptor_, &info, sizeof info) == sizeof info) {
-      if (info.ssi_signo != SIGCHLD) asked = static_cast<int>(info.ssi_signo);
-    }
-    return asked;
-  }
-
- private:
-  sigset_t set_{};
-  sigset_t before_{};
-  int descriptor_ = -1;
-};
 
 class Supervisor {
  public:
@@ -131,18 +98,12 @@ class Supervisor {
   Assignment assignment_for(const std::string& stage, const std::string& middleware) const {
     Assignment assignment;
     assignment.run_id = run_id_;
-    assignment.bundle = plan_.bundle;
     assignment.middleware = middleware;
     assignment.domain = hold_.domain();
     if (patient_) assignment.lease_s = kPatientLease_s;
-    assignment.pace = layout_.pace;
-    assignment.pace_factor = layout_.pace_factor;
-    assignment.hash = layout_.hash;
     assignment.spool = recording_ != nullptr;
     assignment.history_depth = kHistoryDepth;
-    if (const GraphStage* graph_stage = plan_.graph.find(stage)) {
-      assignment.expected = expected_endpoints(plan_.graph, *graph_stage);
-    }
+    fill_assignment(plan_, layout_, stage, assignment);
     return assignment;
   }
 
@@ -288,10 +249,13 @@ class Supervisor {
       if (everybody_ready()) {
         go(now);
       } else if (now - started_at_ > start_timeout()) {
-        abort(start_failure());
+        abort(
+            "not everybody was there within " +
+            std::to_string(static_cast<int>(plan_.graph.start_timeout_s)) + " s:" +
+            missing_text(members_, observer_ ? observer_->missing() : std::vector<std::string>{}));
       }
     } else if (!last_tick_ && now - stalled_since_ > stall_timeout()) {
-      abort(stall());
+      abort("no tick was completed for 10 s; ticks done:" + ticks_text(members_));
     }
     give_credit();
     if (last_tick_ && everybody_finished()) all_finished_ = true;
@@ -348,28 +312,6 @@ class Supervisor {
     for (Member& member : members_) {
       if (member.starts_ticks && member.link) member.link->send(FrameType::kCredit, Tick{credit});
     }
-  }
-
-  std::string start_failure() const {
-    std::string why = "not everybody was there within " +
-                      std::to_string(static_cast<int>(plan_.graph.start_timeout_s)) + " s:";
-    for (const Member& member : members_) {
-      if (!member.foreign && !member.link) why += "\n  " + member.stage + " has not reported";
-      for (const std::string& missing : member.missing) why += "\n  " + missing;
-    }
-    if (observer_) {
-      for (const std::string& missing : observer_->missing()) why += "\n  " + missing;
-    }
-    return why;
-  }
-
-  std::string stall() const {
-    std::string why = "no tick was completed for 10 s; ticks done:";
-    for (const Member& member : members_) {
-      if (member.foreign) continue;
-      why += ' ' + member.stage + ' ' + std::to_string(member.progress.ticks);
-    }
-    return why;
   }
 
   // ---- end ----
