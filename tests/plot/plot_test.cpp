@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/plot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "../recording/scratch_directory.hpp"
+#include "plot/svg_writer.hpp"
+#include "small_run.hpp"
+
+namespace clew::plot_test {
+namespace {
+
+using plot::plot_recordings;
+using recording_test::read_bytes;
+using recording_test::ScratchDirectory;
+
+class Plot : public testing::Test {
+ protected:
+  Plot() { run_.write(recording_); }
+
+  std::string svg_of(const std::vector<std::string>& recordings) {
+    const std::string output = scratch_.file("out.svg");
+    const auto plotted = plot_recordings(recordings, output);
+    EXPECT_TRUE(plotted) << plotted.error().text();
+    return read_bytes(output);
+  }
+
+  const ScratchDirectory scratch_;
+  const std::string recording_ = scratch_.file("run.mcap");
+  const SmallRun run_;
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(Plot, SaysHowTheRunWent) {
+  const std::string svg = svg_of({recording_});
+
+  EXPECT_TRUE(contains(svg, ">small: reached after 4.5 s (tick 9)</text>"));
+  EXPECT_TRUE(contains(svg, ">path 4.5 m (shortest 4.3 m), 1 trap, 1 safety stop, seed 7</text>"));
+}
+
+TEST_F(Plot, ExplainsEveryMarkThatIsInIt) {
+  const std::string svg = svg_of({recording_});
+
+  for (const char* entry :
+       {"path", "path under recovery", "robot at the start", "target",
+        "moving obstacle at the start", "moving obstacle at the end", "landmark known to the SOM",
+        "landmark known to ART", "trap detected", "earlier visit that proves it", "escape begun",
+        "escape ended, way open", "virtual target", "safety stop", "end of the run"}) {
+    EXPECT_TRUE(contains(svg, ">" + std::string(entry) + "</text>")) << entry;
+  }
+  EXPECT_FALSE(contains(svg, ">collision</text>"));
+  EXPECT_FALSE(contains(svg, ">trap, by a shadow detector</text>"));
+}
+
+TEST_F(Plot, DrawsPathAndRecoveryWhereTheRobotWent) {
+  // The map is 720 pixels wide for 10 m, its corner at (24, 80): (1, 2) is at 24 + 72, 80 + 6 * 72.
+  const std::string svg = svg_of({recording_});
+
+  EXPECT_TRUE(contains(svg,
+                       "<path d=\"M96 512L132 512L168 512L204 512L240 512\" fill=\"none\" "
+                       "stroke=\"#0072B2\""));
+  EXPECT_TRUE(contains(svg,
+                       "<path d=\"M240 512L276 512L312 512L348 512\" fill=\"none\" "
+                       "stroke=\"#D55E00\""));
+  EXPECT_TRUE(contains(svg,
+                       "<path d=\"M348 512L384 512L420 512\" fill=\"none\" "
+                       "stroke=\"#0072B2\""));
+}
+
+TEST_F(Plot, IsTheSameBytesEveryTime) { EXPECT_EQ(svg_of({recording_}), svg_of({recording_})); }
+
+TEST_F(Plot, ShowsSeveralRunsInOnePicture) {
+  const std::string other = scratch_.file("other.mcap");
+  run_.write(other);
+
+  const std::string svg = svg_of({recording_, other});
+
+  EXPECT_TRUE(contains(svg, ">small: 2 runs</text>"));
+  EXPECT_TRUE(contains(svg, ">run</text>"));
+  EXPECT_TRUE(contains(svg, ">other</text>"));
+}
+
+TEST_F(Plot, SaysThatARecordingWasCutOff) {
+  const std::string cut = scratch_.file("cut.mcap");
+  run_.write(cut, false);
+
+  EXPECT_TRUE(contains(svg_of({cut}), ">small: recording cut off after 3.5 s (tick 7)</text>"));
+}
+
+TEST_F(Plot, RendersPngs) {
+  const std::string output = scratch_.file("out.png");
+
+  const auto plotted = plot_recordings({recording_}, output);
+
+  ASSERT_TRUE(plotted) << plotted.error().text();
+  EXPECT_EQ(read_bytes(output).substr(0, 8), "\x89PNG\r\n\x1A\n");
+}
+
+TEST_F(Plot, RefusesRunsInDifferentWorlds) {
+  const std::string other = scratch_.file("other.mcap");
+  SmallRun elsewhere;
+  elsewhere.description.bundle["world.yaml"] += "# another text\n";
+  elsewhere.write(other);
+
+  const auto plotted = plot_recordings({recording_, other}, scratch_.file("out.svg"));
+
+  ASSERT_FALSE(plotted);
+  EXPECT_EQ(plotted.error().text(), other + ": was made in another world than " + recording_);
+}
+
+TEST_F(Plot, RefusesOutputsThatItCannotWrite) {
+  const auto wrong_ending = plot_recordings({recording_}, "out.pdf");
+  const auto nowhere = plot_recordings({recording_}, scratch_.file("no/where.svg"));
+
+  ASSERT_FALSE(wrong_ending);
+  EXPECT_EQ(wrong_ending.error().text(), "out.pdf: found ending '.pdf'; allowed: .svg, .png");
+  ASSERT_FALSE(nowhere);
+  EXPECT_EQ(nowhere.error().text(),
+            scratch_.file("no/where.svg") + ": cannot be written: No such file or directory");
+}
+
+TEST_F(Plot, RefusesWhatIsNoRecording) {
+  const std::string text = scratch_.file("text.mcap");
+  recording_test::write_bytes(text, "this is not a recording");
+
+  const auto plotted = plot_recordings({text}, scratch_.file("out.svg"));
+
+  ASSERT_FALSE(plotted);
+  EXPECT_EQ(plotted.error().text(), text + ": is not an MCAP file");
+}
+
+TEST(SvgWriter, WritesNumbersWithAtMostTwoDecimals) {
+  EXPECT_EQ(plot::short_number(0.0), "0");
+  EXPECT_EQ(plot::short_number(-0.001), "0");
+  EXPECT_EQ(plot::short_number(12.5), "12.5");
+  EXPECT_EQ(plot::short_number(-0.254), "-0.25");
+  EXPECT_EQ(plot::short_number(3.999), "4");
+  EXPECT_EQ(plot::short_number(100000.05), "100000.05");
+}
+
+TEST(SvgWriter, EscapesWhatXmlDoesNotAllowInText) {
+  plot::SvgWriter svg(10.0, 10.0);
+
+  svg.text({1.0, 2.0}, "a<b & \"c\"\x01");
+
+  EXPECT_TRUE(contains(std::move(svg).finish(), ">a&lt;b &amp; &quot;c&quot; </text>"));
+}
+
+}  // namespace
+}  // namespace clew::plot_test
