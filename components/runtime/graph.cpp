@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/graph.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/nearest_name.hpp"
@@ -100,8 +102,8 @@ Result<void> settle_tick(Graph& graph, const core::YamlNode& where) {
     const double tick_s = stage.info->tick_s(stage.config);
     if (tick_s <= 0.0) continue;
     if (graph.tick_s > 0.0 && graph.tick_s != tick_s) {
-      return where.error(stage.info->name + " needs a tick of " + std::to_string(tick_s) + " s, " +
-                         who + " one of " + std::to_string(graph.tick_s) + " s");
+      return where.error(fmt::format("{} needs a tick of {} s, {} one of {} s", stage.info->name,
+                                     tick_s, who, graph.tick_s));
     }
     graph.tick_s = tick_s;
     who = stage.info->name;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "core/nearest_name.hpp"
@@ -73,45 +74,60 @@ void drop_parameters_of(RawStage& stage, const std::string& old_name) {
               given.end());
 }
 
+Error unknown_part(const StageInfo& stage, const std::string& name, const Assignment& assignment) {
+  std::vector<std::string> known;
+  for (const PartInfo& part : stage.parts) known.push_back(part.name);
+  return Error{core::unknown_name("part of " + stage.name, name, known), assignment.option, 0, 0};
+}
+
+// The names of `--with STAGE.PART=NAME[,NAME...]`.
+Result<std::vector<RawChoice>> read_names(const StageInfo& stage, const PartInfo& part,
+                                          const std::string& text, const Assignment& assignment) {
+  std::vector<RawChoice> choices;
+  std::istringstream stream(text);
+  for (std::string name; std::getline(stream, name, ',');) {
+    for (const RawChoice& other : choices) {
+      if (other.name == name) {
+        return Error{"'" + name + "' stands twice in the list of " + part.name, assignment.option,
+                     0, 0};
+      }
+    }
+    choices.push_back({name, assignment.value, {}});
+  }
+  if (part.is_list || choices.size() == 1) return choices;
+  return Error{
+      stage.name + '.' + part.name + " takes one name, found " + std::to_string(choices.size()),
+      assignment.option, 0, 0};
+}
+
 Result<void> apply_with(const std::string& text, RawGraph& graph) {
   const auto assignment = split("--with", text);
   if (!assignment.ok()) return assignment.error();
   const auto stage = find_stage(graph, *assignment);
   if (!stage.ok()) return stage.error();
   const StageInfo& info = *(*stage)->info;
-  const std::string part_name =
-      assignment->path.size() > 1 ? assignment->path[1] : std::string(kBehaviourPart);
+  const std::vector<std::string>& path = assignment->path;
+  if (path.size() > 2) {
+    return Error{"expected STAGE[.PART]=NAME[,NAME...], found '" + text + "'", assignment->option,
+                 0, 0};
+  }
+  const std::string part_name = path.size() > 1 ? path[1] : std::string(kBehaviourPart);
   const PartInfo* part = find_part(info, part_name);
-  std::vector<std::string> parts;
-  for (const PartInfo& known : info.parts) parts.push_back(known.name);
-  if (part == nullptr || assignment->path.size() > 2) {
-    return Error{
-        core::unknown_name("part of " + info.name,
-                           assignment->path.size() > 2 ? text.substr(0, text.find('=')) : part_name,
-                           parts),
-        assignment->option, 0, 0};
-  }
-  std::vector<RawChoice> choices;
-  std::istringstream stream(text.substr(text.find('=') + 1));
-  for (std::string name; std::getline(stream, name, ',');) {
-    choices.push_back({name, assignment->value, {}});
-  }
-  if (!part->is_list && choices.size() != 1) {
-    return Error{
-        info.name + '.' + part_name + " takes one name, found " + std::to_string(choices.size()),
-        assignment->option, 0, 0};
-  }
+  if (part == nullptr) return unknown_part(info, part_name, *assignment);
+  auto choices = read_names(info, *part, text.substr(text.find('=') + 1), *assignment);
+  if (!choices.ok()) return choices.error();
   auto& current = (*stage)->parts[part_name];
-  if (part_name == kBehaviourPart && !current.empty() && current.front().name != choices[0].name) {
+  if (part_name == kBehaviourPart && !current.empty() &&
+      current.front().name != choices->front().name) {
     drop_parameters_of(**stage, current.front().name);
   }
   // A behaviour that stays keeps its parameters.
-  for (RawChoice& choice : choices) {
+  for (RawChoice& choice : *choices) {
     for (RawChoice& old : current) {
       if (old.name == choice.name) choice.parameters = old.parameters;
     }
   }
-  current = std::move(choices);
+  current = std::move(choices).value();
   return {};
 }
 
@@ -161,29 +177,39 @@ Result<void> apply_set(const std::string& text, RawGraph& graph) {
     return Error{"expected STAGE[.PART][.NAME].PARAM=VALUE, found '" + text + "'",
                  assignment->option, 0, 0};
   }
+  const StageInfo& info = *(*stage)->info;
+  const bool is_part = find_part(info, path[1]) != nullptr;
   if (path.size() == 2) {
+    if (is_part || path[1] == "process" || path[1] == "exec") {
+      return Error{
+          "'" + path[1] + "' is no parameter" +
+              (is_part ? "; choose it by --with " + path[0] + '.' + path[1] + "=NAME" : ""),
+          assignment->option, 0, 0};
+    }
     assign((*stage)->parameters, path[1], assignment->value);
     return {};
   }
-  std::vector<std::string> parts;
-  for (const PartInfo& part : (*stage)->info->parts) parts.push_back(part.name);
-  if (find_part(*(*stage)->info, path[1]) == nullptr) {
-    return Error{core::unknown_name("part of " + path[0], path[1], parts), assignment->option, 0,
-                 0};
-  }
-  if (path[1] == kBehaviourPart) {
-    assign((*stage)->parameters, path.back(), assignment->value);
-    return {};
-  }
+  if (!is_part) return unknown_part(info, path[1], *assignment);
   const auto choice = find_choice(**stage, *assignment);
   if (!choice.ok()) return choice.error();
-  assign((*choice)->parameters, path.back(), assignment->value);
+  assign(path[1] == kBehaviourPart ? (*stage)->parameters : (*choice)->parameters, path.back(),
+         assignment->value);
   return {};
+}
+
+// A graph file holds signed numbers, and the expanded graph is one.
+Result<void> check_count(const char* option, const std::optional<std::uint64_t>& count) {
+  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (!count || *count <= kMost) return {};
+  return Error{"found " + std::to_string(*count) + "; allowed: 0 to " + std::to_string(kMost),
+               option, 0, 0};
 }
 
 }  // namespace
 
 Result<void> apply_overrides(const GraphOverrides& overrides, RawGraph& graph) {
+  CLEW_RETURN_IF_ERROR(check_count("--seed", overrides.seed));
+  CLEW_RETURN_IF_ERROR(check_count("--max-ticks", overrides.max_ticks));
   if (overrides.world) graph.head.world = *overrides.world;
   if (overrides.robot) graph.head.robot = *overrides.robot;
   if (overrides.seed) graph.head.seed = *overrides.seed;

@@ -8,8 +8,11 @@
 namespace clew::runtime {
 namespace {
 
+// Whether YAML takes the bare text for a text.
 bool is_plain(const std::string& text) {
-  if (text.empty() || text == "true" || text == "false" || text == "null") return false;
+  for (const char* word : {"", "true", "false", "null", "Null", "NULL"}) {
+    if (text == word) return false;
+  }
   if (std::isalpha(static_cast<unsigned char>(text.front())) == 0) return false;
   for (char c : text) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != '-') return false;
@@ -21,6 +24,10 @@ std::string quote(const std::string& text) {
   if (is_plain(text)) return text;
   std::string quoted = "\"";
   for (char c : text) {
+    if (static_cast<unsigned char>(c) < ' ') {
+      quoted += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
+      continue;
+    }
     if (c == '"' || c == '\\') quoted += '\\';
     quoted += c;
   }

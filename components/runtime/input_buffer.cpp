@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/input_buffer.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace clew::runtime {
@@ -10,9 +9,9 @@ InputBuffer::InputBuffer(const NodePorts& ports, std::size_t depth)
     : inputs_(ports.inputs), delayed_(ports.delayed_inputs), slots_(depth) {}
 
 void InputBuffer::restart_at(std::uint64_t tick) {
-  const std::uint64_t last = next_tick_ + slots_.size();
-  for (std::uint64_t t = next_tick_; t < std::min(tick, last); ++t) {
-    slots_[t % slots_.size()].present.reset();
+  for (std::uint64_t t = next_tick_; t < next_tick_ + slots_.size(); ++t) {
+    const bool stays = t >= tick && t - tick < slots_.size();
+    if (!stays) slots_[t % slots_.size()].present.reset();
   }
   next_tick_ = tick;
 }

@@ -22,7 +22,7 @@ class InputBuffer {
 
   /// The tick whose inputs are collected now.
   std::uint64_t next_tick() const { return next_tick_; }
-  /// Goes on from `tick`; what is older is dropped.
+  /// Goes on from `tick`, later or earlier; what is older or too far ahead of it is dropped.
   void restart_at(std::uint64_t tick);
 
   /// Takes a sample by swapping it with an old one.
@@ -30,6 +30,7 @@ class InputBuffer {
   Offer offer(Message& message) {
     constexpr auto kIndex = static_cast<std::size_t>(domain::topic_of<Message>());
     const std::uint64_t tick = message.stamp.tick + (delayed_[kIndex] ? 1 : 0);
+    if (tick < message.stamp.tick) return Offer::kAhead;  // beyond the last number
     if (tick < next_tick_) return Offer::kKnown;
     if (tick - next_tick_ >= slots_.size()) return Offer::kAhead;
     Slot& slot = slots_[tick % slots_.size()];

@@ -39,6 +39,10 @@ Result<RawChoice> read_choice(const YamlNode& node) {
 }
 
 Result<std::vector<RawChoice>> read_choices(const PartInfo& part, const YamlNode& node) {
+  if (part.name == kBehaviourPart && node.kind() != YamlKind::kScalar) {
+    return node.error("expected a behaviour's name, with its parameters beside it; found " +
+                      node.found());
+  }
   if (!part.is_list) {
     auto choice = read_choice(node);
     if (!choice.ok()) return choice.error();

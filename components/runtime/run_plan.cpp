@@ -64,6 +64,7 @@ Result<void> load_robot(const ConfigSource& source, RunPlan& plan) {
   if (!file.ok()) return file.error();
   auto robot = read_robot(*file, plan.graph.robot);
   if (!robot.ok()) return robot.error();
+  plan.graph.robot = robot->name;
   plan.setup.behaviour.robot = std::move(robot).value();
   plan.bundle["robot.yaml"] = std::move(file->text);
   return {};
@@ -106,8 +107,16 @@ Result<domain::Robot> read_robot(const core::Resource& file, const std::string& 
   CLEW_RETURN_IF_ERROR(root->check_keys({"format", "name", "about", "radius_m"}));
   const auto format = root->at("format");
   if (!format.ok()) return format.error();
-  if (format->string().ok() && *format->string() != kRobotFormat) {
+  const auto format_name = format->string();
+  if (!format_name.ok() || *format_name != kRobotFormat) {
     return format->error("format is " + format->found() + "; allowed: " + kRobotFormat);
+  }
+  domain::Robot robot;
+  robot.name = name;
+  if (const auto own_name = root->find("name")) {
+    auto text = own_name->string();
+    if (!text.ok()) return text.error();
+    robot.name = std::move(text).value();
   }
   const auto node = root->at("radius_m");
   if (!node.ok()) return node.error();
@@ -116,7 +125,8 @@ Result<domain::Robot> read_robot(const core::Resource& file, const std::string& 
   if (*radius_m < 0.01 || *radius_m > 5.0) {
     return node->error("radius_m is " + node->found() + "; allowed: 0.01 to 5 m");
   }
-  return domain::Robot{name, *radius_m};
+  robot.radius_m = *radius_m;
+  return robot;
 }
 
 Result<RunPlan> prepare_run(const std::string& graph_name, const GraphOverrides& overrides,

@@ -31,7 +31,8 @@ core::Result<Node> make_node(const RunPlan& plan, const GraphStage& stage);
 /// All of them, in the order of the graph; a stage with exec cannot be composed.
 core::Result<std::vector<Node>> make_nodes(const RunPlan& plan);
 
-/// Reads a robot file: `{format: clew-robot/1, radius_m: 0.15}`, with an optional `name` and `about`.
+/// Reads a robot file: `{format: clew-robot/1, radius_m: 0.15}`, with an optional `name`, else it
+/// is called `name`, and an optional `about`.
 core::Result<domain::Robot> read_robot(const core::Resource& file, const std::string& name);
 
 }  // namespace clew::runtime

@@ -68,14 +68,21 @@ Result<void> check_ports(GraphStage& stage, const TopicSet& written, Graph& grap
   return check_needs(stage, written);
 }
 
-// Repeatedly takes the first stage whose inputs of the same tick are all written by stages taken.
+bool is_still_read(const GraphStage& stage, const std::vector<GraphStage>& left) {
+  return std::any_of(left.begin(), left.end(), [&](const GraphStage& reader) {
+    return (reader.ports.delayed_inputs & stage.ports.outputs).any();
+  });
+}
+
+// Repeatedly takes the first stage whose inputs of the same tick are all written by stages taken,
+// and whose outputs no stage left reads of the tick before.
 Result<void> order_stages(Graph& graph) {
   std::vector<GraphStage> ordered;
   std::vector<GraphStage> left = std::move(graph.stages);
   TopicSet done;
   while (!left.empty()) {
     const auto next = std::find_if(left.begin(), left.end(), [&](const GraphStage& stage) {
-      return (stage.ports.inputs & ~done).none();
+      return (stage.ports.inputs & ~done).none() && !is_still_read(stage, left);
     });
     if (next == left.end()) {
       std::string names;
