@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "dds/participant.hpp"
+#include "patient_writer.hpp"
 
 namespace {
 
@@ -24,12 +25,10 @@ class Deaf : public DiscoveryListener {
 class Echo : public SampleListener {
  public:
   explicit Echo(SampleWriter& writer) : writer_(writer) {}
-  void on_sample(std::string_view cdr, const RemoteEndpoint*) override {
-    if (writer_.write(cdr) != WriteStatus::kTaken) std::abort();
-  }
+  void on_sample(std::string_view cdr, const RemoteEndpoint*) override { writer_.write(cdr); }
 
  private:
-  SampleWriter& writer_;
+  PatientWriter writer_;
 };
 
 }  // namespace

@@ -1,58 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The bridge between two processes, and when one of them dies.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <tuple>
 
+#include "echo_process.hpp"
 #include "recording_listeners.hpp"
 #include "test_domain.hpp"
 
 namespace clew::bridge {
 namespace {
-
-class EchoProcess {
- public:
-  EchoProcess(Vendor vendor, int domain) {
-    const std::string name(vendor_name(vendor));
-    const std::string number = std::to_string(domain);
-    int ends[2];
-    EXPECT_EQ(pipe2(ends, O_CLOEXEC), 0);
-    pid_ = fork();
-    if (pid_ == 0) {
-      dup2(ends[0], STDIN_FILENO);
-      execl(CLEW_BRIDGE_ECHO, CLEW_BRIDGE_ECHO, name.c_str(), number.c_str(), nullptr);
-      _exit(127);
-    }
-    close(ends[0]);
-    stdin_ = ends[1];
-  }
-  ~EchoProcess() { end(); }
-  EchoProcess(const EchoProcess&) = delete;
-  EchoProcess& operator=(const EchoProcess&) = delete;
-
-  pid_t pid() const { return pid_; }
-  void kill_it() {
-    kill(pid_, SIGKILL);
-    end();
-  }
-  /// The status that waitpid gives, once its standard input is closed.
-  int end() {
-    if (stdin_ < 0) return status_;
-    close(stdin_);
-    stdin_ = -1;
-    waitpid(pid_, &status_, 0);
-    return status_;
-  }
-
- private:
-  pid_t pid_ = -1;
-  int stdin_ = -1;
-  int status_ = 0;
-};
 
 class TwoProcesses : public testing::TestWithParam<std::tuple<Vendor, Vendor>> {
  protected:

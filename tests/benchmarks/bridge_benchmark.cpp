@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a message costs on its way: encoding, decoding, and one hop between two processes.
+#include <benchmark/benchmark.h>
+#include <sched.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+
+#include "convert/codec.hpp"
+#include "echo_process.hpp"
+#include "patient_writer.hpp"
+#include "recording_listeners.hpp"
+#include "test_domain.hpp"
+
+namespace clew::bridge {
+namespace {
+
+template <typename Message>
+void encode(benchmark::State& state) {
+  Codec<Message> codec;
+  Message message;
+  for (auto _ : state) {
+    ++message.stamp.tick;
+    benchmark::DoNotOptimize(codec.encode(message).data());
+  }
+}
+
+template <typename Message>
+void decode(benchmark::State& state) {
+  Codec<Message> codec;
+  const std::string bytes(codec.encode(Message{}));
+  Message message;
+  for (auto _ : state) {
+    if (!codec.decode(bytes, message).ok()) state.SkipWithError("refused");
+  }
+}
+
+BENCHMARK_TEMPLATE(encode, domain::Scan);
+BENCHMARK_TEMPLATE(encode, domain::Landmark);
+BENCHMARK_TEMPLATE(encode, domain::Guidance);
+BENCHMARK_TEMPLATE(encode, domain::Command);
+BENCHMARK_TEMPLATE(decode, domain::Scan);
+BENCHMARK_TEMPLATE(decode, domain::Landmark);
+BENCHMARK_TEMPLATE(decode, domain::Guidance);
+BENCHMARK_TEMPLATE(decode, domain::Command);
+
+/// Sends a sample back and forth, in the thread that delivers it.
+class PingPong : public SampleListener {
+ public:
+  void start(PatientWriter& writer, int rounds, std::string_view cdr) {
+    writer_ = &writer;
+    left_ = rounds;
+    writer.write(cdr);
+  }
+  bool wait() {
+    std::unique_lock lock(mutex_);
+    const bool done = ended_.wait_for(lock, kPatience, [&] { return is_done_; });
+    is_done_ = false;
+    return done;
+  }
+  void on_sample(std::string_view cdr, const RemoteEndpoint*) override {
+    if (--left_ > 0) {
+      writer_->write(cdr);
+      return;
+    }
+    const std::lock_guard lock(mutex_);
+    is_done_ = true;
+    ended_.notify_one();
+  }
+
+ private:
+  PatientWriter* writer_ = nullptr;
+  int left_ = 0;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool is_done_ = false;
+};
+
+/// One hop: half of a round trip of 200 bytes between two processes, each on a core of its own,
+/// since placement matters more than anything else. Arguments: the vendor of either side.
+void one_way(benchmark::State& state) {
+  constexpr int kRounds = 2000;
+  cpu_set_t all_cores;
+  sched_getaffinity(0, sizeof all_cores, &all_cores);
+  cpu_set_t first_core;
+  CPU_ZERO(&first_core);
+  CPU_SET(0, &first_core);
+  sched_setaffinity(0, sizeof first_core, &first_core);
+  TestDomain domain;
+  DiscoveryRecord discovery;
+  PingPong game;
+  const auto vendor = static_cast<Vendor>(state.range(0));
+  const auto participant = create_participant(vendor, {domain.number(), "ping", 1.5}, discovery);
+  const auto writer = (*participant)->create_writer({"question", "clew::msg::Test", "", 256});
+  const auto reader = (*participant)->create_reader({"answer", "clew::msg::Test", "", 256}, game);
+  {
+    EchoProcess echo(static_cast<Vendor>(state.range(1)), domain.number(), 1);
+    PatientWriter patient_writer(**writer);
+    std::string cdr("\x00\x01\x00\x00", 4);
+    cdr.resize(200);
+    bool is_playing = discovery.wait_for_matches(2);
+    for (auto _ : state) {
+      game.start(patient_writer, kRounds, cdr);
+      is_playing = is_playing && game.wait();
+      if (!is_playing) state.SkipWithError("the echo is silent");
+    }
+  }
+  sched_setaffinity(0, sizeof all_cores, &all_cores);
+  state.SetLabel(std::string(vendor_name(vendor)) + " to " +
+                 std::string(vendor_name(static_cast<Vendor>(state.range(1)))));
+  state.counters["one_way"] = benchmark::Counter(
+      2.0 * kRounds, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+BENCHMARK(one_way)->ArgsProduct({{0, 1}, {0, 1}})->UseRealTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace clew::bridge
