@@ -7,157 +7,204 @@
 namespace clew::recover {
 namespace {
 
-std::size_t nearest_beam(const domain::Scan& scan) {
-  std::size_t n = 0;
-  for (std::size_t i = 1; i < scan.ranges_m.size(); ++i)
-    if (scan.ranges_m[i] < scan.ranges_m[n]) n = i;
-  return n;
+// A bearing beyond this is behind the robot.
+constexpr double kBehind_rad = core::radians(90.0);
+
+double nearest_bearing_rad(const domain::Scan& scan) {
+  const auto nearest = std::min_element(scan.ranges_m.begin(), scan.ranges_m.end());
+  return scan.bearing_rad(static_cast<std::size_t>(nearest - scan.ranges_m.begin()));
 }
-double nearest_bearing(const domain::Scan& scan) { return scan.bearing_rad(nearest_beam(scan)); }
+
+/// The side of the nearest obstacle; one straight ahead is taken to be on the target's side.
+Side obstacle_side(const Situation& situation) {
+  const double bearing_rad = nearest_bearing_rad(situation.scan);
+  const bool ahead = std::fabs(bearing_rad) < 0.5 * situation.scan.beam_width_rad;
+  return side_of(ahead ? situation.target_bearing_rad() : bearing_rad);
+}
 
 }  // namespace
 
 core::Result<std::unique_ptr<ObstacleFollowing>> ObstacleFollowing::create(
-    const Parameters& parameters, const domain::BehaviourSetup&) {
-  return std::make_unique<ObstacleFollowing>(parameters);
+    const Parameters& parameters, const domain::BehaviourSetup& setup) {
+  if (setup.scan.beam_count != WallFollower::kBeams) {
+    return core::Error{"obstacle_following needs scans of seven beams; '" + setup.scan.sensor +
+                           "' gives " + std::to_string(setup.scan.beam_count),
+                       {},
+                       0,
+                       0};
+  }
+  const auto resource = setup.resources.find("rulebases", parameters.rules);
+  if (!resource.ok()) return resource.error();
+  const auto rules = WallRules::parse(*resource);
+  if (!rules.ok()) return rules.error();
+  return std::make_unique<ObstacleFollowing>(parameters, *rules);
+}
+
+ObstacleFollowing::ObstacleFollowing(const Parameters& parameters, const WallRules& rules)
+    : parameters_(parameters),
+      follower_(rules),
+      close_follower_(rules.scaled(parameters.close_share)),
+      circuit_(parameters.same_place_m) {}
+
+void ObstacleFollowing::begin(const Situation& situation, const TrapEvidence&) {
+  const double last_leave_m = state_.last_leave_m;
+  state_ = {};
+  state_.last_leave_m = last_leave_m;
+  state_.wall = obstacle_side(situation);
+  state_.in_view_travel_m = situation.odometry.travel_m;
+  const bool same_side = side_of(situation.target_bearing_rad()) == state_.wall;
+  if (same_side || !follower_.sees_obstacle(situation.scan)) {
+    enter(Phase::kSeek, situation);  // cases i and ii
+  } else {
+    begin_turning_about(situation);  // cases iii and iv
+  }
+}
+
+EscapeStatus ObstacleFollowing::step(const Situation& situation, domain::Guidance& guidance) {
+  EscapeStatus status = EscapeStatus::kActive;
+  if (state_.phase == Phase::kSeek) status = seek(situation);
+  if (state_.phase == Phase::kFollow) status = follow(situation, guidance);
+  if (state_.phase == Phase::kTurnAbout) turn_about(situation, guidance);
+  if (state_.phase == Phase::kSeek) guidance.why = "step 1";
+  return status;
 }
 
 void ObstacleFollowing::enter(Phase phase, const Situation& situation) {
   state_.phase = phase;
   state_.phase_travel_m = situation.odometry.travel_m;
-  if (phase == Phase::kFollow) {
-    state_.wall_seen_travel_m = situation.odometry.travel_m;
-    state_.circuit_started = false;
-    if (!state_.followed) {
-      state_.followed = true;
-      state_.start_distance_m = situation.target_distance_m();
-      state_.best_distance_m = state_.start_distance_m;
-    }
-  }
 }
 
-void ObstacleFollowing::begin(const Situation& situation, const TrapEvidence&) {
-  state_ = {};
-  const Side target = side_of(situation.target_bearing_rad());
-  double nb = nearest_bearing(situation.scan);
-  if (std::fabs(nb) < 0.01) nb = situation.target_bearing_rad();
-  const Side obstacle = side_of(nb);
-  state_.side = obstacle;
-  if (target == obstacle) {
-    enter(Phase::kSeek, situation);
-  } else {
-    turn_about(situation);
-  }
-}
-
-void ObstacleFollowing::turn_about(const Situation& situation) {
-  // turn toward the obstacle, until it is beside the robot on the other side
-  const double nb = nearest_bearing(situation.scan);
-  const double s = sign(state_.side);
-  state_.turn_left_rad = s * (core::kPi / 2 + std::max(0.0, s * nb));
-  state_.side = opposite(state_.side);
+/// Turns toward the obstacle, until it is abeam on the other side.
+void ObstacleFollowing::begin_turning_about(const Situation& situation) {
+  const double off_ahead_rad =
+      std::max(0.0, sign(state_.wall) * nearest_bearing_rad(situation.scan));
+  state_.turn_left_rad = sign(state_.wall) * (0.5 * core::kPi + off_ahead_rad);
+  state_.wall = opposite(state_.wall);
   enter(Phase::kTurnAbout, situation);
 }
 
-EscapeStatus ObstacleFollowing::step(const Situation& situation, domain::Guidance& guidance) {
-  if (state_.phase == Phase::kSeek) seek(situation);
-  if (state_.phase == Phase::kSeek) {
-    guidance.why = "seek";
-    return EscapeStatus::kActive;
-  }
-  if (state_.phase == Phase::kTurnAbout) {
-    const double turn = std::clamp(state_.turn_left_rad, -core::radians(30.0), core::radians(30.0));
-    state_.turn_left_rad -= turn;
-    guidance.has_override = true;
-    guidance.override_motion.kind = domain::CommandKind::kTurnAndStep;
-    guidance.override_motion.turn_rad = turn;
-    guidance.why = "turn about";
-    if (std::fabs(state_.turn_left_rad) < 1e-9) enter(Phase::kFollow, situation);
-    return EscapeStatus::kActive;
-  }
-  return follow(situation, guidance);
+void ObstacleFollowing::begin_following(const Situation& situation) {
+  enter(Phase::kFollow, situation);
+  state_.wall_travel_m = situation.odometry.travel_m;
+  circuit_.begin(situation.pose(), situation.odometry.travel_m, situation.target_odom);
+  if (state_.separated) return;  // the second circuit leaves by the same distance
+  state_.followed = true;
+  state_.leave_below_m = std::min(state_.last_leave_m, situation.target_distance_m()) -
+                         parameters_.nearer_ratio * situation.scan.range_max_m;
 }
 
-void ObstacleFollowing::seek(const Situation& situation) {
-  const auto& u = situation.scan;
-  const double nearest = u.ranges_m[nearest_beam(u)] / u.range_max_m;
-  const bool in_view = nearest < rules_.break_ratio;
-  const Side target = side_of(situation.target_bearing_rad());
-  const Side obstacle = side_of(nearest_bearing(u));
-  if (in_view && target == obstacle) state_.side = obstacle;
-  if (in_view && target != obstacle && obstacle == state_.side)
-    enter(Phase::kFollow, situation);
-  else if (in_view &&
-           situation.odometry.travel_m - state_.phase_travel_m > parameters_.seek_limit_m) {
-    state_.side = obstacle;
-    enter(Phase::kFollow, situation);
+/// Step 1: the controller is in charge.
+EscapeStatus ObstacleFollowing::seek(const Situation& situation) {
+  const double travel_m = situation.odometry.travel_m;
+  const bool ends = state_.followed && parameters_.leave == LeavingRule::kNearer;
+  if (!follower_.sees_obstacle(situation.scan)) {
+    const bool open = travel_m - state_.in_view_travel_m > parameters_.open_m;
+    return ends && open ? EscapeStatus::kEnded : EscapeStatus::kActive;
   }
+  state_.in_view_travel_m = travel_m;
+
+  const double target_rad = situation.target_bearing_rad();
+  const Side obstacle = obstacle_side(situation);
+  const double sought_m = travel_m - state_.phase_travel_m;
+  if (side_of(target_rad) == obstacle) state_.wall = obstacle;
+  const bool swapped = side_of(target_rad) != obstacle && obstacle == state_.wall &&
+                       std::fabs(target_rad) > kBehind_rad;
+  if (swapped || (!state_.followed && sought_m > parameters_.first_seek_m)) {
+    state_.wall = obstacle;
+    begin_following(situation);
+  } else if (ends && sought_m > parameters_.seek_m) {
+    return EscapeStatus::kEnded;
+  }
+  return EscapeStatus::kActive;
 }
 
-bool ObstacleFollowing::may_leave(const Situation& s) const {
-  const double range = s.scan.range_max_m;
-  const double distance = s.target_distance_m();
-  if (distance > state_.start_distance_m - parameters_.nearer_ratio * range) return false;
-  const double bearing = s.target_bearing_rad();
-  const double half = 0.5 * s.scan.beam_width_rad;
-  const double need = std::min(parameters_.clear_ratio * range, distance);
-  bool covered = false;
-  for (std::size_t i = 0; i < s.scan.ranges_m.size(); ++i) {
-    const double off = std::fabs(core::wrap_angle_rad(s.scan.bearing_rad(i) - bearing));
-    if (off > half + core::radians(15.0)) continue;
-    if (off <= half) covered = true;
-    if (s.scan.ranges_m[i] < need) return false;
-  }
-  return covered;
+void ObstacleFollowing::turn_about(const Situation& situation, domain::Guidance& guidance) {
+  const double turn_rad =
+      std::clamp(state_.turn_left_rad, -parameters_.turn_step_rad, parameters_.turn_step_rad);
+  state_.turn_left_rad -= turn_rad;
+  guidance.has_override = true;
+  guidance.override_motion.kind = domain::CommandKind::kTurnAndStep;
+  guidance.override_motion.turn_rad = turn_rad;
+  guidance.why = "turn about";
+  if (state_.turn_left_rad == 0.0) begin_following(situation);
 }
 
-bool ObstacleFollowing::closes_circuit(const Situation& s) {
-  const core::Pose2& pose = s.pose();
-  if (!state_.circuit_started) {
-    if (state_.breaking) return false;
-    state_.circuit_started = true;
-    state_.circuit_left = false;
-    state_.circuit_start = pose.position();
-    state_.circuit_heading_rad = pose.heading_rad;
-    return false;
-  }
-  const double away = core::length(pose.position() - state_.circuit_start);
-  if (away > 2.0 * parameters_.circuit_radius_m) state_.circuit_left = true;
-  return state_.circuit_left && away < parameters_.circuit_radius_m &&
-         std::fabs(core::wrap_angle_rad(pose.heading_rad - state_.circuit_heading_rad)) <
-             core::radians(60.0);
-}
-
+/// Steps 2 to 4.
 EscapeStatus ObstacleFollowing::follow(const Situation& situation, domain::Guidance& guidance) {
-  state_.breaking = at_break(situation.scan, state_.side, rules_);
-  if (!state_.breaking) state_.wall_seen_travel_m = situation.odometry.travel_m;
-  if (situation.odometry.travel_m - state_.wall_seen_travel_m > parameters_.lost_limit_m) {
-    return EscapeStatus::kFailed;
-  }
-  if (parameters_.leave == LeavingRule::kNearer) {
-    if (may_leave(situation)) return EscapeStatus::kEnded;
-  } else if (state_.breaking && side_of(situation.target_bearing_rad()) == state_.side) {
+  const double travel_m = situation.odometry.travel_m;
+  if (!follower().at_break(situation.scan, state_.wall)) state_.wall_travel_m = travel_m;
+  if (travel_m - state_.wall_travel_m > parameters_.lost_wall_m) return EscapeStatus::kFailed;
+
+  const bool clear = way_is_clear(situation);
+  if (may_leave(situation, clear)) {
+    state_.separated = false;
+    state_.last_leave_m = situation.target_distance_m();
+    state_.in_view_travel_m = travel_m;
     enter(Phase::kSeek, situation);
-    guidance.why = "seek";
     return EscapeStatus::kActive;
   }
-  if (closes_circuit(situation)) {
-    ++state_.circuits;
-    if (state_.circuits == 2) return EscapeStatus::kUnreachable;
-    turn_about(situation);
-    return step(situation, guidance);
+  const auto result =
+      circuit_.add(situation.pose(), travel_m, situation.target_odom, clear, state_.wall);
+  if (result) {
+    const EscapeStatus status = come_round(*result, situation);
+    if (status != EscapeStatus::kActive || state_.phase != Phase::kFollow) return status;
   }
   guidance.has_override = true;
-  guidance.override_motion = follow_wall(situation.scan, state_.side, rules_);
-  guidance.why = state_.side == Side::kLeft ? "wall left" : "wall right";
+  guidance.override_motion = follower().follow(situation.scan, state_.wall);
+  guidance.why = state_.wall == Side::kLeft ? "wall on left" : "wall on right";
   return EscapeStatus::kActive;
+}
+
+/// A circuit has closed.
+EscapeStatus ObstacleFollowing::come_round(CircuitResult result, const Situation& situation) {
+  if (result == CircuitResult::kSeparates) {
+    if (state_.separated) return EscapeStatus::kUnreachable;
+    state_.separated = true;
+    begin_turning_about(situation);
+    return EscapeStatus::kActive;
+  }
+  if (state_.came_round || !std::isfinite(circuit_.nearest_clear_m())) {
+    return EscapeStatus::kFailed;
+  }
+  state_.came_round = true;
+  state_.leave_below_m = circuit_.nearest_clear_m() + parameters_.same_place_m;
+  circuit_.begin(situation.pose(), situation.odometry.travel_m, situation.target_odom);
+  return EscapeStatus::kActive;
+}
+
+/// Whether all beams around the target's direction are clear, as far as the target or clear_ratio.
+bool ObstacleFollowing::way_is_clear(const Situation& situation) const {
+  const domain::Scan& scan = situation.scan;
+  const double target_rad = situation.target_bearing_rad();
+  const double need_m =
+      std::min(parameters_.clear_ratio * scan.range_max_m, situation.target_distance_m());
+  bool seen = false;
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+    const double off_rad = std::fabs(core::wrap_angle_rad(scan.bearing_rad(i) - target_rad));
+    if (off_rad > 1.5 * scan.beam_width_rad) continue;
+    if (off_rad <= 0.5 * scan.beam_width_rad) seen = true;
+    if (scan.ranges_m[i] < need_m) return false;
+  }
+  return seen;
+}
+
+bool ObstacleFollowing::may_leave(const Situation& situation, bool clear) const {
+  if (parameters_.leave == LeavingRule::kPaper) {
+    return follower().at_break(situation.scan, state_.wall) &&
+           side_of(situation.target_bearing_rad()) == state_.wall;
+  }
+  return clear && situation.target_distance_m() < state_.leave_below_m;
 }
 
 void ObstacleFollowing::save(core::StateWriter& writer) const {
   State state = state_;
+  state.circuit = circuit_.state();
   writer(state);
 }
 
-void ObstacleFollowing::load(core::StateReader& reader) { reader(state_); }
+void ObstacleFollowing::load(core::StateReader& reader) {
+  reader(state_);
+  circuit_.state() = state_.circuit;
+}
 
 }  // namespace clew::recover

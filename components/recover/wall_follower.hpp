@@ -2,37 +2,67 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 
+#include "core/resources.hpp"
+#include "core/result.hpp"
 #include "domain/messages.hpp"
+#include "recover/side.hpp"
 
 namespace clew::recover {
 
-/// A side of the robot.
-enum class Side : std::int8_t { kRight = -1, kLeft = 1 };
-
-inline Side opposite(Side side) { return side == Side::kLeft ? Side::kRight : Side::kLeft; }
-/// 1 for left, -1 for right: the sign of bearings on that side.
-inline double sign(Side side) { return side == Side::kLeft ? 1.0 : -1.0; }
-inline Side side_of(double bearing_rad) { return bearing_rad > 0.0 ? Side::kLeft : Side::kRight; }
-
+/// The constants of the rule base for following an obstacle, as its file gives them. Readings as
+/// shares of the range; turns in radians, toward the wall positive.
 struct WallRules {
-  double side_ratio = 0.32;
-  double break_ratio = 0.67;
-  double front_ratio = 0.3;
-  double blocked_turn_deg = 20.0;
-  double gain_deg = 25.0;
-  double correct_turn_deg = 12.0;
-  double break_turn_deg = 12.0;
-  double slow_step_m = 0.05;
-  double step_m = 0.1;
-  double break_step_m = 0.1;
+  double blocked_full_ratio = 0.0;  ///< the way ahead is blocked up to this reading
+  double blocked_none_ratio = 0.0;  ///< and is not from this one on
+  double close_ratio = 0.0;         ///< the wall is too close
+  double good_ratio = 0.0;          ///< as it should be
+  double far_ratio = 0.0;           ///< too far
+  double break_ratio = 0.0;         ///< there is no wall beyond this reading
+  double blocked_turn_rad = 0.0;
+  double close_turn_rad = 0.0;
+  double far_turn_rad = 0.0;
+  double blocked_step_m = 0.0;
+  double free_step_m = 0.0;
+
+  /// Reads a rule base file. Refused: another format, keys that are unknown or missing, numbers out
+  /// of range, ratios that do not rise.
+  static core::Result<WallRules> parse(const core::Resource& resource);
+
+  /// The same rules at `share` of all distances and steps: closer to the wall, and through narrower
+  /// gaps, but slower.
+  WallRules scaled(double share) const;
 };
 
-/// Readings as shares of the range, mirrored so that the wall's side comes first.
-std::array<double, 7> from_side(const domain::Scan& scan, Side side);
+/// Keeps a wall on one side at a set distance, rounds outer and inner corners, goes round the end
+/// of a thin wall, and passes over slits too narrow to matter: the second fuzzy rule base of
+/// Krishna & Kalra 2000, section 4.3, which the paper leaves out. It has no memory.
+///
+/// Sugeno rules on two readings, u_s of the outermost beam on the wall's side and u_f, the least of
+/// the middle three; the motion is the mean of the rules' motions, weighted with the degrees b of
+/// *blocked* (u_f) and (1 - b) c, (1 - b) g, (1 - b) f of *close*, *good*, *far* (u_s), triangles
+/// that add up to 1:
+///
+///     blocked: turn away, slowly     close: turn away     good: straight on     far: turn toward
+///
+/// A wall that ends is far: the turn toward it leads round the end.
+class WallFollower {
+ public:
+  static constexpr std::size_t kBeams = 7;
 
-bool at_break(const domain::Scan& scan, Side side, const WallRules& rules);
-domain::Motion follow_wall(const domain::Scan& scan, Side side, const WallRules& rules);
+  explicit WallFollower(const WallRules& rules) : rules_(rules) {}
+
+  /// The motion that keeps the wall on `side`.
+  domain::Motion follow(const domain::Scan& scan, Side side) const;
+
+  /// Whether there is no wall on that side: the obstacle has ended or turned away.
+  bool at_break(const domain::Scan& scan, Side side) const;
+
+  /// Whether any reading is near enough to be an obstacle to follow.
+  bool sees_obstacle(const domain::Scan& scan) const;
+
+ private:
+  WallRules rules_;
+};
 
 }  // namespace clew::recover
