@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <zlib.h>
 
+#include <array>
 #include <limits>
 
 #include "core/check.hpp"
@@ -9,19 +10,27 @@
 namespace clew::bridge::mcap {
 namespace {
 
+/// The little-endian bytes of an integer.
+template <typename Integer>
+std::array<char, sizeof(Integer)> bytes_of(Integer value) {
+  std::array<char, sizeof(Integer)> bytes;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    bytes[i] = static_cast<char>((value >> (8 * i)) & 0xFFU);
+  }
+  return bytes;
+}
+
 template <typename Integer>
 void put(std::string& out, Integer value) {
-  for (std::size_t byte = 0; byte < sizeof value; ++byte) {
-    out.push_back(static_cast<char>((value >> (8 * byte)) & 0xFFU));
-  }
+  const auto bytes = bytes_of(value);
+  out.append(bytes.data(), bytes.size());
 }
 
 /// Overwrites the integer at `at`.
 template <typename Integer>
 void set(std::string& out, std::size_t at, Integer value) {
-  for (std::size_t byte = 0; byte < sizeof value; ++byte) {
-    out[at + byte] = static_cast<char>((value >> (8 * byte)) & 0xFFU);
-  }
+  const auto bytes = bytes_of(value);
+  out.replace(at, bytes.size(), bytes.data(), bytes.size());
 }
 
 std::uint32_t length32(std::size_t bytes) {

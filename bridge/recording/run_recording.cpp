@@ -116,7 +116,7 @@ SampleStream RunRecording::samples(const SampleFilter& filter) const {
   return {reader_.messages(mcap::Order::kFile, messages), topics_, description_.tick_s};
 }
 
-core::Result<RunSurvey> RunRecording::survey() const {
+core::Result<RunSurvey> RunRecording::survey_samples() const {
   RunSurvey survey;
   SampleStream stream = samples();
   std::optional<std::pair<std::uint64_t, domain::Topic>> last;
@@ -137,8 +137,13 @@ core::Result<RunSurvey> RunRecording::survey() const {
     chains[std::string(domain::topic_name(topic))] = found.chain.value();
   }
   survey.hash = run_hash(chains);
-  if (end_ && end_->hash != survey.hash) {
-    return error("its samples have the hash " + survey.hash.hex() + ", its recorder wrote " +
+  return survey;
+}
+
+core::Result<RunSurvey> RunRecording::survey() const {
+  auto survey = survey_samples();
+  if (survey && end_ && end_->hash != survey->hash) {
+    return error("its samples have the hash " + survey->hash.hex() + ", its recorder wrote " +
                  end_->hash.hex());
   }
   return survey;

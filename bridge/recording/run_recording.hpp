@@ -79,8 +79,9 @@ class RunRecording {
 
   SampleStream samples(const SampleFilter& filter = {}) const;
 
-  /// Reads all samples. Refused: a changed byte, samples that are not in canonical order, and a
-  /// hash other than the one that the recorder wrote.
+  /// Reads all samples. Refused: a changed byte, and samples that are not in canonical order.
+  core::Result<RunSurvey> survey_samples() const;
+  /// The same, and refused is a hash other than the one that the recorder wrote.
   core::Result<RunSurvey> survey() const;
 
  private:
