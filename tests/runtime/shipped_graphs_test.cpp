@@ -11,8 +11,6 @@
 namespace clew::runtime {
 namespace {
 
-constexpr std::ptrdiff_t kMostLines = 60;
-
 ConfigPath configs() { return ConfigPath({CLEW_SOURCE_DIR "/configs"}); }
 
 /// Test names take no hyphen.
@@ -30,12 +28,6 @@ class ShippedGraph : public ::testing::TestWithParam<std::string> {
     return std::move(plan).value();
   }
 };
-
-TEST_P(ShippedGraph, HasAtMostSixtyLines) {
-  const std::string text = configs().find("graphs", GetParam())->text;
-
-  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), kMostLines);
-}
 
 TEST_P(ShippedGraph, PassesTheCheck) {
   const RunPlan checked = plan();

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The layers and the house rules, held over the whole source tree; and the rules themselves, tried
+/// on files that keep and that break them.
+#include <gtest/gtest.h>
+
+#include "include_rules.hpp"
+#include "source_tree.hpp"
+#include "text_rules.hpp"
+
+namespace clew::structure {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+const std::vector<SourceFile>& tree() {
+  static const std::vector<SourceFile> files = read_tree(
+      CLEW_SOURCE_DIR, {"bridge", "cmake", "components", "configs", "idl", "tests", "tools"});
+  return files;
+}
+
+/// All violations of a rule, one a line.
+template <typename Rule>
+std::string broken(Rule rule) {
+  std::string text;
+  for (const SourceFile& file : tree()) {
+    for (const std::string& found : rule(file)) text += found + '\n';
+  }
+  return text;
+}
+
+TEST(Structure, EveryFolderIncludesOnlyWhatIsBelowIt) {
+  const auto own = own_headers(tree());
+
+  EXPECT_EQ(broken([&](const SourceFile& file) { return check_layers(file, own); }), "");
+}
+
+TEST(Structure, OnlyItsWrapperIncludesAVendor) {
+  const auto own = own_headers(tree());
+
+  EXPECT_EQ(broken([&](const SourceFile& file) { return check_vendor_headers(file, own); }), "");
+}
+
+TEST(Structure, ComponentsAreDeterministic) { EXPECT_EQ(broken(check_determinism), ""); }
+
+TEST(Structure, FilesAreShortNamedForWhatTheyHoldAndLicensed) {
+  EXPECT_EQ(broken(check_shape), "");
+}
+
+const std::set<std::string> kOwn = {"core/angle.hpp",      "domain/topics.hpp", "world/world.hpp",
+                                    "runtime/node.hpp",    "sense/cones.hpp",   "control/stage.hpp",
+                                    "dds/participant.hpp", "fastdds/types.hpp", "clew/version.hpp"};
+
+Texts layers(const std::string& path, const std::string& text) {
+  return check_layers(source_file(path, text), kOwn);
+}
+
+TEST(LayerRule, NamesFileLineAndWhatIsAllowed) {
+  EXPECT_EQ(layers("components/domain/a.cpp",
+                   "// a comment\n#include \"core/angle.hpp\"\n#include \"world/world.hpp\"\n"),
+            (Texts{"components/domain/a.cpp:3: includes world/world.hpp; allowed: core, domain"}));
+}
+
+TEST(LayerRule, CoreIncludesOnlyCore) {
+  EXPECT_TRUE(layers("components/core/a.hpp", "#include \"core/angle.hpp\"").empty());
+  EXPECT_FALSE(layers("components/core/a.hpp", "#include \"domain/topics.hpp\"").empty());
+}
+
+TEST(LayerRule, RuntimeKnowsNoStage) {
+  EXPECT_TRUE(layers("components/runtime/a.cpp", "#include \"world/world.hpp\"").empty());
+  EXPECT_FALSE(layers("components/runtime/a.cpp", "#include \"sense/cones.hpp\"").empty());
+}
+
+TEST(LayerRule, BehavioursKnowNeitherTheRuntimeNorAnotherStage) {
+  EXPECT_TRUE(layers("components/control/a.cpp", "#include \"world/world.hpp\"").empty());
+  EXPECT_FALSE(layers("components/control/a.cpp", "#include \"runtime/node.hpp\"").empty());
+  EXPECT_FALSE(layers("components/control/a.cpp", "#include \"sense/cones.hpp\"").empty());
+}
+
+TEST(LayerRule, ComponentRegistryAndStageKnowTheRuntime) {
+  const std::string runtime = "#include \"runtime/node.hpp\"";
+
+  EXPECT_TRUE(layers("components/control/control_component.hpp", runtime).empty());
+  EXPECT_TRUE(layers("components/control/registry.cpp", runtime).empty());
+  EXPECT_TRUE(layers("components/control/stage.cpp", runtime).empty());
+  EXPECT_FALSE(layers("components/control/_component.cpp", runtime).empty());
+  EXPECT_FALSE(layers("components/control/stage.cpp", "#include \"sense/cones.hpp\"").empty());
+}
+
+TEST(LayerRule, BridgeKnowsNoTool) {
+  EXPECT_FALSE(layers("bridge/process/a.cpp", "#include \"clew/version.hpp\"").empty());
+  EXPECT_TRUE(layers("bridge/process/a.cpp", "#include \"dds/participant.hpp\"").empty());
+}
+
+TEST(LayerRule, ComponentsDoNotKnowTheBridge) {
+  EXPECT_FALSE(layers("components/sense/a.cpp", "#include \"dds/participant.hpp\"").empty());
+}
+
+TEST(LayerRule, AFolderWithoutAPlaceIsNamed) {
+  EXPECT_EQ(layers("components/new/a.cpp", ""),
+            (Texts{"components/new/a.cpp:1: its folder has no place in the layers"}));
+}
+
+TEST(LayerRule, HeadersAreIncludedByTheirFolder) {
+  EXPECT_EQ(layers("components/core/a.cpp", "#include \"angle.hpp\""),
+            (Texts{"components/core/a.cpp:1: includes angle.hpp without the path of its folder"}));
+}
+
+Texts vendors(const std::string& path, const std::string& text) {
+  return check_vendor_headers(source_file(path, text), kOwn);
+}
+
+TEST(VendorRule, AVendorIsIncludedInItsWrapperAndInTests) {
+  const std::string cyclone = "#include <dds/dds.h>";
+
+  EXPECT_TRUE(vendors("bridge/cyclonedds/a.cpp", cyclone).empty());
+  EXPECT_TRUE(vendors("tests/third_party/a.c", cyclone).empty());
+  EXPECT_EQ(vendors("bridge/process/a.cpp", cyclone),
+            (Texts{"bridge/process/a.cpp:1: includes dds/dds.h of a vendor; allowed in "
+                   "bridge/cyclonedds"}));
+  EXPECT_FALSE(vendors("components/sense/a.cpp", "#include \"dds/ddsi/q_radmin.h\"").empty());
+  EXPECT_FALSE(vendors("tools/clew/a.cpp", "#include <fastdds/rtps/common/Types.h>").empty());
+  EXPECT_FALSE(vendors("bridge/dds/a.cpp", "#include <fastrtps/qos/QosPolicies.h>").empty());
+  EXPECT_FALSE(vendors("components/domain/a.cpp", "#include <fastcdr/Cdr.h>").empty());
+}
+
+TEST(VendorRule, OurFoldersOfTheSameNamesAreNoVendors) {
+  EXPECT_TRUE(vendors("bridge/process/a.cpp", "#include \"dds/participant.hpp\"").empty());
+  EXPECT_TRUE(vendors("bridge/dds/a.cpp", "#include \"fastdds/types.hpp\"").empty());
+}
+
+bool is_deterministic(const std::string& line, const std::string& path = "components/sense/a.cpp") {
+  return check_determinism(source_file(path, line)).empty();
+}
+
+TEST(DeterminismRule, FindsClocksThreadsRandomnessFilesAndUnorderedContainers) {
+  for (const char* line :
+       {"#include <chrono>", "auto t = std::chrono::steady_clock::now();", "std::time(nullptr);",
+        "clock_gettime(CLOCK_MONOTONIC, &t);", "#include <thread>", "#include <mutex>",
+        "std::this_thread::sleep_for(d);", "usleep(5);", "#include <random>", "std::mt19937 g;",
+        "std::rand();", "#include <fstream>", "#include <iostream>", "std::getenv(\"HOME\")",
+        "#include <unordered_map>", "std::unordered_set<int> s;"}) {
+    EXPECT_FALSE(is_deterministic(line)) << line;
+    EXPECT_TRUE(is_deterministic(line, "components/runtime/a.cpp")) << line;
+    EXPECT_TRUE(is_deterministic(line, "bridge/process/a.cpp")) << line;
+  }
+}
+
+TEST(DeterminismRule, FindsTranscendentalsOfTheLibrary) {
+  for (const char* line : {"x = std::sin(a);", "x = std::atan2(y, x);", "return -std::exp(-x);",
+                           "x = ::cos(a);", "x = std::pow(a, 2);", "x = std::hypot(a, b);",
+                           "x = std::tanh (a);", "x = std::sinf(a);", "x = std::acosh(a);"}) {
+    EXPECT_FALSE(is_deterministic(line)) << line;
+    EXPECT_FALSE(is_deterministic(line, "components/runtime/a.cpp")) << line;
+    EXPECT_FALSE(is_deterministic(line, "components/core/angle.hpp")) << line;
+    EXPECT_TRUE(is_deterministic(line, "components/core/math.cpp")) << line;
+  }
+  EXPECT_FALSE(is_deterministic("x = sin(a);"));
+  EXPECT_FALSE(is_deterministic("sin(a);"));
+  EXPECT_TRUE(is_deterministic("x = sin(a);", "components/core/geometry.hpp"));  // core's own
+}
+
+TEST(DeterminismRule, LetsOrdinaryCodePass) {
+  for (const char* line :
+       {"x = core::sin(a) + clew::core::exp(b);", "x = std::sqrt(a) + std::floor(b);",
+        "// std::sin(a) would differ", "error(\"std::time(0) is no tick\");", "c = '\"';",
+        "using_sin(a);", "log.add(x);", "writer.log(x);", "std::timeout(3);", "double cosine = 1;",
+        "std::map<int, int> ordered;"}) {
+    EXPECT_TRUE(is_deterministic(line)) << line;
+  }
+}
+
+constexpr char kLicence[] = "// SPDX-License-Identifier: Apache-2.0\n";
+
+Texts shape(const std::string& path, const std::string& text) {
+  return check_shape(source_file(path, text));
+}
+
+std::string lines(std::size_t count) {
+  std::string text = kLicence;
+  for (std::size_t i = 1; i < count; ++i) text += "line\n";
+  return text;
+}
+
+TEST(ShapeRule, LimitsTheLengthOfFiles) {
+  EXPECT_TRUE(shape("bridge/a.cpp", lines(400)).empty());
+  EXPECT_EQ(shape("bridge/a.cpp", lines(401)),
+            (Texts{"bridge/a.cpp:401: over 400 lines: two files"}));
+  EXPECT_TRUE(shape("configs/graphs/a.yaml", lines(60)).empty());
+  EXPECT_FALSE(shape("configs/graphs/a.yaml", lines(61)).empty());
+  EXPECT_TRUE(shape("configs/worlds/a.yaml", lines(401)).empty());
+}
+
+TEST(ShapeRule, FindsJunkDrawers) {
+  EXPECT_FALSE(shape("components/core/utils.hpp", kLicence).empty());
+  EXPECT_FALSE(shape("components/common/angle.hpp", kLicence).empty());
+  EXPECT_FALSE(shape("tests/core/helpers.cpp", kLicence).empty());
+  EXPECT_TRUE(shape("components/core/angle.hpp", kLicence).empty());
+}
+
+TEST(ShapeRule, AsksForTheLicence) {
+  EXPECT_TRUE(
+      shape("tools/a.py", "#!/usr/bin/env python3\n# SPDX-License-Identifier: Apache-2.0").empty());
+  EXPECT_EQ(shape("idl/A.idl", "struct A {};"),
+            (Texts{"idl/A.idl:1: no SPDX-License-Identifier: Apache-2.0"}));
+  EXPECT_FALSE(shape("bridge/CMakeLists.txt", "").empty());
+}
+
+}  // namespace
+}  // namespace clew::structure

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "text_rules.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace clew::structure {
+namespace {
+
+constexpr std::size_t kMostLines = 400;
+constexpr std::size_t kMostGraphLines = 60;
+constexpr std::size_t kLicenceWithin = 3;  // after the line that names an interpreter
+
+/// A call of a function whose last bits differ between processors.
+const std::string kTranscendental =
+    R"((a?(sin|cos|tan)h?|atan2|exp|exp2|expm1|log|log2|log10|log1p|pow|hypot|cbrt|erfc?|)"
+    R"([lt]gamma)[fl]?\s*\()";
+
+struct Rule {
+  std::regex pattern;
+  std::string what;
+};
+
+const std::vector<Rule>& rules_of_components() {
+  static const std::vector<Rule> rules = {
+      {std::regex(R"(<(chrono|ctime|time\.h|sys/time\.h)>|\bstd::chrono\b|\bstd::(time|clock)\b|)"
+                  R"(\b(clock_gettime|gettimeofday)\b)"),
+       "a clock; time comes with the tick"},
+      {std::regex(R"(<(thread|mutex|condition_variable|future|atomic)>|)"
+                  R"(\b(sleep_for|sleep_until|usleep|nanosleep)\b)"),
+       "a thread, a lock or a sleep; a step runs where it is called"},
+      {std::regex(R"(<random>|\bstd::(s?rand|mt19937\w*|random_device)\b)"),
+       "randomness without a key; use core/random.hpp"},
+      {std::regex(R"(<(fstream|iostream|filesystem|unistd\.h)>|\b(fopen|getenv)\b)"),
+       "a file, a stream or the environment; texts are arguments"},
+      {std::regex(R"(<unordered_(map|set)>|\bstd::unordered_)"),
+       "a container whose order differs between libraries"},
+  };
+  return rules;
+}
+
+/// The line without comments, texts and single characters.
+std::string code_of(const std::string& line) {
+  static const std::regex kCharacter(R"('(\\.|[^'\\])')");
+  static const std::regex kText(R"("(\\.|[^"\\])*")");
+  static const std::regex kComment(R"(//.*)");
+  std::string code = std::regex_replace(line, kCharacter, "''");
+  code = std::regex_replace(code, kText, "\"\"");
+  return std::regex_replace(code, kComment, "");
+}
+
+bool begins_with(const std::string& text, const std::string& beginning) {
+  return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+bool is_code(const SourceFile& file) {
+  static const std::set<std::string> kExtensions = {".cpp", ".hpp", ".c", ".h", ".py", ".mjs"};
+  return kExtensions.count(file.extension()) > 0;
+}
+
+bool needs_licence(const SourceFile& file) {
+  static const std::set<std::string> kOthers = {".cmake", ".idl", ".sh"};
+  return is_code(file) || kOthers.count(file.extension()) > 0 || file.stem() == "CMakeLists";
+}
+
+std::vector<std::string> check_transcendentals(const SourceFile& file) {
+  static const std::regex kOfTheLibrary(R"((\bstd|(^|[^\w])):{2})" + kTranscendental);
+  // Outside core an unqualified name is the C library's.
+  static const std::regex kUnqualified(R"((^|[^\w:.>]))" + kTranscendental);
+  const bool in_core = begins_with(file.path, "components/core/");
+  std::vector<std::string> found;
+  if (file.path == "components/core/math.cpp") return found;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    const std::string code = code_of(file.lines[i]);
+    if (std::regex_search(code, kOfTheLibrary) ||
+        (!in_core && std::regex_search(code, kUnqualified))) {
+      found.push_back(
+          violation(file, i + 1, "a transcendental of the C library; use core/math.hpp"));
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> check_determinism(const SourceFile& file) {
+  if (!begins_with(file.path, "components/") || !is_code(file)) return {};
+  std::vector<std::string> found = check_transcendentals(file);
+  if (begins_with(file.path, "components/runtime/")) return found;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    const std::string code = code_of(file.lines[i]);
+    for (const Rule& rule : rules_of_components()) {
+      if (std::regex_search(code, rule.pattern)) {
+        found.push_back(violation(file, i + 1, rule.what));
+      }
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> check_shape(const SourceFile& file) {
+  static const std::set<std::string> kJunkDrawers = {"util",    "utils",  "utilities", "helper",
+                                                     "helpers", "common", "misc"};
+  std::vector<std::string> found;
+  auto names = file.path_parts();
+  names.back() = file.stem();
+  for (const std::string& name : names) {
+    if (kJunkDrawers.count(name) > 0) {
+      found.push_back(violation(file, 1, "'" + name + "' says nothing about what is in it"));
+    }
+  }
+  const std::size_t lines = file.lines.size();
+  if (is_code(file) && lines > kMostLines) {
+    found.push_back(violation(file, lines, "over 400 lines: two files"));
+  }
+  if (begins_with(file.path, "configs/graphs/") && lines > kMostGraphLines) {
+    found.push_back(violation(file, lines, "a graph of over 60 lines"));
+  }
+  if (needs_licence(file) &&
+      std::none_of(
+          file.lines.begin(),
+          file.lines.begin() + static_cast<std::ptrdiff_t>(std::min(lines, kLicenceWithin)),
+          [](const std::string& line) {
+            return line.find("SPDX-License-Identifier: Apache-2.0") != std::string::npos;
+          })) {
+    found.push_back(violation(file, 1, "no SPDX-License-Identifier: Apache-2.0"));
+  }
+  return found;
+}
+
+}  // namespace clew::structure

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What must not stand in a file, whatever it includes: the rules of determinism and of shape.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "source_tree.hpp"
+
+namespace clew::structure {
+
+/// Components have no clock, thread, randomness, file or unordered container of their own; runtime
+/// reads the graphs' files. Transcendentals come from core, whose bits are the same everywhere.
+std::vector<std::string> check_determinism(const SourceFile& file);
+
+/// No file is a junk drawer, none is over 400 lines, a graph is at most 60, and each names its
+/// licence.
+std::vector<std::string> check_shape(const SourceFile& file);
+
+}  // namespace clew::structure
