@@ -41,9 +41,9 @@ struct RemoteEndpoint {
   int process_id = 0;  ///< 0 where the vendor does not tell
 };
 
-/// What a reader or a participant has to say. Calls come on the vendor's threads, for one
-/// participant never two at once from the same endpoint; they may write, and must not create or
-/// delete entities.
+/// What a reader or a participant has to say. Calls come on the vendor's threads, and for what was
+/// there before on the thread that creates the endpoint; samples of one reader never two at once,
+/// and in order. Calls may write, and must not create or delete entities.
 class SampleListener {
  public:
   virtual ~SampleListener() = default;
@@ -103,7 +103,8 @@ class Participant {
                                                                     SampleListener& listener) = 0;
 };
 
-/// Creates a participant of `vendor`. `discovery` must outlive it.
+/// Creates a participant of `vendor`. `discovery` must outlive it. Takes a tenth of a second, in
+/// which participants get to know each other: endpoints that come earlier may match a second later.
 core::Result<std::unique_ptr<Participant>> create_participant(Vendor vendor,
                                                               const ParticipantConfig& config,
                                                               DiscoveryListener& discovery);
