@@ -2,6 +2,7 @@
 /// The bridge between two processes, and when one of them dies.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <tuple>
 
 #include "echo_process.hpp"
@@ -59,6 +60,17 @@ TEST_P(TwoProcesses, AnswerEachOther) {
   }
 
   EXPECT_EQ(echo->end(), 0);
+}
+
+TEST_P(TwoProcesses, StayOnLoopbackWhateverTheEnvironmentSays) {
+  // Each alone would keep the echo away from this domain.
+  setenv("ROS_DISCOVERY_SERVER", "127.0.0.1:11811", 1);
+  setenv("CYCLONEDDS_URI", "<Discovery><ExternalDomainId>100</ExternalDomainId></Discovery>", 1);
+  const auto echo = start_echo();
+  unsetenv("ROS_DISCOVERY_SERVER");
+  unsetenv("CYCLONEDDS_URI");
+
+  EXPECT_TRUE(discovery_.wait_for_matches(2));
 }
 
 TEST_P(TwoProcesses, NoticeTheDeathOfOneWithinItsLease) {
