@@ -83,6 +83,31 @@ double scale_by_power_of_two(double x, int exponent) {
   return x * power(exponent);
 }
 
+// e^x = 2^exponent (1 + rest), |rest| < 0.42.
+struct ExpParts {
+  int exponent;
+  double rest;
+};
+
+ExpParts split_exp(double x) {
+  const double n = std::floor(x * 1.44269504088896340736 + 0.5);
+  const double r = (x - n * kLn2High) - n * kLn2Low;
+  // Taylor series on [-ln2/2, ln2/2]; the first term left out is below 1e-18.
+  double p = 1.0 / 6227020800.0;
+  p = p * r + 1.0 / 479001600.0;
+  p = p * r + 1.0 / 39916800.0;
+  p = p * r + 1.0 / 3628800.0;
+  p = p * r + 1.0 / 362880.0;
+  p = p * r + 1.0 / 40320.0;
+  p = p * r + 1.0 / 5040.0;
+  p = p * r + 1.0 / 720.0;
+  p = p * r + 1.0 / 120.0;
+  p = p * r + 1.0 / 24.0;
+  p = p * r + 1.0 / 6.0;
+  p = p * r + 0.5;
+  return {static_cast<int>(n), r + r * r * p};
+}
+
 // atan(k / 8) for k = 0..8.
 constexpr double kAtanEighths[] = {0.0,
                                    0.12435499454676143503,
@@ -166,22 +191,8 @@ double exp(double x) {
   if (x != x) return x;
   if (x > 709.79) return std::numeric_limits<double>::infinity();
   if (x < -745.2) return 0.0;
-  const double n = std::floor(x * 1.44269504088896340736 + 0.5);
-  const double r = (x - n * kLn2High) - n * kLn2Low;
-  // Taylor series on [-ln2/2, ln2/2]; the first term left out is below 1e-18.
-  double p = 1.0 / 6227020800.0;
-  p = p * r + 1.0 / 479001600.0;
-  p = p * r + 1.0 / 39916800.0;
-  p = p * r + 1.0 / 3628800.0;
-  p = p * r + 1.0 / 362880.0;
-  p = p * r + 1.0 / 40320.0;
-  p = p * r + 1.0 / 5040.0;
-  p = p * r + 1.0 / 720.0;
-  p = p * r + 1.0 / 120.0;
-  p = p * r + 1.0 / 24.0;
-  p = p * r + 1.0 / 6.0;
-  p = p * r + 0.5;
-  return scale_by_power_of_two(1.0 + (r + r * r * p), static_cast<int>(n));
+  const ExpParts parts = split_exp(x);
+  return scale_by_power_of_two(1.0 + parts.rest, parts.exponent);
 }
 
 double log(double x) {
@@ -232,9 +243,11 @@ double tanh(double x) {
   if (a > 22.0) {
     t = 1.0;
   } else if (a < 1.0) {
-    // 1 - 2 / (exp + 1) would lose bits here: tanh 2y = 2 tanh y / (1 + tanh^2 y).
-    const double half = tanh(0.5 * a);
-    t = 2.0 * half / (1.0 + half * half);
+    // 1 - 2 / (exp + 1) would lose bits here: tanh a = (e^2a - 1) / ((e^2a - 1) + 2).
+    const ExpParts parts = split_exp(2.0 * a);
+    const double power = 1 << parts.exponent;
+    const double exp_minus_one = power * parts.rest + (power - 1.0);
+    t = exp_minus_one / (exp_minus_one + 2.0);
   } else {
     t = 1.0 - 2.0 / (exp(2.0 * a) + 1.0);
   }

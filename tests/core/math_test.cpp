@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::uint32_t kSamples = 20000;
+constexpr std::uint32_t kSamples = 100000;
 
 /// What math.hpp promises.
 constexpr long double kAllowedUlps = 4.0L;
