@@ -31,7 +31,7 @@ class McapDamage : public testing::TestWithParam<Compression> {
 };
 
 TEST_P(McapDamage, GivesThePrefixBeforeATearAtAnyByte) {
-  write(25);
+  write(40);
   std::size_t readable_before = 0;
 
   for (std::size_t kept_bytes = 0; kept_bytes < bytes_.size(); ++kept_bytes) {
@@ -58,8 +58,8 @@ TEST_P(McapDamage, GivesThePrefixBeforeATearAtAnyByte) {
 }
 
 TEST_P(McapDamage, NeverGivesWrongDataForOneFlippedBit) {
-  write(200);
-  constexpr std::uint32_t kFlips = 400;
+  write(400);
+  constexpr std::uint32_t kFlips = 2000;
   const core::Random random({20240607, 0, static_cast<std::uint32_t>(GetParam()), 0});
   std::uint32_t noticed = 0;
 

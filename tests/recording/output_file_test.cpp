@@ -2,11 +2,14 @@
 #include "recording/output_file.hpp"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <string>
 
+#include "recording/mcap_reader.hpp"
 #include "recording/mcap_writer.hpp"
 #include "scratch_directory.hpp"
 
@@ -114,6 +117,62 @@ TEST(OutputFile, SaysThatItsFileWasRemoved) {
 
   ASSERT_FALSE(published);
   EXPECT_EQ(published.error().message.substr(0, 20), "cannot be renamed to");
+}
+
+/// Lets files grow to a size and no further, as a full disk does, during its life.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : old_handler_(::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &old_limit_);
+    const struct rlimit limit { bytes, old_limit_.rlim_max };
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &old_limit_);
+    ::signal(SIGXFSZ, old_handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  struct rlimit old_limit_ {};
+  void (*old_handler_)(int);
+};
+
+TEST(McapWriter, LeavesWhatItWroteReadableWhenTheDiskIsFull) {
+  const ScratchDirectory scratch;
+  const std::string path = scratch.file("full.mcap");
+  WriterOptions options;
+  options.chunk_bytes = 1000;
+  auto writer = McapWriter::create(path, false, options);
+  ASSERT_TRUE(writer);
+  const auto channel = writer->add_channel(0, "/t", "");
+  core::Result<void> written;
+
+  {
+    // Each message fills a chunk of more than 900 bytes: ten fit at most.
+    const FileSizeLimit limit(10'000);
+    for (std::uint32_t i = 0; i < 20 && written.ok(); ++i) {
+      written = writer->write(Message{channel, i, i, i, std::string(900, 'x')});
+    }
+  }
+  const auto reader = McapReader::open(path + ".tmp~");
+
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.error().message.find("File too large; the 10000 bytes written before"),
+            std::string::npos)
+      << written.error().message;
+  EXPECT_FALSE(writer->finish());
+  ASSERT_TRUE(reader) << reader.error().text();
+  EXPECT_TRUE(reader->tear());
+  auto messages = reader->messages(Order::kFile);
+  std::uint32_t readable = 0;
+  for (auto message = messages.next(); message && *message; message = messages.next()) {
+    EXPECT_EQ((*message)->sequence, readable);
+    ++readable;
+  }
+  EXPECT_GE(readable, 8U);
+  EXPECT_LE(readable, 10U);
 }
 
 TEST(McapWriter, ReportsAFullDisk) {

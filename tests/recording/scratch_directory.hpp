@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -10,11 +12,15 @@
 
 namespace clew::recording_test {
 
-/// A directory of its own for one test, removed with everything in it.
+/// A directory of its own for one test, removed with everything in it. In memory where there is
+/// such a place: writing a file again and again waits for the disk elsewhere.
 class ScratchDirectory {
  public:
   ScratchDirectory() {
-    std::string name = (std::filesystem::temp_directory_path() / "clew-recording-XXXXXX").string();
+    const std::filesystem::path memory("/dev/shm");
+    const auto place =
+        ::access(memory.c_str(), W_OK) == 0 ? memory : std::filesystem::temp_directory_path();
+    std::string name = (place / "clew-recording-XXXXXX").string();
     path_ = ::mkdtemp(name.data());
   }
   ~ScratchDirectory() { std::filesystem::remove_all(path_); }
