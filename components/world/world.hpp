@@ -106,8 +106,9 @@ class World {
                          double time_s) const;
 
   /// The two walls' corner that a sonar in this cone would look into, if any: an inner corner
-  /// (where two segments meet at less than 180 degrees on the side of the apex) inside the cone and
-  /// nearer than max_distance_m; returns its distance. For modelling multiple reflection.
+  /// (where a segment ends on another, within 1 mm, at less than 180 degrees on the side of the
+  /// apex) inside the cone and nearer than max_distance_m; returns its distance. What hides the
+  /// corner is not looked at: compare with cone_distance_m. For modelling multiple reflection.
   std::optional<double> corner_distance_m(const Vec2& apex, double bearing_rad,
                                           double half_angle_rad, double max_distance_m) const;
 
@@ -116,12 +117,15 @@ class World {
   double clearance_m(const Vec2& point, double max_distance_m, double time_s) const;
 
   /// Moves a disc of `radius_m` from `from` to `to` during [time_s, time_s + duration_s], obstacles
-  /// moving meanwhile. Touching at the start and moving away, or along, is no contact.
+  /// moving meanwhile. Touching at the start and moving away, or along, is no contact; touching and
+  /// moving in gives a free_fraction of 0. It stops 1e-9 m before an obstacle, so rounding never
+  /// makes it overlap.
   Sweep sweep_disc(const Vec2& from, const Vec2& to, double radius_m, double time_s,
                    double duration_s) const;
 
   /// Directions (world frame, radians) from `centre` to the points of obstacles that a disc of
-  /// radius_m + tolerance_m there touches, nearest first; at most 8, one an obstacle.
+  /// radius_m + tolerance_m there touches, nearest first; at most 8, one a point touched: two in a
+  /// corner, one at a polygon's vertex.
   core::BoundedVector<double, 8> contacts_rad(const Vec2& centre, double radius_m,
                                               double tolerance_m, double time_s) const;
 

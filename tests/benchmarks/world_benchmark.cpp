@@ -35,6 +35,7 @@ std::array<ConeDirection, kCones> cones_of_the_robot() {
   return cones;
 }
 
+// Walls about as long as they are apart: more walls in the same size are a finer drawing.
 std::string walls_yaml(std::int64_t count, double size_m) {
   const core::Random random(core::RandomKey{1, 0, 0, 0});
   std::uint32_t next = 0;
@@ -45,11 +46,12 @@ std::string walls_yaml(std::int64_t count, double size_m) {
       "format: clew-world/1\nname: walls\nbounds: [0, 0, {0}, {0}]\nstart: [0.5, 0.5, 0]\n"
       "target: [{1}, {1}]\ntarget_radius: 0.2\nwalls: [\n",
       size_m, size_m - 0.5);
+  const double half_m = 0.5 * (size_m - 2.0) / std::sqrt(static_cast<double>(count));
   for (std::int64_t i = 0; i < count; ++i) {
     const double x = between(1.0, size_m - 1.0);
     const double y = between(1.0, size_m - 1.0);
-    yaml += fmt::format("  [{:.3f}, {:.3f}, {:.3f}, {:.3f}],\n", x, y, x + between(-0.5, 0.5),
-                        y + between(-0.5, 0.5));
+    yaml += fmt::format("  [{:.3f}, {:.3f}, {:.3f}, {:.3f}],\n", x, y, x + between(-half_m, half_m),
+                        y + between(-half_m, half_m));
   }
   return yaml + "]\n";
 }

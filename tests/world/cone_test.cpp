@@ -43,6 +43,12 @@ TEST(Cone, SeesAPostNarrowerThanAnyFanOfRays) {
               kRounding);
 }
 
+TEST(Cone, SeesAWallThatIsASinglePoint) {
+  const World world = make_world("walls: [[6, 5, 6, 5]]");
+
+  EXPECT_NEAR(world.cone_distance_m({5, 5}, 0.0, radians(7.5), 3.0, 0.0), 1.0, kRounding);
+}
+
 TEST(Cone, MeasuresACircleAlongItsEdgeWhenTheCentreIsBeside) {
   // Centre at 90 degrees, 2 m away, radius 1.2. Along the edge at 60 degrees, t solves
   // t^2 - 2 t 2 cos 30 + 4 - 1.44 = 0.

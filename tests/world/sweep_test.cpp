@@ -47,6 +47,13 @@ TEST(Sweep, StopsAtTheEndOfAWall) {
   EXPECT_NEAR(core::length(sweep.contact_point - Vec2(7, 5.09)), 0.0, kTolerance);
 }
 
+TEST(Sweep, StopsAtAWallThatIsASinglePoint) {
+  const World world = make_world("walls: [[7, 5, 7, 5]]");
+
+  EXPECT_NEAR(world.sweep_disc({5, 5}, {9, 5}, 0.15, 0.0, 0.3).free_fraction, 1.85 / 4.0,
+              kTolerance);
+}
+
 TEST(Sweep, PassesTheEndOfAWall) {
   const World world = make_world("walls: [[7, 5.1501, 7, 9]]");
 

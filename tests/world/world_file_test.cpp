@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
+#include "core/random.hpp"
 #include "world/world.hpp"
 
 namespace clew::world {
@@ -149,6 +151,36 @@ TEST(WorldFile, NeverCrashesOnATruncatedFile) {
       EXPECT_FALSE(world.ok()) << size;
     }
   }
+}
+
+TEST(WorldFile, AnswersAnyDamageWithAnErrorOrAWorld) {
+  const std::string text = kComplete;
+  int refused = 0;
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    const core::Random random(core::RandomKey{i, 0, 0, 0});
+    std::string damaged = text;
+    const auto changes = static_cast<std::uint32_t>(1 + 3 * random.uniform(0));
+    for (std::uint32_t k = 1; k <= changes; ++k) {
+      const auto at =
+          static_cast<std::size_t>(random.uniform(3 * k) * static_cast<double>(damaged.size()));
+      // Another character of the file, or any byte.
+      const auto other =
+          static_cast<std::size_t>(random.uniform(3 * k + 1) * static_cast<double>(text.size()));
+      damaged[at] = k % 2 == 1 ? text[other] : static_cast<char>(random.bits(3 * k + 2) & 0xff);
+    }
+
+    const auto world = World::parse(damaged, "damaged.yaml");
+
+    if (world.ok()) {
+      const Vec2 start = world->start().position();
+      EXPECT_GE(world->cone_distance_m(start, 0.3, 0.2, 2.0, 1.0), 0.0);
+      EXPECT_GE(world->sweep_disc(start, world->target(), 0.1, 0.0, 1.0).free_fraction, 0.0);
+    } else {
+      EXPECT_FALSE(world.error().message.empty());
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 1000);
 }
 
 TEST(WorldFile, SaysWhatIsInTheRobotsWayAtTheStart) {
