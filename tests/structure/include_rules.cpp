@@ -29,6 +29,8 @@ const std::map<std::string, Folders> kLayers = {
     {"bridge/process",
      {"core", "domain", "world", "runtime", "stages", "convert", "recording", "dds", "fastdds",
       "cyclonedds"}},
+    {"bridge/replay",
+     {"core", "domain", "world", "runtime", "stages", "convert", "recording", "process"}},
 };
 
 /// Beginnings of the libraries' headers, and the folder that wraps the library.
