@@ -13,6 +13,7 @@ namespace clew::bridge {
 // not
 //   listen yet; then they meet at Cyclone's next announcement.
 // GenerateKeyhash: without it Fast DDS passes over Cyclone's news that an endpoint is gone.
+// WriterLingerDuration: as kLinger says; by default 1 s.
 // Watermarks: a writer takes what it is given until this much is not acknowledged, and does not
 // lower
 //   the mark after a lost packet.
@@ -28,11 +29,12 @@ std::string cyclonedds_configuration(const ParticipantConfig& config) {
       "<SPDPInterval>200 ms</SPDPInterval>"
       "<LeaseDuration>{} ms</LeaseDuration></Discovery>"
       "<Internal><GenerateKeyhash>true</GenerateKeyhash>"
+      "<WriterLingerDuration>{} ms</WriterLingerDuration>"
       "<Watermarks><WhcHigh>1 MiB</WhcHigh><WhcHighInit>1 MiB</WhcHighInit>"
       "<WhcAdaptive>false</WhcAdaptive></Watermarks></Internal>"
       "</Domain></CycloneDDS>",
       config.domain, kMaxParticipantIndex, kLoopbackAddress,
-      static_cast<long long>(config.lease_s * 1e3));
+      static_cast<long long>(config.lease_s * 1e3), kLinger.count());
 }
 
 }  // namespace clew::bridge

@@ -26,6 +26,10 @@ constexpr std::uint32_t discovery_port(int domain, int index) {
 /// know each other by then.
 inline constexpr std::chrono::milliseconds kSettlingTime{100};
 
+/// How long a writer that is closed waits at most until its readers have its last samples. A dead
+/// reader is waited for, too, until its lease ends.
+inline constexpr std::chrono::milliseconds kLinger{500};
+
 /// `RELIABILITY` for 11: both vendors use the numbers of the DDS and DDS-XTypes standards.
 constexpr std::string_view qos_policy_name(std::uint32_t policy_id) {
   constexpr std::string_view kNames[] = {"UNKNOWN",

@@ -75,6 +75,7 @@ enum class WriteStatus : std::uint8_t {
 
 class SampleWriter {
  public:
+  /// Waits up to half a second until live readers have the last samples.
   virtual ~SampleWriter() = default;
   /// Publishes the bytes, encapsulation included, without waiting for anybody.
   virtual WriteStatus write(std::string_view cdr) = 0;

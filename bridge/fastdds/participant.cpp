@@ -14,6 +14,7 @@
 #include <map>
 #include <mutex>
 
+#include "dds/loopback.hpp"
 #include "fastdds/endpoint.hpp"
 #include "fastdds/qos.hpp"
 #include "fastdds/raw_type.hpp"
@@ -34,6 +35,8 @@ class FastWriter : public SampleWriter, private DataWriterListener {
   ~FastWriter() override {
     if (writer_ == nullptr) return;
     writer_->set_listener(nullptr);
+    const std::chrono::duration<long double> linger = kLinger;
+    writer_->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(linger.count()));
     publisher_->delete_datawriter(writer_);
   }
 

@@ -101,7 +101,9 @@ std::string ChildProcess::end() const {
   return "exited with status " + std::to_string(WEXITSTATUS(status_));
 }
 
-bool ChildProcess::ended_well() const { return WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
+bool ChildProcess::was_killed() const {
+  return !running_ && WIFSIGNALED(status_) && WTERMSIG(status_) == SIGKILL;
+}
 
 void ChildProcess::signal(int number) const {
   if (!running_) return;

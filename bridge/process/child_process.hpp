@@ -28,7 +28,8 @@ class ChildProcess {
   bool reap();
   /// `was killed by signal 11 (Segmentation fault)`, `exited with status 3`; once it has ended.
   std::string end() const;
-  bool ended_well() const;
+  /// Whether SIGKILL ended it, which no program does to itself.
+  bool was_killed() const;
   /// Sends a signal to it and to the processes that it started, while it runs.
   void signal(int number) const;
 

@@ -132,11 +132,15 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
   auto participant =
       create_participant(*vendor, {assignment.domain, stage, assignment.lease_s}, barrier);
   if (!participant.ok()) return participant.error();
-  NodeHost host(std::move(node).value(), assignment, plan->graph.tick_s,
-                {say(FrameType::kNotice), say(FrameType::kFatal),
-                 [&link](const Progress& progress) { link.send(FrameType::kProgress, progress); },
-                 [&link](std::string spool) { link.send_bytes(FrameType::kSamples, spool); }});
+  NodeHost host(
+      std::move(node).value(), assignment, plan->graph.tick_s,
+      {say(FrameType::kNotice), say(FrameType::kFatal),
+       [&link](const Progress& progress) { link.send(FrameType::kProgress, progress); },
+       [&link](const Checkpoint& checkpoint) { link.send(FrameType::kCheckpoint, checkpoint); },
+       [&link](std::string spool) { link.send_bytes(FrameType::kSamples, spool); }});
+  if (assignment.checkpoint) CLEW_RETURN_IF_ERROR(host.restore(*assignment.checkpoint));
   CLEW_RETURN_IF_ERROR(host.open(**participant, barrier));
+  if (assignment.resumes) host.go(Clock::now());
   report_missing(barrier);
   return ComponentLoop(link, host).run();
 }

@@ -48,7 +48,8 @@ class EndSignals {
 /// Keeps the journal of every node, and passes the samples on to the recording.
 class Bookkeeper : public runtime::SampleObserver {
  public:
-  Bookkeeper(bool hash, SampleSink* recording) : journal_(hash, false), recording_(recording) {}
+  Bookkeeper(Journal journal, SampleSink* recording)
+      : journal_(std::move(journal)), recording_(recording) {}
 
   void on_output(runtime::Topic topic, const domain::Messages& messages) override {
     domain::visit_topic(topic, [&](auto constant) {
@@ -86,15 +87,23 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, const Compose
   const auto started_at = Clock::now();
   auto nodes = runtime::make_nodes(plan);
   if (!nodes.ok()) return nodes.error();
-  Bookkeeper bookkeeper(layout.hash, recording);
-  runtime::ComposedExecutor executor(std::move(nodes).value(), &bookkeeper);
+  ComposedStart start{std::move(nodes).value(), 0, {}, Journal(layout.hash, false), started_at};
+  return run_composed(plan, std::move(start), layout, recording, display);
+}
+
+core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart start,
+                                     const ComposedLayout& layout, SampleSink* recording,
+                                     const ProgressDisplay& display) {
+  Bookkeeper bookkeeper(std::move(start.journal), recording);
+  runtime::ComposedExecutor executor(std::move(start.nodes), &bookkeeper, start.next_tick,
+                                     std::move(start.messages));
   TickClock clock(layout.pace, layout.pace_factor, plan.graph.tick_s);
   const EndSignals signals;
 
   RunReport report;
   const auto first_tick_at = Clock::now();
   auto displayed_at = first_tick_at;
-  clock.start(first_tick_at);
+  clock.start(first_tick_at, start.next_tick);
   const RunTally& tally = bookkeeper.journal().tally();
   do {
     if (!clock.is_free()) std::this_thread::sleep_until(clock.due(executor.next_tick()));
@@ -108,15 +117,16 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, const Compose
     const bool look = !clock.is_free() || executor.next_tick() % kTicksPerLook == 0;
     if (display && look && Clock::now() - displayed_at >= kDisplayPeriod) {
       displayed_at = Clock::now();
-      display(tally, static_cast<double>(executor.next_tick()) / seconds_since(first_tick_at));
+      display(tally, static_cast<double>(executor.next_tick() - start.next_tick) /
+                         seconds_since(first_tick_at));
     }
   } while (tally.truth->outcome == domain::Outcome::kRunning && report.aborted.empty());
 
   report.tally = tally;
-  report.wall_s = seconds_since(started_at);
+  report.wall_s = seconds_since(start.started_at);
   const double ticking_s = seconds_since(first_tick_at);
   if (ticking_s > 0.0) {
-    report.ticks_per_s = static_cast<double>(tally.truth->tick) / ticking_s;
+    report.ticks_per_s = static_cast<double>(tally.truth->tick - start.next_tick) / ticking_s;
   }
   if (layout.hash && report.aborted.empty()) report.hash = run_hash(bookkeeper.journal().chains());
   return report;

@@ -56,6 +56,7 @@ core::Result<std::unique_ptr<ForeignObserver>> ForeignObserver::create(const run
                            const std::lock_guard<std::mutex> lock(raw->mutex_);
                            raw->progress_ = progress;
                          },
+                         [](const Checkpoint&) {},
                          [raw](std::string spool) {
                            const std::lock_guard<std::mutex> lock(raw->mutex_);
                            raw->spooled_ += spool;

@@ -46,6 +46,12 @@ class Journal {
   /// The chains of the topics written, by name; empty without hash.
   std::map<std::string, core::Hash128> chains() const;
 
+  /// The account so far, without what waits in the spool.
+  template <typename Visitor>
+  friend void visit_fields(Visitor& visit, Journal& journal) {
+    visit(journal.tally_, journal.chains_, journal.written_);
+  }
+
   std::size_t spooled_bytes() const { return spooled_.size(); }
   /// What was spooled since the last call, for for_each_spooled.
   std::string take_spooled();

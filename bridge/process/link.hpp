@@ -29,6 +29,7 @@ enum class FrameType : std::uint8_t {
   kWaiting,  ///< which endpoints are not there yet; none: ready
   kProgress,
   kSamples,  ///< what was written, for the recording
+  kCheckpoint,
   kFinished,
   kNotice,  ///< a line for the log
   kFatal,   ///< the component cannot go on
@@ -55,6 +56,14 @@ struct ExpectedEndpoint {
 
 enum class Pace : std::uint8_t { kLockstep, kScaled, kRealtime };
 
+/// A component's state before it steps `tick`: with the inputs from that tick on it goes on as if
+/// it had never stopped.
+struct Checkpoint {
+  std::uint64_t tick = 0;
+  std::string node;     ///< runtime::Node::save
+  std::string journal;  ///< the account of what it wrote
+};
+
 /// All that a component process needs to take its place in a run.
 struct Assignment {
   std::string run_id;
@@ -66,8 +75,11 @@ struct Assignment {
   double pace_factor = 1.0;  ///< with kScaled and kRealtime: simulated over wall-clock time
   bool hash = true;
   bool spool = false;  ///< send what is written, for the recording
-  std::uint32_t history_depth = 256;
+  std::uint32_t history_depth = 512;
+  std::uint64_t lead = 1;  ///< ticks that may be started before the first credit
   std::vector<ExpectedEndpoint> expected;
+  bool resumes = false;  ///< the run is under way: go on from `checkpoint`, or else from tick 0
+  std::optional<Checkpoint> checkpoint;
 };
 
 struct Waiting {
@@ -102,9 +114,13 @@ void visit_fields(V& v, ExpectedEndpoint& m) {
   v(m.topic, m.is_writer, m.stage, m.foreign);
 }
 template <typename V>
+void visit_fields(V& v, Checkpoint& m) {
+  v(m.tick, m.node, m.journal);
+}
+template <typename V>
 void visit_fields(V& v, Assignment& m) {
   v(m.run_id, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor, m.hash, m.spool,
-    m.history_depth, m.expected);
+    m.history_depth, m.lead, m.expected, m.resumes, m.checkpoint);
 }
 template <typename V>
 void visit_fields(V& v, Waiting& m) {

@@ -12,6 +12,9 @@ using runtime::Topic;
 namespace {
 
 constexpr std::uint64_t kTicksPerReport = 32;
+// All components save their states before the same ticks, so that those that are down together can
+// go on from the same one. Histories hold more than two periods.
+constexpr std::uint64_t kTicksPerCheckpoint = 64;
 constexpr std::size_t kSpoolBytes = 64 * 1024;
 
 std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
@@ -76,7 +79,7 @@ NodeHost::NodeHost(runtime::Node node, const Assignment& assignment, double tick
       buffer_(node_.ports(), assignment.history_depth),
       journal_(assignment.hash, assignment.spool),
       clock_(assignment.pace, assignment.pace_factor, tick_s),
-      allowed_until_(assignment.history_depth / 2) {}
+      allowed_until_(assignment.lead) {}
 
 NodeHost::~NodeHost() { readers_.clear(); }
 
@@ -101,10 +104,21 @@ core::Result<void> NodeHost::open(Participant& participant, const StartBarrier& 
   return {};
 }
 
+core::Result<void> NodeHost::restore(const Checkpoint& checkpoint) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  CLEW_RETURN_IF_ERROR(node_.load(checkpoint.node));
+  core::StateReader reader(checkpoint.journal);
+  reader(journal_);
+  if (!reader.complete()) return core::Error{"the checkpoint's journal is not one", {}, 0, 0};
+  buffer_.restart_at(checkpoint.tick);
+  allowed_until_ = std::max(allowed_until_, checkpoint.tick + 1);
+  return {};
+}
+
 void NodeHost::go(Time now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   started_ = true;
-  clock_.start(now);
+  clock_.start(now, buffer_.next_tick());
   run_ready(now);
 }
 
@@ -177,6 +191,16 @@ void NodeHost::step() {
   const bool ended = truth && truth->outcome != domain::Outcome::kRunning;
   if (ended) stopped_ = true;
   if (ended || tick % kTicksPerReport == 0 || journal_.spooled_bytes() >= kSpoolBytes) report();
+  if (buffer_.next_tick() % kTicksPerCheckpoint == 0) save_checkpoint();
+}
+
+// What was written before is on its way to the recording first: a component that goes on from here
+// will not write it again.
+void NodeHost::save_checkpoint() {
+  report();
+  core::StateWriter journal;
+  journal(journal_);
+  handlers_.on_checkpoint({buffer_.next_tick(), node_.save(), journal.take()});
 }
 
 void NodeHost::account(const runtime::TopicSet& present) {

@@ -36,6 +36,8 @@ class NodeHost {
     std::function<void(std::string)> on_fatal;
     /// Every few ticks, and when the run's outcome is known.
     std::function<void(const Progress&)> on_progress;
+    /// At every multiple of the checkpoint period.
+    std::function<void(const Checkpoint&)> on_checkpoint;
     /// Samples for the recording, as Journal spools them.
     std::function<void(std::string)> on_spooled;
   };
@@ -51,7 +53,9 @@ class NodeHost {
   /// Creates the endpoints. `barrier` and `participant` must outlive the host.
   core::Result<void> open(Participant& participant, const StartBarrier& barrier);
 
-  /// Lets the stage that starts ticks begin with tick 0.
+  /// Goes on from a checkpoint instead of tick 0; before open().
+  core::Result<void> restore(const Checkpoint& checkpoint);
+  /// Lets the stage that starts ticks begin.
   void go(Time now);
   /// Ticks up to this one, not included, may start.
   void allow_until(std::uint64_t tick);
@@ -83,6 +87,7 @@ class NodeHost {
   void publish(runtime::Topic topic);
   void write(Output& output, runtime::Topic topic, std::string_view cdr);
   void report();
+  void save_checkpoint();
   bool starts_ticks() const { return node_.ports().delayed_inputs.any(); }
 
   mutable std::mutex mutex_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "process/run_members.hpp"
 
+#include <algorithm>
+
 #include "cyclonedds/configuration.hpp"
 
 namespace clew::bridge {
@@ -31,6 +33,30 @@ std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const Graph
 }
 
 }  // namespace
+
+void Member::keep(Checkpoint checkpoint) {
+  if (!checkpoints.empty() && checkpoint.tick <= checkpoints.back().tick) return;
+  checkpoints.push_back(std::move(checkpoint));
+  if (checkpoints.size() > kCheckpointsKept) checkpoints.pop_front();
+}
+
+const Checkpoint* Member::checkpoint_at(std::uint64_t tick) const {
+  for (const Checkpoint& checkpoint : checkpoints) {
+    if (checkpoint.tick == tick) return &checkpoint;
+  }
+  return nullptr;
+}
+
+std::uint64_t common_checkpoint(const std::vector<const Member*>& members, std::uint64_t limit) {
+  const auto& first = members.front()->checkpoints;
+  for (auto candidate = first.rbegin(); candidate != first.rend(); ++candidate) {
+    const bool everywhere = std::all_of(members.begin(), members.end(), [&](const Member* member) {
+      return member->checkpoint_at(candidate->tick) != nullptr;
+    });
+    if (everywhere && candidate->tick <= limit) return candidate->tick;
+  }
+  return 0;
+}
 
 std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayout& layout) {
   std::vector<Member> members;

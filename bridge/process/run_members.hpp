@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,7 +26,29 @@ struct Member {
   bool ready = false;
   Progress progress;
   std::optional<Finished> finished;
+  std::chrono::steady_clock::time_point heard_at{};
+  std::deque<Checkpoint> checkpoints;  ///< the newest last, at most kCheckpointsKept
+  // While it is down, or has not yet caught up with itself:
+  bool down = false;
+  bool catching_up = false;
+  std::uint64_t lost_at = 0;  ///< ticks that it had done when it was lost
+  std::chrono::steady_clock::time_point restart_at{};
+  std::uint32_t restarts = 0;
+  std::uint32_t deaths_in_place = 0;  ///< in a row without a tick more than the one before
+
+  /// Notes a newer checkpoint.
+  void keep(Checkpoint checkpoint);
+  /// The checkpoint at `tick`, if it is kept.
+  const Checkpoint* checkpoint_at(std::uint64_t tick) const;
 };
+
+/// Two are enough for members that go in step; one that nobody waits for may lag behind by the lead
+/// of the stage that starts ticks, which is two periods more.
+inline constexpr std::size_t kCheckpointsKept = 4;
+
+/// The newest tick, `limit` at most, at which all of `members` have a checkpoint; 0, the start, if
+/// there is none.
+std::uint64_t common_checkpoint(const std::vector<const Member*>& members, std::uint64_t limit);
 
 /// The members of a plan, in the order of its stages.
 std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayout& layout);

@@ -68,6 +68,7 @@ std::string StartBarrier::objection(const RemoteEndpoint& remote) const {
   if (!remote.is_writer) return {};
   const ExpectedEndpoint* expected = expected_for(remote);
   if (expected == nullptr) return "the graph has no such writer";
+  if (!expected->foreign) return {};
   // A component that is not clew's has no name to tell it by: the first one that comes is it.
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const auto& [guid, other] : matched_) {

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -12,6 +13,7 @@
 
 #include "process/domain_hold.hpp"
 #include "process/foreign_observer.hpp"
+#include "process/restarts.hpp"
 #include "process/run_members.hpp"
 #include "process/signal_queue.hpp"
 #include "recording/run_hash.hpp"
@@ -25,7 +27,9 @@ using core::Result;
 using runtime::GraphStage;
 using std::chrono::milliseconds;
 
-constexpr std::uint32_t kHistoryDepth = 256;
+constexpr std::uint32_t kHistoryDepth = 512;
+// How far the stage that starts ticks may be ahead of the slowest member and of the recording.
+constexpr std::uint32_t kLead = kHistoryDepth / 4;
 constexpr auto kPollPeriod = milliseconds(20);
 constexpr auto kDisplayPeriod = milliseconds(100);
 // No tick for so long means that a component is stuck.
@@ -45,6 +49,7 @@ class Supervisor {
         recording_(recording),
         display_(display),
         members_(list_members(plan, layout)),
+        restarts_(members_, plan.graph),
         started_at_(Clock::now()),
         patient_(!layout.external.empty() || !layout.prefix.empty()) {
     run_id_ = std::to_string(::getpid()) + '-' + std::to_string(hold_.domain());
@@ -85,14 +90,19 @@ class Supervisor {
             ' ' + member.stage + " --domain " + std::to_string(hold_.domain()));
         continue;
       }
-      auto child = ChildProcess::start(
-          command_of(member, *plan_.graph.find(member.stage), layout_, hold_.domain(), run_id_));
-      if (!child.ok()) return abort(member.stage + ": " + child.error().text());
-      member.child = std::move(child).value();
+      start_child(member);
     }
     auto observer = ForeignObserver::create(plan_, assignment_for("observer", layout_.middleware));
     if (!observer.ok()) return abort(observer.error().text());
     observer_ = std::move(observer).value();
+  }
+
+  void start_child(Member& member) {
+    auto child = ChildProcess::start(
+        command_of(member, *plan_.graph.find(member.stage), layout_, hold_.domain(), run_id_));
+    if (!child.ok()) return abort(member.stage + ": " + child.error().text());
+    member.child = std::move(child).value();
+    member.down = false;
   }
 
   Assignment assignment_for(const std::string& stage, const std::string& middleware) const {
@@ -103,6 +113,7 @@ class Supervisor {
     if (patient_) assignment.lease_s = kPatientLease_s;
     assignment.spool = recording_ != nullptr;
     assignment.history_depth = kHistoryDepth;
+    assignment.lead = kLead;
     fill_assignment(plan_, layout_, stage, assignment);
     return assignment;
   }
@@ -139,7 +150,15 @@ class Supervisor {
       return abort(what);
     }
     const GraphStage& stage = *plan_.graph.find(hello->stage);
-    link->send(FrameType::kAssignment, assignment_for(hello->stage, middleware_of(stage, layout_)));
+    Assignment assignment = assignment_for(hello->stage, middleware_of(stage, layout_));
+    if (gone_) {
+      assignment.resumes = true;
+      if (!member->checkpoints.empty()) assignment.checkpoint = member->checkpoints.back();
+    }
+    link->send(FrameType::kAssignment, assignment);
+    if (member->starts_ticks) link->send(FrameType::kCredit, Tick{credit_});
+    if (last_tick_) link->send(FrameType::kFinish, Tick{*last_tick_});
+    member->heard_at = Clock::now();
     member->link = std::move(link);
   }
 
@@ -159,31 +178,42 @@ class Supervisor {
     if (member.link) {
       const bool open = member.link->receive();
       while (auto frame = member.link->next()) handle(member, *frame);
-      if (!open && !member.finished) leave(member);
-    }
-    if (member.child && member.child->reap() && !member.finished) {
-      abort(member.stage + " (process " + std::to_string(member.child->process_id()) + ") " +
-            member.child->end());
+      if (!open) lose(member);
+    } else if (member.child && !member.down && member.child->reap()) {
+      lose(member);
     }
   }
 
-  // The line broke: the process has died, or is dying; its end says more than the line's.
-  void leave(Member& member) {
+  // The line broke: the process has died, or is dying; its end says more than the line's. What it
+  // sent before was read before.
+  void lose(Member& member) {
     member.link.reset();
     const auto deadline = Clock::now() + kTermGrace;
-    while (member.child && !member.child->reap() && Clock::now() < deadline) {
-      ::poll(nullptr, 0, 1);
+    while (member.child && member.child->running() && Clock::now() < deadline) {
+      if (!member.child->reap()) ::poll(nullptr, 0, 1);
     }
+    std::string what = member.stage;
     if (member.child && !member.child->running()) {
-      abort(member.stage + " (process " + std::to_string(member.child->process_id()) + ") " +
-            member.child->end());
+      what +=
+          " (process " + std::to_string(member.child->process_id()) + ") " + member.child->end();
     } else {
-      abort(member.stage + " has left the run");
+      what += " has left the run";
     }
+    member.ready = false;
+    const std::string why_not = layout_.pace == Pace::kRealtime
+                                    ? "; in real time it is not restarted"
+                                    : restarts_.take(member, Clock::now());
+    if (!why_not.empty()) return abort(what + why_not);
+    log(what + "; restarting it");
+    ++report_.restarts;
   }
 
   void handle(Member& member, const Frame& frame) {
+    member.heard_at = Clock::now();
     switch (frame.type) {
+      case FrameType::kCheckpoint:
+        if (auto checkpoint = frame.as<Checkpoint>()) member.keep(*std::move(checkpoint));
+        break;
       case FrameType::kWaiting:
         if (const auto waiting = frame.as<Waiting>()) {
           member.missing = waiting->missing;
@@ -213,6 +243,7 @@ class Supervisor {
   void note_progress(Member& member, const Progress& progress) {
     if (progress.ticks > member.progress.ticks) stalled_since_ = Clock::now();
     member.progress = progress;
+    if (progress.ticks >= member.lost_at) member.catching_up = false;
     if (!member.starts_ticks || !progress.tally.truth) return;
     if (!first_tick_at_) {
       first_tick_at_ = Clock::now();
@@ -230,6 +261,10 @@ class Supervisor {
   void record(const std::string& spool) {
     if (recording_ == nullptr) return;
     const bool whole = for_each_spooled(spool, [this](const SpooledSample& sample) {
+      // A component that was restarted writes again what it wrote after its checkpoint.
+      std::uint64_t& next = recorded_[static_cast<std::size_t>(sample.topic)];
+      if (sample.tick < next) return;
+      next = sample.tick + 1;
       const auto added = recording_->add(sample);
       if (!added.ok()) abort(added.error().text());
     });
@@ -257,6 +292,10 @@ class Supervisor {
     } else if (!last_tick_ && now - stalled_since_ > stall_timeout()) {
       abort("no tick was completed for 10 s; ticks done:" + ticks_text(members_));
     }
+    if (!patient_) {
+      for (const std::string& line : restarts_.kill_frozen(now)) log(line);
+    }
+    for (Member* member : restarts_.due(now)) start_child(*member);
     give_credit();
     if (last_tick_ && everybody_finished()) all_finished_ = true;
     if (display_ && gone_ && now - displayed_at_ >= kDisplayPeriod) {
@@ -297,8 +336,8 @@ class Supervisor {
     }
   }
 
-  // The stage that starts ticks stays within half a history of the slowest member and of the
-  // recording, so that nobody loses a sample.
+  // The stage that starts ticks does not run away from the slowest member and the recording, so
+  // that histories hold what anybody may need.
   void give_credit() {
     std::uint64_t done = UINT64_MAX;
     for (const Member& member : members_) {
@@ -306,8 +345,8 @@ class Supervisor {
     }
     if (observer_) done = std::min(done, observer_->ticks());
     if (recording_ != nullptr) done = std::min(done, recording_->complete_ticks());
-    const std::uint64_t credit = done + kHistoryDepth / 2;
-    if (credit < credit_ + kHistoryDepth / 8) return;
+    const std::uint64_t credit = done + kLead;
+    if (credit < credit_ + kLead / 4) return;
     credit_ = credit;
     for (Member& member : members_) {
       if (member.starts_ticks && member.link) member.link->send(FrameType::kCredit, Tick{credit});
@@ -386,15 +425,17 @@ class Supervisor {
   const ProgressDisplay& display_;
   SignalQueue signals_;
   std::vector<Member> members_;
+  Restarts restarts_;
   std::vector<std::unique_ptr<Link>> newcomers_;
   std::unique_ptr<ForeignObserver> observer_;
   std::string run_id_;
   RunReport report_;
   const Clock::time_point started_at_;
   const bool patient_;
+  std::array<std::uint64_t, domain::kTopicCount> recorded_{};  // the next tick of each topic
   bool gone_ = false;
   bool all_finished_ = false;
-  std::uint64_t credit_ = kHistoryDepth / 2;
+  std::uint64_t credit_ = kLead;
   std::uint64_t first_tick_ = 0;
   std::optional<std::uint64_t> last_tick_;
   std::optional<Clock::time_point> first_tick_at_;

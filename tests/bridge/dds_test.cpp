@@ -180,6 +180,17 @@ TEST_P(DdsPair, TellsWhenAWriterIsGone) {
   EXPECT_EQ(reader_side_.events().unmatched.at(0).user_data, "clew_idl=w;");
 }
 
+TEST_P(DdsPair, DeliversWhatWasWrittenJustBeforeTheWriterClosed) {
+  match();
+  const std::string last = numbered_sample(1, 200000);
+
+  ASSERT_EQ(writer_->write(last), WriteStatus::kTaken);
+  writer_.reset();
+
+  ASSERT_TRUE(samples_.wait_for(1));
+  EXPECT_EQ(samples_.samples().at(0), last);
+}
+
 TEST_P(DdsPair, RefusesToOverwriteWhatASlowReaderHasNotTaken) {
   match();
   samples_.hold();
