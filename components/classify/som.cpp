@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/yaml_reader.hpp"
+#include "core/yaml_fields.hpp"
 
 namespace clew::classify {
 namespace {
@@ -12,45 +12,21 @@ namespace {
 using core::Result;
 using core::YamlNode;
 
-constexpr char kFormat[] = "clew-krishna-kalra-som/1";
-constexpr double kMaxRunLength = 1e6;
-
-Result<void> read_weights(const YamlNode& map, Som::Neuron& neuron) {
-  const auto node = map.at("weights");
-  if (!node.ok()) return node.error();
-  const auto weights = node->numbers(3, "three classes");
+Result<Som::Neuron> read_neuron(const YamlNode& node) {
+  CLEW_RETURN_IF_ERROR(node.check_keys({"weights", "lower_bounds"}));
+  const auto list = node.at("weights");
+  if (!list.ok()) return list.error();
+  const auto weights = list->numbers(3, "three classes");
   if (!weights.ok()) return weights.error();
+  Som::Neuron neuron;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double weight = (*weights)[i];
-    if (weight < 0.0 || weight > 8.0) return node->error("a weight is a class, 0 to 8");
-    neuron.weights[i] = weight;
+    neuron.weights[i] = (*weights)[i];
+    CLEW_RETURN_IF_ERROR(core::check_range(*list, neuron.weights[i], {0.0, 8.0}));
   }
-  return {};
-}
-
-Result<void> read_lower_bounds(const YamlNode& map, Som::Neuron& neuron) {
-  const auto node = map.find("lower_bounds");
-  if (!node) return {};
-  const auto bounds = node->numbers(3, "three numbers of ticks");
-  if (!bounds.ok()) return bounds.error();
-  RunLengths lengths{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double bound = (*bounds)[i];
-    if (bound < 1.0 || bound > kMaxRunLength || bound != std::floor(bound)) {
-      return node->error("a lower bound is a whole number of ticks, at least 1");
-    }
-    lengths[i] = static_cast<std::uint32_t>(bound);
+  if (node.find("lower_bounds")) {
+    CLEW_RETURN_IF_ERROR(core::read_counts(node, "lower_bounds", neuron.lower_bounds.emplace()));
   }
-  neuron.lower_bounds = lengths;
-  return {};
-}
-
-Result<void> check_format(const YamlNode& root) {
-  const auto format = root.at("format");
-  if (!format.ok()) return format.error();
-  const auto name = format->string();
-  if (name.ok() && *name == kFormat) return {};
-  return format->error(std::string("expected ") + kFormat + ", found " + format->found());
+  return neuron;
 }
 
 }  // namespace
@@ -59,7 +35,7 @@ Result<Som> Som::parse(const core::Resource& resource) {
   const auto root = YamlNode::parse(resource.text, resource.file);
   if (!root.ok()) return root.error();
   CLEW_RETURN_IF_ERROR(root->check_keys({"format", "trained_by", "neurons"}));
-  CLEW_RETURN_IF_ERROR(check_format(*root));
+  CLEW_RETURN_IF_ERROR(core::check_format(*root, "clew-krishna-kalra-som/1"));
   const auto list = root->at("neurons");
   if (!list.ok()) return list.error();
   const auto items = list->items();
@@ -71,10 +47,9 @@ Result<Som> Som::parse(const core::Resource& resource) {
 
   Lattice lattice;
   for (std::size_t i = 0; i < kNeurons; ++i) {
-    const YamlNode& item = (*items)[i];
-    CLEW_RETURN_IF_ERROR(item.check_keys({"weights", "lower_bounds"}));
-    CLEW_RETURN_IF_ERROR(read_weights(item, lattice[i]));
-    CLEW_RETURN_IF_ERROR(read_lower_bounds(item, lattice[i]));
+    auto neuron = read_neuron((*items)[i]);
+    if (!neuron.ok()) return neuron.error();
+    lattice[i] = *neuron;
   }
   return Som(lattice);
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
-
 #include "classify/som_training.hpp"
-#include "core/yaml_reader.hpp"
+#include "core/yaml_fields.hpp"
 
 namespace clew::classify {
 namespace {
@@ -10,16 +8,7 @@ namespace {
 using core::Result;
 using core::YamlNode;
 
-constexpr char kFormat[] = "clew-som-training/1";
 constexpr std::int64_t kLeastIterations = 100 * static_cast<std::int64_t>(Som::kNeurons);
-
-Result<void> read_format(const YamlNode& root) {
-  const auto format = root.at("format");
-  if (!format.ok()) return format.error();
-  const auto name = format->string();
-  if (name.ok() && *name == kFormat) return {};
-  return format->error(std::string("expected ") + kFormat + ", found " + format->found());
-}
 
 Result<void> read_count(const YamlNode& root, const char* key, std::int64_t least,
                         std::uint64_t& field) {
@@ -44,21 +33,6 @@ Result<void> read_annealed(const YamlNode& root, const char* key, double most,
   field = {(*pair)[0], (*pair)[1]};
   if (field[1] > 0.0 && field[1] <= field[0] && field[0] <= most) return {};
   return node->error("expected [first, last] with 0 < last <= first <= " + std::to_string(most));
-}
-
-Result<void> read_least_runs(const YamlNode& root, RunLengths& field) {
-  const auto node = root.at("least_runs_ticks");
-  if (!node.ok()) return node.error();
-  const auto lengths = node->numbers(3, "three numbers of ticks");
-  if (!lengths.ok()) return lengths.error();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double length = (*lengths)[i];
-    if (length < 1.0 || length > 1e6 || length != std::floor(length)) {
-      return node->error("a run is a whole number of ticks, at least 1");
-    }
-    field[i] = static_cast<std::uint32_t>(length);
-  }
-  return {};
 }
 
 Result<void> read_scales(const YamlNode& root, std::vector<double>& field) {
@@ -98,13 +72,13 @@ Result<SomRecipe> SomRecipe::parse(const core::Resource& resource) {
   CLEW_RETURN_IF_ERROR(
       root->check_keys({"format", "seed", "iterations", "learning_rate", "radius_neurons",
                         "least_runs_ticks", "scales", "worlds"}));
-  CLEW_RETURN_IF_ERROR(read_format(*root));
+  CLEW_RETURN_IF_ERROR(core::check_format(*root, "clew-som-training/1"));
   SomRecipe recipe;
   CLEW_RETURN_IF_ERROR(read_count(*root, "seed", 0, recipe.seed));
   CLEW_RETURN_IF_ERROR(read_count(*root, "iterations", kLeastIterations, recipe.iterations));
   CLEW_RETURN_IF_ERROR(read_annealed(*root, "learning_rate", 1.0, recipe.learning_rate));
   CLEW_RETURN_IF_ERROR(read_annealed(*root, "radius_neurons", 7.0, recipe.radius_neurons));
-  CLEW_RETURN_IF_ERROR(read_least_runs(*root, recipe.least_runs));
+  CLEW_RETURN_IF_ERROR(core::read_counts(*root, "least_runs_ticks", recipe.least_runs));
   CLEW_RETURN_IF_ERROR(read_scales(*root, recipe.scales));
   CLEW_RETURN_IF_ERROR(read_worlds(*root, recipe.worlds));
   return recipe;

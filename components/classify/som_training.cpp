@@ -22,7 +22,10 @@ constexpr std::uint32_t kRandomComponent = 100;  // apart from those of the stag
 
 using Sighting = std::pair<Triple, RunLengths>;
 
-bool is_landmark(const Triple& classes) { return classes[0] != kFree && classes[1] != kFree; }
+/// A landmark is something that is seen, and that leads from one place to another.
+bool is_landmark(const Triple& classes) {
+  return classes[0] != kFree && classes[1] != kFree && classes[0] != classes[2];
+}
 
 /// The landmark vectors of a run, each with its lengths when it is complete.
 std::vector<Sighting> sightings(const LandmarkRun& run, const RunLengths& least_runs) {

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "control/krishna_kalra_rules.hpp"
 
-#include <string>
-
 #include "core/angle.hpp"
-#include "core/parameters.hpp"
-#include "core/yaml_reader.hpp"
+#include "core/yaml_fields.hpp"
 
 namespace clew::control {
 namespace {
@@ -14,24 +11,9 @@ using core::Range;
 using core::Result;
 using core::YamlNode;
 
-constexpr char kFormat[] = "clew-krishna-kalra-control/1";
-constexpr Range kTurnsDeg = {-180.0, 180.0};
+constexpr Range kRatio = {0.0, 1.0};
+constexpr Range kTurnDeg = {-180.0, 180.0};
 constexpr Range kStepM = {0.0, 1.0};
-
-Result<void> check_range(const YamlNode& node, double value, Range range) {
-  if (value >= range.min && value <= range.max) return {};
-  return node.error("expected a number in [" + std::to_string(range.min) + ", " +
-                    std::to_string(range.max) + "], found " + node.found());
-}
-
-Result<void> read_number(const YamlNode& map, const char* key, Range range, double& field) {
-  const auto node = map.at(key);
-  if (!node.ok()) return node.error();
-  const auto number = node->number();
-  if (!number.ok()) return number.error();
-  field = *number;
-  return check_range(*node, field, range);
-}
 
 Result<void> read_turns(const YamlNode& map, const char* key,
                         std::array<double, KrishnaKalraRules::kSensors>& turns_rad) {
@@ -40,7 +22,7 @@ Result<void> read_turns(const YamlNode& map, const char* key,
   const auto numbers = node->numbers(turns_rad.size(), "seven angles, leftmost sensor first");
   if (!numbers.ok()) return numbers.error();
   for (std::size_t i = 0; i < turns_rad.size(); ++i) {
-    CLEW_RETURN_IF_ERROR(check_range(*node, (*numbers)[i], kTurnsDeg));
+    CLEW_RETURN_IF_ERROR(core::check_range(*node, (*numbers)[i], kTurnDeg));
     turns_rad[i] = core::radians((*numbers)[i]);
   }
   return {};
@@ -49,35 +31,31 @@ Result<void> read_turns(const YamlNode& map, const char* key,
 }  // namespace
 
 Result<KrishnaKalraRules> KrishnaKalraRules::parse(const core::Resource& resource) {
-  const auto root = YamlNode::parse(resource.text, resource.file);
-  if (!root.ok()) return root.error();
+  const auto parsed = YamlNode::parse(resource.text, resource.file);
+  if (!parsed.ok()) return parsed.error();
+  const YamlNode& root = *parsed;
   CLEW_RETURN_IF_ERROR(
-      root->check_keys({"format", "near_full_ratio", "near_none_ratio", "target_turn_deg",
-                        "near_turns_deg", "far_turns_deg", "target_near_step_m",
-                        "target_far_step_m", "obstacle_near_step_m", "obstacle_far_step_m"}));
-  const auto format = root->at("format");
-  if (!format.ok()) return format.error();
-  const auto format_name = format->string();
-  if (!format_name.ok() || *format_name != kFormat) {
-    return format->error(std::string("expected ") + kFormat + ", found " + format->found());
-  }
+      root.check_keys({"format", "near_full_ratio", "near_none_ratio", "target_turn_deg",
+                       "near_turns_deg", "far_turns_deg", "target_near_step_m", "target_far_step_m",
+                       "obstacle_near_step_m", "obstacle_far_step_m"}));
+  CLEW_RETURN_IF_ERROR(core::check_format(root, "clew-krishna-kalra-control/1"));
 
   KrishnaKalraRules rules;
-  CLEW_RETURN_IF_ERROR(read_number(*root, "near_full_ratio", {0.0, 1.0}, rules.near_full_ratio));
-  CLEW_RETURN_IF_ERROR(read_number(*root, "near_none_ratio", {0.0, 1.0}, rules.near_none_ratio));
+  double target_turn_deg = 0.0;
+  CLEW_RETURN_IF_ERROR(read_number(root, "near_full_ratio", kRatio, rules.near_full_ratio));
+  CLEW_RETURN_IF_ERROR(read_number(root, "near_none_ratio", kRatio, rules.near_none_ratio));
   if (rules.near_full_ratio >= rules.near_none_ratio) {
-    return root->error("near_none_ratio must be more than near_full_ratio");
+    return root.error("near_none_ratio must be more than near_full_ratio");
   }
-  CLEW_RETURN_IF_ERROR(read_number(*root, "target_turn_deg", {0.0, 180.0}, rules.target_turn_rad));
-  rules.target_turn_rad = core::radians(rules.target_turn_rad);
-  CLEW_RETURN_IF_ERROR(read_turns(*root, "near_turns_deg", rules.near_turns_rad));
-  CLEW_RETURN_IF_ERROR(read_turns(*root, "far_turns_deg", rules.far_turns_rad));
-  CLEW_RETURN_IF_ERROR(read_number(*root, "target_near_step_m", kStepM, rules.target_near_step_m));
-  CLEW_RETURN_IF_ERROR(read_number(*root, "target_far_step_m", kStepM, rules.target_far_step_m));
+  CLEW_RETURN_IF_ERROR(read_number(root, "target_turn_deg", {0.0, 180.0}, target_turn_deg));
+  rules.target_turn_rad = core::radians(target_turn_deg);
+  CLEW_RETURN_IF_ERROR(read_turns(root, "near_turns_deg", rules.near_turns_rad));
+  CLEW_RETURN_IF_ERROR(read_turns(root, "far_turns_deg", rules.far_turns_rad));
+  CLEW_RETURN_IF_ERROR(read_number(root, "target_near_step_m", kStepM, rules.target_near_step_m));
+  CLEW_RETURN_IF_ERROR(read_number(root, "target_far_step_m", kStepM, rules.target_far_step_m));
   CLEW_RETURN_IF_ERROR(
-      read_number(*root, "obstacle_near_step_m", kStepM, rules.obstacle_near_step_m));
-  CLEW_RETURN_IF_ERROR(
-      read_number(*root, "obstacle_far_step_m", kStepM, rules.obstacle_far_step_m));
+      read_number(root, "obstacle_near_step_m", kStepM, rules.obstacle_near_step_m));
+  CLEW_RETURN_IF_ERROR(read_number(root, "obstacle_far_step_m", kStepM, rules.obstacle_far_step_m));
   return rules;
 }
 

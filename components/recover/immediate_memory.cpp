@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/angle.hpp"
-#include "core/yaml_reader.hpp"
+#include "core/yaml_fields.hpp"
 
 namespace clew::recover {
 namespace {
@@ -12,7 +12,6 @@ namespace {
 using core::Result;
 using core::YamlNode;
 
-constexpr char kFormat[] = "clew-krishna-kalra-actions/1";
 constexpr double kHalfClass = 0.5;
 
 double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -27,21 +26,16 @@ Result<ImmediateMemory::Action> read_action(const YamlNode& node) {
   if (!list.ok()) return list.error();
   const auto classes = list->numbers(3, "three classes");
   if (!classes.ok()) return classes.error();
-  const auto turn = node.at("turn_deg");
-  if (!turn.ok()) return turn.error();
-  const auto turn_deg = turn->number();
-  if (!turn_deg.ok()) return turn_deg.error();
-  if (std::fabs(*turn_deg) > 180.0) return turn->error("a turn is within 180 degrees");
-
   ImmediateMemory::Action action;
   for (std::size_t i = 0; i < 3; ++i) {
     const double value = (*classes)[i];
-    if (value < 0.0 || value > 8.0 || value != std::floor(value)) {
-      return list->error("a class is a whole number, 0 to 8");
-    }
+    CLEW_RETURN_IF_ERROR(core::check_range(*list, value, {0.0, 8.0}));
+    if (value != std::floor(value)) return list->error("a class is a whole number");
     action.classes[i] = value;
   }
-  action.turn_rad = core::radians(*turn_deg);
+  double turn_deg = 0.0;
+  CLEW_RETURN_IF_ERROR(read_number(node, "turn_deg", {-180.0, 180.0}, turn_deg));
+  action.turn_rad = core::radians(turn_deg);
   return action;
 }
 
@@ -51,12 +45,7 @@ Result<ImmediateMemory> ImmediateMemory::parse(const core::Resource& resource) {
   const auto root = YamlNode::parse(resource.text, resource.file);
   if (!root.ok()) return root.error();
   CLEW_RETURN_IF_ERROR(root->check_keys({"format", "actions"}));
-  const auto format = root->at("format");
-  if (!format.ok()) return format.error();
-  const auto name = format->string();
-  if (!name.ok() || *name != kFormat) {
-    return format->error(std::string("expected ") + kFormat + ", found " + format->found());
-  }
+  CLEW_RETURN_IF_ERROR(core::check_format(*root, "clew-krishna-kalra-actions/1"));
   const auto list = root->at("actions");
   if (!list.ok()) return list.error();
   const auto items = list->items();
@@ -66,8 +55,9 @@ Result<ImmediateMemory> ImmediateMemory::parse(const core::Resource& resource) {
     const auto action = read_action(item);
     if (!action.ok()) return action.error();
     for (const Action& other : actions) {
-      if (other.classes == action->classes)
+      if (other.classes == action->classes) {
         return item.error("this landmark has an action already");
+      }
     }
     actions.push_back(*action);
   }

@@ -37,7 +37,8 @@ std::optional<TrapEvidence> LandmarkRevisit::observe(const Situation& situation)
 std::optional<TrapEvidence> LandmarkRevisit::visit(const Situation& situation,
                                                    const domain::Recognition& recognition) {
   const std::pair<domain::Network, std::uint32_t> key{recognition.network, recognition.neuron};
-  if (state_.queues.size() >= kMaxQueues && state_.queues.count(key) == 0) return std::nullopt;
+  const bool full = state_.queues.size() >= static_cast<std::size_t>(parameters_.capacity);
+  if (full && state_.queues.count(key) == 0) return std::nullopt;
   Queue& queue = state_.queues[key];
   if (recognition.created) queue.clear();
 

@@ -18,6 +18,7 @@ struct LandmarkRevisitParameters {
   double loop_length_m = 1.0;
   std::int64_t earlier_visits = 1;
   double heading_tolerance_rad = core::radians(180.0);
+  std::int64_t capacity = 64;
 };
 
 template <typename Visitor>
@@ -30,6 +31,8 @@ void visit_parameters(Visitor& visit, LandmarkRevisitParameters& p) {
                 "visits to the same place that prove a loop, besides this one");
   visit.angle("heading_tolerance_deg", p.heading_tolerance_rad, {0.0, 180.0},
               "visits count with headings this close; 180 is any");
+  visit.integer("capacity", p.capacity, "1", {1, 4096},
+                "neurons and categories remembered; 49 and 15 in the paper");
 }
 
 /// The distant memory of Krishna & Kalra 2000, section 4.3: each neuron and category keeps the last
@@ -41,7 +44,6 @@ class LandmarkRevisit final : public TrapDetector {
  public:
   using Parameters = LandmarkRevisitParameters;
   static constexpr std::size_t kQueueLength = 6;
-  static constexpr std::size_t kMaxQueues = 256;
 
   struct Visit {
     std::uint64_t tick = 0;

@@ -139,6 +139,7 @@ void RecoverComponent::step_escape(const Situation& situation, Guidance& guidanc
   guidance.has_override = false;
   guidance.override_motion = {};
   guidance.virtual_obstacles.clear();
+  guidance.why.clear();
   guidance.target_is_virtual = false;
   guidance.mode = state_.gave_up ? domain::GuidanceMode::kUnreachable
                                  : (state_.escaping ? domain::GuidanceMode::kRecover

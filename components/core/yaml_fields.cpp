@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/yaml_fields.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace clew::core {
+namespace {
+
+constexpr double kMostCount = 1e9;
+
+/// 0.3 as `0.3`.
+std::string text_of(double number) {
+  std::string text = std::to_string(number);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+Result<void> check_format(const YamlNode& map, const char* format) {
+  const auto node = map.at("format");
+  if (!node.ok()) return node.error();
+  const auto found = node->string();
+  if (found.ok() && *found == format) return {};
+  return node->error(std::string("expected ") + format + ", found " + node->found());
+}
+
+Result<void> check_range(const YamlNode& node, double number, Range range) {
+  if (number >= range.min && number <= range.max) return {};
+  return node.error("expected a number from " + text_of(range.min) + " to " + text_of(range.max) +
+                    ", found " + text_of(number));
+}
+
+Result<void> read_number(const YamlNode& map, const char* key, Range range, double& field) {
+  const auto node = map.at(key);
+  if (!node.ok()) return node.error();
+  const auto number = node->number();
+  if (!number.ok()) return number.error();
+  field = *number;
+  return check_range(*node, field, range);
+}
+
+Result<void> read_counts(const YamlNode& map, const char* key,
+                         std::array<std::uint32_t, 3>& fields) {
+  const auto node = map.at(key);
+  if (!node.ok()) return node.error();
+  const auto numbers = node->numbers(fields.size(), "three counts");
+  if (!numbers.ok()) return numbers.error();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const double count = (*numbers)[i];
+    if (count < 1.0 || count > kMostCount || count != std::floor(count)) {
+      return node->error("expected whole numbers of at least 1, found " + text_of(count));
+    }
+    fields[i] = static_cast<std::uint32_t>(count);
+  }
+  return {};
+}
+
+}  // namespace clew::core

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What all data files have in common: a format line, and numbers within limits.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/parameters.hpp"
+#include "core/yaml_reader.hpp"
+
+namespace clew::core {
+
+/// Whether the map says `format: <format>`.
+Result<void> check_format(const YamlNode& map, const char* format);
+
+/// Whether the number read from `node` is within its range, both ends included.
+Result<void> check_range(const YamlNode& node, double number, Range range);
+
+/// The number at a key that must be there, within its range.
+Result<void> read_number(const YamlNode& map, const char* key, Range range, double& field);
+
+/// Three counts at a key that must be there, each a whole number of at least 1.
+Result<void> read_counts(const YamlNode& map, const char* key,
+                         std::array<std::uint32_t, 3>& fields);
+
+}  // namespace clew::core

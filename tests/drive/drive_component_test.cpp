@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drive/drive_component.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "drive/turn_then_step.hpp"
+
+namespace clew::drive {
+namespace {
+
+using domain::CommandKind;
+using domain::Motion;
+using domain::Outcome;
+using domain::Topic;
+
+/// A drive alone, fed with commands.
+class DriveRun {
+ public:
+  explicit DriveRun(const std::string& obstacles = "", bool safety = true,
+                    std::uint64_t max_ticks = 100) {
+    auto world = world::World::parse("format: clew-world/1\nname: test\nbounds: [0, 0, 20, 20]\n" +
+                                         obstacles +
+                                         "\nstart: [5, 5, 0]\ntarget: [6, 5]\ntarget_radius: 0.2\n",
+                                     "test.yaml");
+    EXPECT_TRUE(world.ok()) << world.error().text();
+    runtime::RunSetup setup;
+    setup.world = std::make_shared<const world::World>(std::move(world).value());
+    setup.max_ticks = max_ticks;
+    component_.emplace(std::make_unique<TurnThenStep>(TurnThenStepParameters{}, 0.3),
+                       SafetyParameters{safety, 0.005}, setup);
+    command_.set(static_cast<std::size_t>(Topic::kCommand));
+    for (const Topic topic : {Topic::kState, Topic::kOdometry, Topic::kTarget}) {
+      outputs_.set(static_cast<std::size_t>(topic));
+    }
+  }
+
+  /// The first tick, without a command.
+  const domain::State& start() { return step({}, false); }
+  /// The next tick, after `motion`; `present` tells whether the command came.
+  const domain::State& step(const Motion& motion, bool present = true) {
+    std::get<domain::Command>(messages_).motion = motion;
+    runtime::TickOutputs outputs(messages_, outputs_);
+    std::get<domain::State>(messages_) = {};
+    std::get<domain::Odometry>(messages_) = {};
+    component_->step({messages_, command_, present ? command_ : runtime::TopicSet(), tick_++},
+                     outputs);
+    return std::get<domain::State>(messages_);
+  }
+  const domain::Messages& messages() const { return messages_; }
+
+ private:
+  std::optional<DriveComponent> component_;
+  domain::Messages messages_;
+  runtime::TopicSet command_;
+  runtime::TopicSet outputs_;
+  std::uint64_t tick_ = 0;
+};
+
+Motion ahead(double step_m) {
+  Motion motion;
+  motion.kind = CommandKind::kTurnAndStep;
+  motion.step_m = step_m;
+  return motion;
+}
+
+TEST(DriveComponent, StartsWhereTheWorldSays) {
+  DriveRun run;
+
+  const domain::State& state = run.start();
+
+  EXPECT_EQ(state.pose_world_robot, (core::Pose2{5, 5, 0}));
+  EXPECT_EQ(state.outcome, Outcome::kRunning);
+  EXPECT_FALSE(state.command_late);
+  const auto& target = std::get<domain::Target>(run.messages());
+  EXPECT_EQ(target.position(), core::Vec2(6, 5));
+  EXPECT_EQ(target.radius_m, 0.2);
+}
+
+TEST(DriveComponent, AppliesTheCommandOfTheTickBefore) {
+  DriveRun run;
+  run.start();
+
+  const domain::State& state = run.step(ahead(0.1));
+
+  EXPECT_NEAR(state.pose_world_robot.x_m, 5.1, 1e-12);
+  const auto& odometry = std::get<domain::Odometry>(run.messages());
+  EXPECT_EQ(odometry.pose_odom_robot, state.pose_world_robot);
+  EXPECT_NEAR(odometry.travel_m, 0.1, 1e-12);
+}
+
+TEST(DriveComponent, RestsAndSaysSoWhenACommandIsLate) {
+  DriveRun run;
+  run.start();
+
+  const domain::State& state = run.step(ahead(0.1), false);
+
+  EXPECT_TRUE(state.command_late);
+  EXPECT_EQ(state.pose_world_robot.x_m, 5.0);
+}
+
+TEST(DriveComponent, ReachesTheTargetWithinItsRadiusAtTheEndOfATick) {
+  DriveRun run;
+  run.start();
+
+  Outcome outcome = Outcome::kRunning;
+  int ticks = 0;
+  while (outcome == Outcome::kRunning && ticks < 20) {
+    outcome = run.step(ahead(0.15)).outcome;
+    ++ticks;
+  }
+
+  EXPECT_EQ(outcome, Outcome::kReached);
+  EXPECT_EQ(ticks, 6);  // 0.8 m of 1 m, in steps of 0.15 m
+}
+
+TEST(DriveComponent, EndsWithACollisionWithoutTheSafetyLayer) {
+  DriveRun run("walls: [[5.2, 0, 5.2, 20]]", false);
+  run.start();
+
+  const domain::State& state = run.step(ahead(0.15));
+
+  EXPECT_EQ(state.outcome, Outcome::kCollided);
+  EXPECT_EQ(state.collisions, 1u);
+}
+
+TEST(DriveComponent, GoesOnAfterAnInterventionAndTellsTheContacts) {
+  DriveRun run("walls: [[5.2, 0, 5.2, 20]]");
+  run.start();
+
+  const domain::State& state = run.step(ahead(0.15));
+
+  EXPECT_EQ(state.outcome, Outcome::kRunning);
+  EXPECT_EQ(state.safety_stops, 1u);
+  const auto& odometry = std::get<domain::Odometry>(run.messages());
+  EXPECT_TRUE(odometry.blocked);
+  EXPECT_EQ(odometry.contact_bearings_rad.size(), 1u);
+}
+
+TEST(DriveComponent, EndsAsUnreachableWhenControlGivesUp) {
+  DriveRun run;
+  run.start();
+  Motion motion;
+  motion.kind = CommandKind::kGiveUp;
+
+  EXPECT_EQ(run.step(motion).outcome, Outcome::kUnreachable);
+}
+
+TEST(DriveComponent, EndsAtTheLastTick) {
+  DriveRun run("", true, 3);
+  run.start();
+
+  EXPECT_EQ(run.step({}).outcome, Outcome::kRunning);
+  EXPECT_EQ(run.step({}).outcome, Outcome::kRunning);
+  EXPECT_EQ(run.step({}).outcome, Outcome::kTimeout);
+}
+
+}  // namespace
+}  // namespace clew::drive
