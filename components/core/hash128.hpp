@@ -34,7 +34,11 @@ class HashChain {
  public:
   void add(std::uint64_t tick, std::uint64_t sequence, std::string_view bytes);
   const Hash128& value() const { return value_; }
-  void restore(const Hash128& value) { value_ = value; }
+
+  template <typename Visitor>
+  friend void visit_fields(Visitor& visit, HashChain& chain) {
+    visit(chain.value_);
+  }
 
  private:
   Hash128 value_;

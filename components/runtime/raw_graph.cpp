@@ -11,6 +11,8 @@ using core::Result;
 using core::YamlKind;
 using core::YamlNode;
 
+constexpr std::int64_t kMaxRestarts = 1'000'000;
+
 // A choice is `name`, or `{name: {parameter: value, ...}}`.
 Result<RawChoice> read_choice(const YamlNode& node) {
   if (node.kind() != YamlKind::kMap) {
@@ -76,7 +78,24 @@ Result<void> read_deployment(const YamlNode& node, const std::string& key, Deplo
     }
     return {};
   }
-  CLEW_RETURN_IF_ERROR(node.check_keys({"middleware"}));
+  CLEW_RETURN_IF_ERROR(node.check_keys({"middleware", "restart_limit", "restart_backoff_s"}));
+  if (const auto limit = node.find("restart_limit")) {
+    const auto value = limit->integer();
+    if (!value.ok()) return value.error();
+    if (*value < 0 || *value > kMaxRestarts) {
+      return limit->error("restart_limit is " + limit->found() + "; allowed: 0 to " +
+                          std::to_string(kMaxRestarts));
+    }
+    deployment.restart_limit = static_cast<std::uint32_t>(*value);
+  }
+  if (const auto backoff = node.find("restart_backoff_s")) {
+    const auto value = backoff->number();
+    if (!value.ok()) return value.error();
+    if (*value < 0.0 || *value > 60.0) {
+      return backoff->error("restart_backoff_s is " + backoff->found() + "; allowed: 0 to 60 s");
+    }
+    deployment.restart_backoff_s = *value;
+  }
   if (const auto middleware = node.find("middleware")) {
     auto word = middleware->string();
     if (!word.ok()) return word.error();
