@@ -31,7 +31,8 @@ class SampleQueue {
   /// The oldest sample of a queue that is not empty; valid until the next push or pop.
   QueuedSample front() const {
     const Entry& entry = entries_[head_];
-    return {entry.tick, entry.sequence, std::string_view(bytes_).substr(entry.offset, entry.bytes)};
+    const std::string_view bytes = bytes_;
+    return {entry.tick, entry.sequence, bytes.substr(entry.offset, entry.bytes)};
   }
 
   void pop() {

@@ -47,8 +47,9 @@ std::string count_text(std::size_t count, const std::string& what) {
 
 std::string details_text(const world::World& world, const RunTrack& track) {
   std::string text = "path " + short_number(track.last_state.path_length_m) + " m";
-  if (world.shortest_path_m())
+  if (world.shortest_path_m()) {
     text += " (shortest " + short_number(*world.shortest_path_m()) + " m)";
+  }
   const auto traps = static_cast<std::size_t>(std::count_if(
       track.traps.begin(), track.traps.end(), [](const TrapMark& trap) { return !trap.shadow; }));
   if (traps > 0) text += count_text(traps, "trap");

@@ -2,6 +2,7 @@
 #include "plot/svg_writer.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace clew::plot {
@@ -46,8 +47,8 @@ std::string_view anchor_name(Anchor anchor) {
 }  // namespace
 
 std::string short_number(double value) {
-  const long long hundredths = std::llround(value * 100.0);
-  const long long magnitude = hundredths < 0 ? -hundredths : hundredths;
+  const std::int64_t hundredths = std::llround(value * 100.0);
+  const std::int64_t magnitude = hundredths < 0 ? -hundredths : hundredths;
   std::string text = hundredths < 0 ? "-" : "";
   text += std::to_string(magnitude / 100);
   if (magnitude % 100 == 0) return text;

@@ -18,7 +18,7 @@ struct Paint {
   std::string_view fill = "none";
   std::string_view stroke = "none";
   double stroke_width = 1.0;
-  std::string_view dashes = "";  ///< SVG's stroke-dasharray; empty: solid
+  std::string_view dashes = {};  ///< SVG's stroke-dasharray; empty: solid
   double opacity = 1.0;
 };
 

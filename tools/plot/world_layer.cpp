@@ -11,16 +11,24 @@ namespace {
 
 using core::Vec2;
 
+std::vector<double> multiples_between(double step, double low, double high) {
+  std::vector<double> multiples;
+  const double first = std::ceil(low / step);
+  const auto count = static_cast<int>(std::floor(high / step) - first) + 1;
+  for (int i = 0; i < count; ++i) multiples.push_back((first + i) * step);
+  return multiples;
+}
+
 void draw_grid(SvgWriter& svg, const MapView& view, const world::World& world) {
   const Vec2& low = world.bounds_min();
   const Vec2& high = world.bounds_max();
-  const double step_m = round_length_m((high.x() - low.x()) / 2.0);
+  const double step_m = round_length_m((high - low).maxCoeff() / 2.0);
   std::vector<Point> lines;
-  for (double x_m = std::ceil(low.x() / step_m) * step_m; x_m < high.x(); x_m += step_m) {
+  for (const double x_m : multiples_between(step_m, low.x(), high.x())) {
     lines.push_back(view.at({x_m, low.y()}));
     lines.push_back(view.at({x_m, high.y()}));
   }
-  for (double y_m = std::ceil(low.y() / step_m) * step_m; y_m < high.y(); y_m += step_m) {
+  for (const double y_m : multiples_between(step_m, low.y(), high.y())) {
     lines.push_back(view.at({low.x(), y_m}));
     lines.push_back(view.at({high.x(), y_m}));
   }
