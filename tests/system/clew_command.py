@@ -5,6 +5,7 @@ import os
 import pathlib
 import subprocess
 import tempfile
+import time
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 CLEW = os.environ.get("CLEW_COMMAND", str(SOURCE / "build" / "clew"))
@@ -72,6 +73,33 @@ def processes_of_session(session):
         if int(fields[3]) == session and fields[0] != "Z":
             found.append(int(entry.name))
     return found
+
+
+def command_line(pid):
+    """The words of a process's command; none if it is gone."""
+    try:
+        return pathlib.Path(f"/proc/{pid}/cmdline").read_bytes().decode().split("\0")
+    except OSError:
+        return []
+
+
+def components_of(session):
+    """Process ids of a session's component processes, by stage."""
+    found = {}
+    for pid in processes_of_session(session):
+        words = command_line(pid)
+        if "component" in words:
+            found[words[words.index("component") + 2]] = pid
+    return found
+
+
+def wait_until(condition, seconds=20):
+    """Whether the condition came true in time."""
+    deadline = time.monotonic() + seconds
+    while time.monotonic() < deadline:
+        if condition():
+            return True
+    return False
 
 
 def write_file(text, suffix=".yaml"):
