@@ -6,7 +6,14 @@
 namespace clew::runtime {
 
 ComposedExecutor::ComposedExecutor(std::vector<Node> nodes, SampleObserver* observer)
-    : nodes_(std::move(nodes)), observer_(observer) {}
+    : ComposedExecutor(std::move(nodes), observer, 0, {}) {}
+
+ComposedExecutor::ComposedExecutor(std::vector<Node> nodes, SampleObserver* observer,
+                                   std::uint64_t next_tick, domain::Messages messages)
+    : nodes_(std::move(nodes)),
+      observer_(observer),
+      messages_(std::move(messages)),
+      next_tick_(next_tick) {}
 
 void ComposedExecutor::step() {
   for (Node& node : nodes_) {

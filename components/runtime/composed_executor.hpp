@@ -21,6 +21,10 @@ class ComposedExecutor {
   /// `nodes` in an order in which every input of the same tick is written before it is read. The
   /// observer may be null.
   ComposedExecutor(std::vector<Node> nodes, SampleObserver* observer);
+  /// Goes on from `next_tick`: the nodes have stepped every tick before it, and `messages` holds
+  /// the samples of the last one.
+  ComposedExecutor(std::vector<Node> nodes, SampleObserver* observer, std::uint64_t next_tick,
+                   domain::Messages messages);
 
   /// The tick that step() runs next.
   std::uint64_t next_tick() const { return next_tick_; }
