@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "clew/commands.hpp"
+#include "clew/stage_text.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
 
@@ -10,18 +11,6 @@ namespace {
 
 using runtime::Graph;
 using runtime::GraphStage;
-
-std::string parts_text(const GraphStage& stage) {
-  if (!stage.deployment.exec.empty()) return "exec " + stage.deployment.exec.front();
-  std::string text;
-  for (const auto& [part, choices] : stage.config.parts) {
-    text += (text.empty() ? "" : ", ") + part + ' ';
-    if (choices.empty()) text += "none";
-    for (std::size_t i = 0; i < choices.size(); ++i)
-      text += (i > 0 ? " then " : "") + choices[i].name;
-  }
-  return text;
-}
 
 void print_wiring(const Graph& graph) {
   for (const GraphStage& stage : graph.stages) {
@@ -53,7 +42,7 @@ int check_command(const CheckOptions& options) {
   fmt::print("graph {}: world {}, robot {} ({} m), tick {} s\n", graph.name, graph.world,
              graph.robot, plan->setup.behaviour.robot.radius_m, graph.tick_s);
   for (const GraphStage& stage : graph.stages) {
-    fmt::print("  {:<9} {}\n", stage.info->name, parts_text(stage));
+    fmt::print("  {:<9} {}\n", stage.info->name, stage_text(stage));
   }
   fmt::print("wiring:\n");
   print_wiring(graph);

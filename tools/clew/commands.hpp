@@ -62,6 +62,34 @@ struct PlotOptions {
 };
 int plot_command(const PlotOptions& options);
 
+struct InfoOptions {
+  std::string recording;
+  bool json = false;
+};
+int info_command(const InfoOptions& options);
+
+struct DiffOptions {
+  std::string a;
+  std::string b;
+  double tolerance = 0.0;
+  bool json = false;
+};
+int diff_command(const DiffOptions& options);
+
+struct ReplayOptions {
+  std::string recording;
+  std::string component;  ///< a stage; empty: all
+  runtime::GraphOverrides overrides;
+  std::optional<std::uint64_t> first_tick;
+  std::optional<std::uint64_t> last_tick;
+  std::optional<std::uint64_t> branch_tick;
+  double rate = 0.0;   ///< simulated over wall-clock time; 0: as fast as possible
+  std::string record;  ///< of the branch
+  bool force = false;
+  bool json = false;
+};
+int replay_command(const ReplayOptions& options);
+
 inline constexpr char kDefaultSomRecipe[] = "krishna_kalra_som";
 struct TrainSomOptions {
   std::string recipe = kDefaultSomRecipe;

@@ -87,6 +87,46 @@ void add_plot(CLI::App& main, PlotOptions& options, Outcome& outcome) {
   app->callback([&] { outcome.status = plot_command(options); });
 }
 
+void add_info(CLI::App& main, InfoOptions& options, Outcome& outcome) {
+  CLI::App* app =
+      main.add_subcommand("info", "Tell what a recording holds, and whether it is whole");
+  app->add_option("recording", options.recording)->required();
+  app->add_flag("--json", options.json, "print it as one JSON object");
+  app->callback([&] { outcome.status = info_command(options); });
+}
+
+void add_diff(CLI::App& main, DiffOptions& options, Outcome& outcome) {
+  CLI::App* app = main.add_subcommand("diff", "Find the first difference between two recordings");
+  app->add_option("a", options.a, "a recording")->required();
+  app->add_option("b", options.b, "another")->required();
+  app->add_option("--tolerance", options.tolerance, "numbers this close count as equal (0)")
+      ->check(CLI::NonNegativeNumber);
+  app->add_flag("--json", options.json, "print it as one JSON object");
+  app->callback([&] { outcome.status = diff_command(options); });
+}
+
+void add_replay(CLI::App& main, ReplayOptions& options, Outcome& outcome) {
+  CLI::App* app = main.add_subcommand("replay", "Feed a recording to its components and compare");
+  const CLI::Range ticks(std::int64_t{0}, kMaxCount);
+  app->add_option("recording", options.recording)->required();
+  app->add_option("--component", options.component, "only this stage (all, each on its own)");
+  app->add_option("--with", options.overrides.with, "STAGE[.PART]=NAME[,NAME...]: other behaviour")
+      ->allow_extra_args(false);
+  app->add_option("--set", options.overrides.set, "STAGE[.PART][.NAME].PARAM=VALUE: other value")
+      ->allow_extra_args(false);
+  app->add_option("--from", options.first_tick, "compare from this tick")->check(ticks);
+  app->add_option("--to", options.last_tick, "end with this tick")->check(ticks);
+  app->add_option("--rate", options.rate, "simulated over wall-clock time (as fast as it goes)")
+      ->check(CLI::Range(0.001, 1000.0));
+  app->add_option("--branch", options.branch_tick, "run the graph on from this tick")->check(ticks);
+  app->add_option("--record", options.record, "write a recording of the branch (MCAP)");
+  app->add_flag("--force", options.force, "overwrite it");
+  app->add_option("--max-ticks", options.overrides.max_ticks, "give up the branch after so many")
+      ->check(ticks);
+  app->add_flag("--json", options.json, "print the result as one JSON object");
+  app->callback([&] { outcome.status = replay_command(options); });
+}
+
 void add_train(CLI::App& main, TrainSomOptions& options, Outcome& outcome) {
   CLI::App* train = main.add_subcommand("train", "Train a network");
   train->require_subcommand(1);
@@ -99,8 +139,7 @@ void add_train(CLI::App& main, TrainSomOptions& options, Outcome& outcome) {
 
 // Names that later versions will use.
 void add_reserved(CLI::App& main, Outcome& outcome) {
-  for (const char* name :
-       {"info", "diff", "replay", "bench", "topic", "view", "bridge", "doctor"}) {
+  for (const char* name : {"bench", "topic", "view", "bridge", "doctor"}) {
     CLI::App* app = main.add_subcommand(name, "not in this version");
     app->group("");
     app->allow_extras();
@@ -120,12 +159,18 @@ int parse_and_run(int argc, char** argv) {
   ListOptions list;
   ComponentOptions component;
   PlotOptions plot;
+  InfoOptions info;
+  DiffOptions diff;
+  ReplayOptions replay;
   TrainSomOptions train;
   add_run(app, run, outcome);
   add_check(app, check, outcome);
   add_list(app, list, outcome);
   add_component(app, component, outcome);
   add_plot(app, plot, outcome);
+  add_info(app, info, outcome);
+  add_diff(app, diff, outcome);
+  add_replay(app, replay, outcome);
   add_train(app, train, outcome);
   add_reserved(app, outcome);
   try {

@@ -96,6 +96,7 @@ std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
   json["recording"] = facts.recording.empty() ? nullptr : nlohmann::ordered_json(facts.recording);
   json["refused_samples"] = report.refused_samples;
   json["why"] = report.aborted;
+  if (facts.branch_tick) json["branch_tick"] = *facts.branch_tick;
   return json.dump();
 }
 

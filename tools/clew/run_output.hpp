@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "process/run_report.hpp"
@@ -13,6 +15,8 @@ struct RunFacts {
   std::string layout;
   std::string middleware;
   std::string recording;  ///< the file, or empty
+  /// Where the run branched off a recorded one; none: it did not.
+  std::optional<std::uint64_t> branch_tick = std::nullopt;
 };
 
 /// `reached`, ..., or `aborted`.

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "core/result.hpp"
+#include "process/composed_run.hpp"
+#include "recording/run_recording.hpp"
+#include "runtime/run_plan.hpp"
+
+namespace clew::bridge {
+
+/// Brings every component of `plan` into the state in which the recorded inputs of all ticks before
+/// `tick` put it, so that run_composed goes on from there: what would this plan have done from
+/// here? The recorded samples of those ticks are accounted for as the run's own. Time goes on in
+/// lockstep, so the last recorded command is never late. Refused: a tick that is not between the
+/// run's first and its last one, a plan with another duration of a tick or with someone else's
+/// component, and a recording that does not begin at tick 0 or lacks a sample.
+core::Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::RunPlan& plan,
+                                       std::uint64_t tick);
+
+/// Gives the recorded samples of all ticks before `tick` to a recording of the branch.
+core::Result<void> copy_samples_before(const RunRecording& recording, std::uint64_t tick,
+                                       SampleSink& sink);
+
+}  // namespace clew::bridge

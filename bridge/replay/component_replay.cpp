@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "replay/component_replay.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "core/nearest_name.hpp"
+#include "process/tick_clock.hpp"
+#include "replay/fed_node.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using core::Result;
+using domain::Topic;
+
+/// Compares a node's outputs with the recorded ones and keeps the account.
+class OutputComparison {
+ public:
+  explicit OutputComparison(ReplayReport& report) : report_(report) {}
+
+  void compare(const FedNode& fed, const RecordedTick& recorded) {
+    bool different = false;
+    for (Topic topic : domain::kAllTopics) {
+      if (!fed.node().ports().outputs[static_cast<std::size_t>(topic)]) continue;
+      auto fields = compare_output(topic, fed, recorded);
+      if (fields.empty()) continue;
+      different = true;
+      if (report_.first) continue;
+      report_.first = {topic, recorded.tick(), std::move(fields)};
+      list_inputs(fed);
+    }
+    ++report_.ticks;
+    if (different) ++report_.different_ticks;
+  }
+
+ private:
+  std::vector<FieldDifference> compare_output(Topic topic, const FedNode& fed,
+                                              const RecordedTick& recorded) {
+    if (!recorded.has(topic)) return missing_sample(true);
+    const std::string_view replayed = domain::visit_topic(topic, [&](auto constant) {
+      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      return std::get<kIndex>(codecs_).encode(std::get<kIndex>(fed.messages()));
+    });
+    return comparison_.compare(topic, recorded.cdr(topic), replayed);
+  }
+
+  void list_inputs(const FedNode& fed) {
+    for (Topic topic : domain::kAllTopics) {
+      if (!fed.inputs_present()[static_cast<std::size_t>(topic)]) continue;
+      domain::visit_topic(topic, [&](auto constant) {
+        constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+        report_.inputs.push_back({topic, fields_of(std::get<kIndex>(fed.messages()))});
+      });
+    }
+  }
+
+  ReplayReport& report_;
+  SampleComparison comparison_;
+  Codecs codecs_;
+};
+
+Result<runtime::Node> node_of(const runtime::RunPlan& plan, const std::string& stage) {
+  const runtime::GraphStage* found = plan.graph.find(stage);
+  if (found == nullptr) {
+    std::vector<std::string> known;
+    for (const auto& candidate : plan.graph.stages) known.push_back(candidate.info->name);
+    return core::Error{core::unknown_name("stage of this recording", stage, known), {}, 0, 0};
+  }
+  if (!found->deployment.exec.empty()) {
+    return core::Error{
+        stage + " is a component of someone else's, and cannot be replayed", {}, 0, 0};
+  }
+  return runtime::make_node(plan, *found);
+}
+
+Result<void> check_topics(const RunRecording& recording, const std::string& stage,
+                          const runtime::TopicSet& topics) {
+  for (Topic topic : domain::kAllTopics) {
+    if (!topics[static_cast<std::size_t>(topic)]) continue;
+    if (recording.description().schemas.count(topic) != 0) continue;
+    return core::Error{fmt::format("has no topic '{}', without which {} cannot be replayed",
+                                   domain::topic_name(topic), stage),
+                       recording.path(), 0, 0};
+  }
+  return {};
+}
+
+Result<void> check_range(const ReplayRange& range) {
+  if (range.first_tick <= range.last_tick) return {};
+  return core::Error{
+      fmt::format("no tick is from {} to {}", range.first_tick, range.last_tick), {}, 0, 0};
+}
+
+}  // namespace
+
+Result<ReplayReport> replay_component(const RunRecording& recording, const runtime::RunPlan& plan,
+                                      const std::string& stage, const ReplayRange& range) {
+  CLEW_RETURN_IF_ERROR(check_range(range));
+  auto node = node_of(plan, stage);
+  if (!node) return node.error();
+  FedNode fed(std::move(node).value());
+  const runtime::TopicSet topics = fed.fed_topics() | fed.node().ports().outputs;
+  CLEW_RETURN_IF_ERROR(check_topics(recording, stage, topics));
+
+  ReplayReport report;
+  report.component = stage;
+  OutputComparison comparison(report);
+  TickReader reader(recording, topics, range.last_tick);
+  const bool paced = range.rate > 0.0;
+  TickClock clock(paced ? Pace::kScaled : Pace::kLockstep, paced ? range.rate : 1.0,
+                  plan.graph.tick_s);
+  const auto started_at = std::chrono::steady_clock::now();
+  clock.start(started_at);
+  std::uint64_t fed_ticks = 0;
+  for (;; ++fed_ticks) {
+    const auto recorded = reader.next();
+    if (!recorded) return recorded.error();
+    if (*recorded == nullptr) break;
+    if (paced) std::this_thread::sleep_until(clock.due(fed_ticks));
+    if (const auto stepped = fed.step(**recorded); !stepped) {
+      return core::Error{stepped.error().message, recording.path(), 0, 0};
+    }
+    if ((*recorded)->tick() >= range.first_tick) comparison.compare(fed, **recorded);
+  }
+  if (report.ticks == 0) {
+    return core::Error{
+        fmt::format("has no tick from {} on; it has {}", range.first_tick, fed_ticks),
+        recording.path(), 0, 0};
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - started_at;
+  report.ticks_per_s = static_cast<double>(fed_ticks) / took.count();
+  return report;
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+#include "recording/run_recording.hpp"
+#include "replay/sample_comparison.hpp"
+#include "runtime/run_plan.hpp"
+
+namespace clew::bridge {
+
+struct ReplayRange {
+  std::uint64_t first_tick = 0;  ///< compared; the state is built from tick 0 in any case
+  std::uint64_t last_tick = std::numeric_limits<std::uint64_t>::max();
+  double rate = 0.0;  ///< simulated over wall-clock time; 0: as fast as the component takes it
+};
+
+/// The fields of one input.
+struct InputFields {
+  domain::Topic topic = domain::Topic::kCommand;
+  std::vector<Field> fields;
+};
+
+/// How a component's outputs compare with those that were recorded.
+struct ReplayReport {
+  std::string component;
+  std::uint64_t ticks = 0;                ///< compared
+  std::uint64_t different_ticks = 0;      ///< of them
+  std::optional<SampleDifference> first;  ///< a: recorded, b: replayed; in order of tick, topic
+  std::vector<InputFields> inputs;        ///< of that tick
+  double ticks_per_s = 0.0;               ///< fed, the building of the state included
+
+  bool identical() const { return !first.has_value(); }
+};
+
+/// Makes the component of a stage of `plan`, feeds it the recorded inputs and compares what it
+/// writes with what is recorded, bit by bit. It is fed what was recorded also after a difference.
+/// Refused: a stage that the plan does not have or that is someone else's component, a recording
+/// that lacks a topic or a sample that the component reads or writes or does not begin at tick 0,
+/// and an empty range.
+core::Result<ReplayReport> replay_component(const RunRecording& recording,
+                                            const runtime::RunPlan& plan, const std::string& stage,
+                                            const ReplayRange& range = {});
+
+}  // namespace clew::bridge

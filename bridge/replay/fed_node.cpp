@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "replay/fed_node.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using domain::Topic;
+
+std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
+
+core::Error refused(const std::string& what) { return {what, {}, 0, 0}; }
+
+std::string sample_of(Topic topic, std::uint64_t tick) {
+  return "sample of '" + std::string(domain::topic_name(topic)) + "' of tick " +
+         std::to_string(tick);
+}
+
+}  // namespace
+
+runtime::TopicSet FedNode::fed_topics() const {
+  runtime::TopicSet topics = node_.ports().all_inputs();
+  if (node_.ports().delayed_inputs.any()) topics.set(index_of(Topic::kState));
+  return topics;
+}
+
+core::Result<void> FedNode::check(const RecordedTick& recorded) const {
+  if (recorded.tick() != next_tick_) {
+    return refused("has no sample of tick " + std::to_string(next_tick_) + " for " + node_.name() +
+                   "; the next is of tick " + std::to_string(recorded.tick()));
+  }
+  const runtime::TopicSet missing = fed_topics() & ~recorded.present();
+  for (Topic topic : domain::kAllTopics) {
+    if (missing[index_of(topic)]) {
+      return refused("has no " + sample_of(topic, recorded.tick()) + ", which " + node_.name() +
+                     " needs");
+    }
+  }
+  return {};
+}
+
+core::Result<void> FedNode::decode(Topic topic, std::uint64_t tick, std::string_view cdr) {
+  core::Result<void> decoded;
+  domain::visit_topic(topic, [&](auto constant) {
+    constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+    decoded = std::get<kIndex>(codecs_).decode(cdr, std::get<kIndex>(messages_));
+  });
+  if (decoded) return decoded;
+  return refused("holds a bad " + sample_of(topic, tick) + ": " + decoded.error().message);
+}
+
+/// Takes up the inputs of the tick before, unless they were late; those of this tick are kept.
+core::Result<void> FedNode::decode_delayed(const RecordedTick& recorded) {
+  const runtime::TopicSet& delayed = node_.ports().delayed_inputs;
+  if (delayed.none()) return {};
+  CLEW_RETURN_IF_ERROR(decode(Topic::kState, recorded.tick(), recorded.cdr(Topic::kState)));
+  const bool late = std::get<domain::State>(messages_).command_late;
+  for (Topic topic : domain::kAllTopics) {
+    if (!delayed[index_of(topic)]) continue;
+    if (recorded.tick() > 0 && !late) {
+      CLEW_RETURN_IF_ERROR(decode(topic, recorded.tick() - 1, cdr_before_[index_of(topic)]));
+      present_.set(index_of(topic));
+    }
+    cdr_before_[index_of(topic)].assign(recorded.cdr(topic));
+  }
+  return {};
+}
+
+core::Result<void> FedNode::step(const RecordedTick& recorded) {
+  CLEW_RETURN_IF_ERROR(check(recorded));
+  present_ = node_.ports().inputs;
+  CLEW_RETURN_IF_ERROR(decode_delayed(recorded));
+  for (Topic topic : domain::kAllTopics) {
+    if (!node_.ports().inputs[index_of(topic)]) continue;
+    CLEW_RETURN_IF_ERROR(decode(topic, recorded.tick(), recorded.cdr(topic)));
+  }
+  node_.step(next_tick_, present_, messages_);
+  ++next_tick_;
+  return {};
+}
+
+}  // namespace clew::bridge

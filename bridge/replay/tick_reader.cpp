@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "replay/tick_reader.hpp"
+
+namespace clew::bridge {
+namespace {
+
+SampleFilter filter_of(const runtime::TopicSet& topics, std::uint64_t last_tick) {
+  SampleFilter filter;
+  for (domain::Topic topic : domain::kAllTopics) {
+    if (topics[static_cast<std::size_t>(topic)]) filter.topics.insert(topic);
+  }
+  filter.last_tick = last_tick;
+  return filter;
+}
+
+}  // namespace
+
+TickReader::TickReader(const RunRecording& recording, const runtime::TopicSet& topics,
+                       std::uint64_t last_tick)
+    : path_(recording.path()),
+      cut_off_(!recording.complete()),
+      topics_(topics),
+      stream_(recording.samples(filter_of(topics, last_tick))) {}
+
+core::Result<void> TickReader::look_ahead() {
+  auto sample = stream_.next();
+  if (!sample) return sample.error();
+  ahead_ = std::move(sample).value();
+  return {};
+}
+
+core::Error TickReader::not_in_order() const {
+  return {"its samples are not in the order of tick and topic at tick " +
+              std::to_string(ahead_->tick) + " of " +
+              std::string(domain::topic_name(ahead_->topic)),
+          path_, 0, 0};
+}
+
+core::Result<const RecordedTick*> TickReader::next() {
+  if (!started_) CLEW_RETURN_IF_ERROR(look_ahead());
+  if (!ahead_) return nullptr;
+  if (started_ && ahead_->tick <= current_.tick_) return not_in_order();
+  started_ = true;
+  current_.tick_ = ahead_->tick;
+  current_.present_.reset();
+  while (ahead_ && ahead_->tick == current_.tick_) {
+    const auto index = static_cast<std::size_t>(ahead_->topic);
+    // Later topics of this tick have been read already if it comes too late.
+    if ((current_.present_ >> index).any()) return not_in_order();
+    current_.present_.set(index);
+    current_.cdr_[index].assign(ahead_->cdr);
+    CLEW_RETURN_IF_ERROR(look_ahead());
+  }
+  if (!ahead_ && cut_off_ && current_.present_ != topics_) return nullptr;
+  return &current_;
+}
+
+}  // namespace clew::bridge

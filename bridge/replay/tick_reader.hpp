@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/result.hpp"
+#include "recording/run_recording.hpp"
+#include "runtime/component.hpp"
+
+namespace clew::bridge {
+
+/// The samples that a recording has of one tick.
+class RecordedTick {
+ public:
+  std::uint64_t tick() const { return tick_; }
+  const runtime::TopicSet& present() const { return present_; }
+  bool has(domain::Topic topic) const { return present_[static_cast<std::size_t>(topic)]; }
+  /// The serialised sample of a topic that is present.
+  std::string_view cdr(domain::Topic topic) const { return cdr_[static_cast<std::size_t>(topic)]; }
+
+ private:
+  friend class TickReader;
+  std::uint64_t tick_ = 0;
+  runtime::TopicSet present_;
+  std::array<std::string, domain::kTopicCount> cdr_;
+};
+
+/// Reads some topics of a recording tick by tick. Samples are copied, never decoded.
+class TickReader {
+ public:
+  TickReader(const RunRecording& recording, const runtime::TopicSet& topics,
+             std::uint64_t last_tick = std::numeric_limits<std::uint64_t>::max());
+
+  /// The next tick with a sample, valid until the next call; null at the end. Of a recording that
+  /// was cut off, a last tick that lacks samples is left out. Refused: a changed byte, and samples
+  /// that are not in canonical order.
+  core::Result<const RecordedTick*> next();
+
+ private:
+  core::Result<void> look_ahead();
+  core::Error not_in_order() const;
+
+  std::string path_;
+  bool cut_off_;
+  runtime::TopicSet topics_;
+  SampleStream stream_;
+  bool started_ = false;
+  std::optional<RecordedSample> ahead_;
+  RecordedTick current_;
+};
+
+}  // namespace clew::bridge

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "clew/commands.hpp"
+#include "clew/json_line.hpp"
+#include "clew/stage_text.hpp"
+#include "convert/codec.hpp"
+#include "recording/run_recording.hpp"
+#include "replay/recorded_plan.hpp"
+#include "stages/all.hpp"
+
+namespace clew::tools {
+namespace {
+
+using bridge::RunRecording;
+using bridge::RunSurvey;
+using core::Result;
+using nlohmann::ordered_json;
+
+struct TopicFacts {
+  domain::Topic topic = domain::Topic::kCommand;
+  RunSurvey::TopicSurvey survey;
+  std::uint64_t missing_ticks = 0;  ///< of those that the recording spans
+};
+
+/// All that the command tells of a recording.
+struct RecordingFacts {
+  std::vector<TopicFacts> topics;
+  std::uint64_t first_tick = 0;
+  std::uint64_t last_tick = 0;
+  std::uint64_t ticks = 0;  ///< spanned
+  std::uint64_t missing_samples = 0;
+  core::Hash128 hash;
+  bool hash_matches = true;  ///< or the recording does not say
+  bool types_match = false;
+  std::uint64_t first_own_tick = 0;
+};
+
+RecordingFacts gather(const RunRecording& recording, const RunSurvey& survey) {
+  RecordingFacts facts;
+  facts.hash = survey.hash;
+  facts.hash_matches = !recording.end() || recording.end()->hash == survey.hash;
+  facts.types_match = recording.description().idl_fingerprint == bridge::idl_fingerprint();
+  bool first = true;
+  for (const auto& [topic, found] : survey.topics) {
+    facts.first_tick = first ? found.first_tick : std::min(facts.first_tick, found.first_tick);
+    facts.last_tick = std::max(facts.last_tick, found.last_tick);
+    first = false;
+  }
+  if (!survey.topics.empty()) facts.ticks = facts.last_tick - facts.first_tick + 1;
+  for (const auto& [topic, schema] : recording.description().schemas) {
+    TopicFacts of_topic{topic, {}, 0};
+    const auto found = survey.topics.find(topic);
+    if (found != survey.topics.end()) of_topic.survey = found->second;
+    of_topic.missing_ticks = facts.ticks - of_topic.survey.samples;
+    facts.missing_samples += of_topic.missing_ticks;
+    facts.topics.push_back(std::move(of_topic));
+  }
+  return facts;
+}
+
+bool is_good(const RunRecording& recording, const RecordingFacts& facts) {
+  return recording.complete() && facts.missing_samples == 0 && facts.hash_matches;
+}
+
+std::string state_text(const RunRecording& recording) {
+  if (recording.tear()) {
+    return fmt::format("torn at byte {}: {}", recording.tear()->at_byte, recording.tear()->reason);
+  }
+  return recording.complete() ? "complete" : "cut off: its recorder did not finish it";
+}
+
+std::string hash_text(const RunRecording& recording, const RecordingFacts& facts) {
+  if (!recording.end()) return facts.hash.hex() + " (of what is there)";
+  if (facts.hash_matches) return facts.hash.hex() + " (as recorded)";
+  return fmt::format("{} (its recorder wrote {})", facts.hash.hex(), recording.end()->hash.hex());
+}
+
+Result<runtime::Graph> graph_of(const RunRecording& recording) {
+  const auto file = runtime::BundleSource(recording.description().bundle).find("graphs", "graph");
+  if (!file.ok()) return file.error();
+  return runtime::load_graph(*file, "graph", {}, stages::all());
+}
+
+void print_configuration(const RunRecording& recording) {
+  const auto graph = graph_of(recording);
+  if (!graph.ok()) {
+    fmt::print("graph      not one of this version: {}\n", graph.error().text());
+    return;
+  }
+  fmt::print("world      {}\nrobot      {}\n", graph->world, graph->robot);
+  for (const auto& stage : graph->stages) {
+    fmt::print("{:<10} {}\n", stage.info->name, stage_text(stage));
+  }
+}
+
+void print(const RunRecording& recording, const RecordingFacts& facts) {
+  const auto& description = recording.description();
+  fmt::print("{}: {}\n", recording.path(), state_text(recording));
+  if (facts.ticks > 0) {
+    fmt::print("ticks      {} to {}, {} s each: {:.1f} s\n", facts.first_tick, facts.last_tick,
+               description.tick_s, static_cast<double>(facts.last_tick) * description.tick_s);
+  } else {
+    fmt::print("ticks      none\n");
+  }
+  if (facts.first_own_tick > 0) {
+    fmt::print("branched   at tick {}; the ticks before are those of another run\n",
+               facts.first_own_tick);
+  }
+  fmt::print("hash       {}\nseed       {}\n", hash_text(recording, facts), description.seed);
+  for (const auto& [program, version] : description.versions) {
+    fmt::print("version    {} {}\n", program, version);
+  }
+  fmt::print("IDL        {}{}\n", description.idl_fingerprint,
+             facts.types_match ? "" : ", not that of this version");
+  print_configuration(recording);
+  fmt::print("topic      {:<22} {:>9} {:>9} {:>9} {:>9}\n", "type", "samples", "first", "last",
+             "missing");
+  for (const TopicFacts& topic : facts.topics) {
+    fmt::print("{:<10} {:<22} {:>9} {:>9} {:>9} {:>9}\n", domain::topic_name(topic.topic),
+               domain::type_name(topic.topic), topic.survey.samples, topic.survey.first_tick,
+               topic.survey.last_tick, topic.missing_ticks);
+  }
+  for (const auto& [name, text] : description.bundle) {
+    fmt::print("file       {} ({} bytes)\n", name, text.size());
+  }
+}
+
+ordered_json stages_json(const runtime::Graph& graph) {
+  ordered_json stages = ordered_json::object();
+  for (const auto& stage : graph.stages) {
+    ordered_json parts = ordered_json::object();
+    if (!stage.deployment.exec.empty()) parts["exec"] = stage.deployment.exec;
+    for (const auto& [part, choices] : stage.config.parts) {
+      parts[part] = ordered_json::array();
+      for (const auto& choice : choices) parts[part].push_back(choice.name);
+    }
+    stages[stage.info->name] = std::move(parts);
+  }
+  return stages;
+}
+
+ordered_json topics_json(const RecordingFacts& facts) {
+  ordered_json topics = ordered_json::array();
+  for (const TopicFacts& topic : facts.topics) {
+    const bool any = topic.survey.samples > 0;
+    topics.push_back({{"topic", domain::topic_name(topic.topic)},
+                      {"type", domain::type_name(topic.topic)},
+                      {"samples", topic.survey.samples},
+                      {"first_tick", any ? ordered_json(topic.survey.first_tick) : nullptr},
+                      {"last_tick", any ? ordered_json(topic.survey.last_tick) : nullptr},
+                      {"missing_ticks", topic.missing_ticks}});
+  }
+  return topics;
+}
+
+ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts) {
+  const auto& description = recording.description();
+  ordered_json json;
+  json["recording"] = recording.path();
+  json["complete"] = recording.complete();
+  json["torn"] = nullptr;
+  if (const auto& tear = recording.tear()) {
+    json["torn"] = {{"at_byte", tear->at_byte}, {"reason", tear->reason}};
+  }
+  json["ticks"] = facts.ticks;
+  json["first_tick"] = facts.ticks > 0 ? ordered_json(facts.first_tick) : nullptr;
+  json["last_tick"] = facts.ticks > 0 ? ordered_json(facts.last_tick) : nullptr;
+  json["tick_s"] = description.tick_s;
+  json["duration_s"] = static_cast<double>(facts.last_tick) * description.tick_s;
+  json["branch_tick"] = facts.first_own_tick > 0 ? ordered_json(facts.first_own_tick) : nullptr;
+  json["missing_samples"] = facts.missing_samples;
+  json["hash"] = facts.hash.hex();
+  json["recorded_hash"] =
+      recording.end() ? ordered_json(recording.end()->hash.hex()) : ordered_json(nullptr);
+  json["seed"] = description.seed;
+  json["versions"] = description.versions;
+  json["idl_fingerprint"] = description.idl_fingerprint;
+  json["idl_is_ours"] = facts.types_match;
+  const auto graph = graph_of(recording);
+  json["world"] = graph.ok() ? ordered_json(graph->world) : nullptr;
+  json["robot"] = graph.ok() ? ordered_json(graph->robot) : nullptr;
+  json["stages"] = graph.ok() ? stages_json(*graph) : ordered_json(nullptr);
+  json["topics"] = topics_json(facts);
+  json["files"] = ordered_json::object();
+  for (const auto& [name, text] : description.bundle) json["files"][name] = text.size();
+  return json;
+}
+
+}  // namespace
+
+int info_command(const InfoOptions& options) {
+  const auto recording = RunRecording::open(options.recording);
+  if (!recording.ok()) return complain(recording.error());
+  const auto survey = recording->survey_samples();
+  if (!survey.ok()) return complain(survey.error());
+  const auto own = bridge::first_own_tick(*recording);
+  if (!own.ok()) return complain(own.error());
+  RecordingFacts facts = gather(*recording, *survey);
+  facts.first_own_tick = *own;
+  if (options.json) {
+    fmt::print("{}\n", json_line(to_json(*recording, facts)));
+  } else {
+    print(*recording, facts);
+  }
+  return is_good(*recording, facts) ? kExitGood : kExitFailed;
+}
+
+}  // namespace clew::tools

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "clew/commands.hpp"
+#include "clew/difference_output.hpp"
+#include "clew/json_line.hpp"
+#include "clew/replay_branch.hpp"
+#include "replay/component_replay.hpp"
+#include "replay/recorded_plan.hpp"
+#include "stages/all.hpp"
+
+namespace clew::tools {
+namespace {
+
+using bridge::ReplayReport;
+using core::Error;
+using core::Result;
+using nlohmann::ordered_json;
+
+Result<void> check_options(const ReplayOptions& options) {
+  if (options.branch_tick && (options.first_tick || options.last_tick)) {
+    return Error{"--branch goes on to the end of the run: leave out --from and --to", {}, 0, 0};
+  }
+  if (!options.branch_tick &&
+      (!options.record.empty() || options.force || options.overrides.max_ticks)) {
+    return Error{"--record, --force and --max-ticks need --branch", {}, 0, 0};
+  }
+  return {};
+}
+
+/// The stages to replay: the one asked for, or all that are ours.
+std::vector<std::string> stages_of(const ReplayOptions& options, const runtime::Graph& graph) {
+  if (!options.component.empty()) return {options.component};
+  std::vector<std::string> names;
+  for (const auto& stage : graph.stages) {
+    if (stage.deployment.exec.empty()) {
+      names.push_back(stage.info->name);
+    } else {
+      fmt::print(stderr, "clew: {} is a component of someone else's, and is left out\n",
+                 stage.info->name);
+    }
+  }
+  return names;
+}
+
+ordered_json inputs_json(const ReplayReport& report) {
+  if (report.identical()) return nullptr;
+  ordered_json inputs = ordered_json::object();
+  for (const auto& input : report.inputs) {
+    ordered_json fields = ordered_json::object();
+    for (const auto& field : input.fields) fields[field.path] = value_json(field.value);
+    inputs[std::string(domain::topic_name(input.topic))] = std::move(fields);
+  }
+  return inputs;
+}
+
+ordered_json to_json(const ReplayReport& report) {
+  return {{"component", report.component},     {"ticks", report.ticks},
+          {"identical", report.identical()},   {"first_difference", difference_json(report.first)},
+          {"ticks_per_s", report.ticks_per_s}, {"different_ticks", report.different_ticks},
+          {"inputs", inputs_json(report)}};
+}
+
+/// All components in one object: the earliest difference, and the slowest one's speed.
+ordered_json to_json(const std::vector<ReplayReport>& reports) {
+  const ReplayReport* first = nullptr;
+  double ticks_per_s = reports.front().ticks_per_s;
+  ordered_json components = ordered_json::array();
+  for (const ReplayReport& report : reports) {
+    ticks_per_s = std::min(ticks_per_s, report.ticks_per_s);
+    if (report.first && (first == nullptr || report.first->tick < first->first->tick)) {
+      first = &report;
+    }
+    components.push_back(to_json(report));
+  }
+  return {{"component", nullptr},
+          {"ticks", reports.front().ticks},
+          {"identical", first == nullptr},
+          {"first_difference", first == nullptr ? nullptr : difference_json(first->first)},
+          {"ticks_per_s", ticks_per_s},
+          {"components", std::move(components)}};
+}
+
+void print(const ReplayReport& report) {
+  if (report.identical()) {
+    fmt::print("{}: {} ticks identical, {:.0f} ticks/s\n", report.component, report.ticks,
+               report.ticks_per_s);
+    return;
+  }
+  fmt::print("{}: {} of {} ticks differ, {:.0f} ticks/s\n", report.component,
+             report.different_ticks, report.ticks, report.ticks_per_s);
+  print_difference(*report.first, "recorded", "replayed");
+  fmt::print("  with these inputs:\n");
+  for (const auto& input : report.inputs) {
+    print_fields(fmt::format("    {}.", domain::topic_name(input.topic)), input.fields);
+  }
+}
+
+Result<std::vector<ReplayReport>> replay_all(const bridge::RunRecording& recording,
+                                             const runtime::RunPlan& plan,
+                                             const ReplayOptions& options) {
+  const auto own = bridge::first_own_tick(recording);
+  if (!own.ok()) return own.error();
+  bridge::ReplayRange range;
+  range.first_tick = options.first_tick.value_or(*own);
+  if (options.last_tick) range.last_tick = *options.last_tick;
+  range.rate = options.rate;
+  if (!options.first_tick && *own > 0) {
+    fmt::print(stderr, "clew: {}: branched at tick {} off another run; compared from there\n",
+               recording.path(), *own);
+  }
+  std::vector<ReplayReport> reports;
+  for (const std::string& stage : stages_of(options, plan.graph)) {
+    auto report = bridge::replay_component(recording, plan, stage, range);
+    if (!report.ok()) return report.error();
+    reports.push_back(std::move(report).value());
+  }
+  if (reports.empty()) return Error{"no component of this recording is ours", {}, 0, 0};
+  return reports;
+}
+
+}  // namespace
+
+int replay_command(const ReplayOptions& options) {
+  if (const auto checked = check_options(options); !checked.ok()) return complain(checked.error());
+  const auto recording = bridge::RunRecording::open(options.recording);
+  if (!recording.ok()) return complain(recording.error());
+  const auto recorded = bridge::recorded_plan(*recording, stages::all());
+  if (!recorded.ok()) return complain(recorded.error());
+  const auto plan = bridge::changed_plan(*recording, options.overrides,
+                                         runtime::ConfigPath::from_environment(), stages::all());
+  if (!plan.ok()) return complain(plan.error());
+  if (!recording->complete()) {
+    fmt::print(stderr, "clew: {}: was cut off; used is what is there\n", recording->path());
+  }
+  if (options.branch_tick) return replay_branch(options, *recording, *recorded, *plan);
+  const auto reports = replay_all(*recording, *plan, options);
+  if (!reports.ok()) return complain(reports.error());
+  bool identical = true;
+  for (const ReplayReport& report : *reports) {
+    identical = identical && report.identical();
+    if (!options.json) print(report);
+  }
+  if (options.json) {
+    fmt::print("{}\n", json_line(options.component.empty() ? to_json(*reports)
+                                                           : to_json(reports->front())));
+  }
+  return identical ? kExitGood : kExitFailed;
+}
+
+}  // namespace clew::tools
