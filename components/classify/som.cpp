@@ -41,8 +41,8 @@ Result<Som> Som::parse(const core::Resource& resource) {
   const auto items = list->items();
   if (!items.ok()) return items.error();
   if (items->size() != kNeurons) {
-    return list->error("expected " + std::to_string(kNeurons) + " neurons, found " +
-                       std::to_string(items->size()));
+    return list->error("found " + std::to_string(items->size()) + " neurons, expected " +
+                       std::to_string(kNeurons));
   }
 
   Lattice lattice;

@@ -17,7 +17,7 @@ Result<void> read_count(const YamlNode& root, const char* key, std::int64_t leas
   const auto number = node->integer();
   if (!number.ok()) return number.error();
   if (*number < least) {
-    return node->error("expected at least " + std::to_string(least) + ", found " + node->found());
+    return node->error("found " + node->found() + ", expected at least " + std::to_string(least));
   }
   field = static_cast<std::uint64_t>(*number);
   return {};

@@ -24,13 +24,13 @@ Result<void> check_format(const YamlNode& map, const char* format) {
   if (!node.ok()) return node.error();
   const auto found = node->string();
   if (found.ok() && *found == format) return {};
-  return node->error(std::string("expected ") + format + ", found " + node->found());
+  return node->error("found " + node->found() + ", expected " + format);
 }
 
 Result<void> check_range(const YamlNode& node, double number, Range range) {
   if (number >= range.min && number <= range.max) return {};
-  return node.error("expected a number from " + text_of(range.min) + " to " + text_of(range.max) +
-                    ", found " + text_of(number));
+  return node.error("found " + text_of(number) + ", expected a number from " + text_of(range.min) +
+                    " to " + text_of(range.max));
 }
 
 Result<void> read_number(const YamlNode& map, const char* key, Range range, double& field) {
@@ -51,7 +51,7 @@ Result<void> read_counts(const YamlNode& map, const char* key,
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const double count = (*numbers)[i];
     if (count < 1.0 || count > kMostCount || count != std::floor(count)) {
-      return node->error("expected whole numbers of at least 1, found " + text_of(count));
+      return node->error("found " + text_of(count) + ", expected whole numbers of at least 1");
     }
     fields[i] = static_cast<std::uint32_t>(count);
   }

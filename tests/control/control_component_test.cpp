@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "control/control_component.hpp"
+
+#include <gtest/gtest.h>
+
+namespace clew::control {
+namespace {
+
+using domain::CommandKind;
+using domain::Topic;
+
+/// Steps ahead by a tenth of the middle reading, and notes what it was asked.
+class Recorder final : public Controller {
+ public:
+  domain::Motion step(const domain::Odometry&, const domain::Scan& scan,
+                      const core::Vec2& target_odom) override {
+    ++calls;
+    target = target_odom;
+    domain::Motion motion;
+    motion.kind = CommandKind::kTurnAndStep;
+    motion.step_m = 0.1 * scan.ranges_m[3];
+    return motion;
+  }
+  void save(core::StateWriter&) const override {}
+  void load(core::StateReader&) override {}
+
+  int calls = 0;
+  core::Vec2 target = core::Vec2::Zero();
+};
+
+class ControlComponentTest : public ::testing::Test {
+ protected:
+  ControlComponentTest() {
+    auto controller = std::make_unique<Recorder>();
+    controller_ = controller.get();
+    component_ = std::make_unique<ControlComponent>(std::move(controller), StepGuardParameters{},
+                                                    runtime::RunSetup{});
+    auto& scan = std::get<domain::Scan>(messages_);
+    scan.bearing_first_rad = core::radians(45.0);
+    scan.bearing_step_rad = core::radians(-15.0);
+    scan.beam_width_rad = core::radians(15.0);
+    scan.range_max_m = 1.5;
+    scan.ranges_m.assign(7, 1.5);
+    guidance().target_x_m = 3.0;
+    std::get<domain::Target>(messages_).x_m = 7.0;
+    for (const Topic topic : {Topic::kOdometry, Topic::kScan, Topic::kGuidance, Topic::kTarget}) {
+      inputs_.set(static_cast<std::size_t>(topic));
+    }
+    command_.set(static_cast<std::size_t>(Topic::kCommand));
+  }
+
+  domain::Guidance& guidance() { return std::get<domain::Guidance>(messages_); }
+
+  domain::Motion step(bool guided = true) {
+    runtime::TopicSet present = inputs_;
+    present.set(static_cast<std::size_t>(Topic::kGuidance), guided);
+    present.set(static_cast<std::size_t>(Topic::kTarget), !guided);
+    std::get<domain::Command>(messages_) = {};
+    runtime::TickOutputs outputs(messages_, command_);
+    component_->step({messages_, inputs_, present, 0}, outputs);
+    return std::get<domain::Command>(messages_).motion;
+  }
+
+  Recorder* controller_ = nullptr;
+  std::unique_ptr<ControlComponent> component_;
+  domain::Messages messages_;
+  runtime::TopicSet inputs_;
+  runtime::TopicSet command_;
+};
+
+TEST_F(ControlComponentTest, SeeksTheTargetInForce) {
+  step();
+
+  EXPECT_EQ(controller_->target, core::Vec2(3, 0));
+}
+
+TEST_F(ControlComponentTest, SeeksTheMissionsTargetWithoutRecovery) {
+  step(false);
+
+  EXPECT_EQ(controller_->target, core::Vec2(7, 0));
+}
+
+TEST_F(ControlComponentTest, ShowsVirtualObstaclesToTheController) {
+  guidance().virtual_obstacles.push_back({0.65, -1, 2, 1});
+
+  // 0.65 m less the radius: a reading of 0.5 m, a tenth of it as step.
+  EXPECT_NEAR(step().step_m, 0.05, 1e-12);
+}
+
+TEST_F(ControlComponentTest, PassesAnOverrideOn) {
+  guidance().has_override = true;
+  guidance().override_motion.kind = CommandKind::kTurnAndStep;
+  guidance().override_motion.turn_rad = 1.0;
+
+  const domain::Motion motion = step();
+
+  EXPECT_EQ(motion.turn_rad, 1.0);
+  EXPECT_EQ(controller_->calls, 0);
+}
+
+TEST_F(ControlComponentTest, GuardsAnOverrideToo) {
+  std::get<domain::Scan>(messages_).ranges_m[3] = 0.12;
+  guidance().has_override = true;
+  guidance().override_motion.kind = CommandKind::kTurnAndStep;
+  guidance().override_motion.step_m = 0.15;
+
+  // 0.27 m from the centre, less radius and margin of 0.2 m.
+  EXPECT_NEAR(step().step_m, 0.07, 1e-12);
+}
+
+TEST_F(ControlComponentTest, GivesUpWhatIsUnreachable) {
+  guidance().mode = domain::GuidanceMode::kUnreachable;
+
+  EXPECT_EQ(step().kind, CommandKind::kGiveUp);
+  EXPECT_EQ(controller_->calls, 0);
+}
+
+}  // namespace
+}  // namespace clew::control
