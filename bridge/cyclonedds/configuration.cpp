@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
 #include "dds/loopback.hpp"
 
 namespace clew::bridge {
@@ -34,7 +36,7 @@ std::string cyclonedds_configuration(const ParticipantConfig& config) {
       "<WhcAdaptive>false</WhcAdaptive></Watermarks></Internal>"
       "</Domain></CycloneDDS>",
       config.domain, kMaxParticipantIndex, kLoopbackAddress,
-      static_cast<long long>(config.lease_s * 1e3), kLinger.count());
+      static_cast<std::int64_t>(config.lease_s * 1e3), kLinger.count());
 }
 
 }  // namespace clew::bridge

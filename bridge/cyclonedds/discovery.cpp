@@ -116,7 +116,7 @@ void CycloneDiscovery::take_endpoints(dds_entity_t reader, bool is_writer) {
 }
 
 void CycloneDiscovery::add_remote(dds_instance_handle_t handle,
-                                  std::shared_ptr<const RemoteEndpoint> remote) {
+                                  const std::shared_ptr<const RemoteEndpoint>& remote) {
   if (remote == nullptr) return;
   bool is_inconsistent = false;
   {

@@ -36,7 +36,8 @@ class CycloneDiscovery {
   template <bool is_writer>
   static void on_endpoints(dds_entity_t reader, void* self);
   void take_endpoints(dds_entity_t reader, bool is_writer);
-  void add_remote(dds_instance_handle_t handle, std::shared_ptr<const RemoteEndpoint> remote);
+  void add_remote(dds_instance_handle_t handle,
+                  const std::shared_ptr<const RemoteEndpoint>& remote);
   int process_id(dds_instance_handle_t participant) const;
 
   dds_entity_t participant_;

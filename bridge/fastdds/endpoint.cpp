@@ -32,7 +32,7 @@ std::shared_ptr<const RemoteEndpoint> FastEndpoint::find(const Guid& guid) {
 }
 
 std::shared_ptr<const RemoteEndpoint> FastEndpoint::add(const Guid& guid) {
-  const std::shared_ptr<const RemoteEndpoint> remote = discovery_.find(guid);
+  std::shared_ptr<const RemoteEndpoint> remote = discovery_.find(guid);
   if (remote == nullptr) return nullptr;
   bool is_new = false;
   {

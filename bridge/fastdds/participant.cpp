@@ -22,7 +22,7 @@
 namespace clew::bridge {
 namespace {
 
-using namespace eprosima::fastdds::dds;
+using namespace eprosima::fastdds::dds;  // NOLINT(google-build-using-namespace): a dozen names
 using eprosima::fastrtps::rtps::iHandle2GUID;
 using eprosima::fastrtps::types::ReturnCode_t;
 

@@ -17,7 +17,7 @@
 
 namespace clew::bridge {
 
-using namespace eprosima::fastdds::dds;
+using namespace eprosima::fastdds::dds;  // NOLINT(google-build-using-namespace): two dozen names
 using eprosima::fastrtps::Duration_t;
 using eprosima::fastrtps::rtps::IPLocator;
 using eprosima::fastrtps::rtps::Locator_t;
