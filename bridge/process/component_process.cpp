@@ -140,6 +140,7 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
        [&link](std::string spool) { link.send_bytes(FrameType::kSamples, spool); }});
   if (assignment.checkpoint) CLEW_RETURN_IF_ERROR(host.restore(*assignment.checkpoint));
   CLEW_RETURN_IF_ERROR(host.open(**participant, barrier));
+  if (assignment.checkpoint) host.repeat_last_outputs(*assignment.checkpoint);
   if (assignment.resumes) host.go(Clock::now());
   report_missing(barrier);
   return ComponentLoop(link, host).run();

@@ -62,6 +62,9 @@ struct Checkpoint {
   std::uint64_t tick = 0;
   std::string node;     ///< runtime::Node::save
   std::string journal;  ///< the account of what it wrote
+  /// What it wrote last, by topic: of the tick before, which a delayed input of another component
+  /// that goes back to the same tick still needs.
+  std::map<std::string, std::string> last_outputs;
 };
 
 /// All that a component process needs to take its place in a run.
@@ -115,7 +118,7 @@ void visit_fields(V& v, ExpectedEndpoint& m) {
 }
 template <typename V>
 void visit_fields(V& v, Checkpoint& m) {
-  v(m.tick, m.node, m.journal);
+  v(m.tick, m.node, m.journal, m.last_outputs);
 }
 template <typename V>
 void visit_fields(V& v, Assignment& m) {

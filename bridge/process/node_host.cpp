@@ -200,7 +200,26 @@ void NodeHost::save_checkpoint() {
   report();
   core::StateWriter journal;
   journal(journal_);
-  handlers_.on_checkpoint({buffer_.next_tick(), node_.save(), journal.take()});
+  std::map<std::string, std::string> last_outputs;
+  for (Topic topic : node_.ports().output_order) {
+    domain::visit_topic(topic, [&](auto constant) {
+      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      last_outputs[std::string(domain::topic_name(topic))] =
+          std::get<kIndex>(codecs_).encode(std::get<kIndex>(messages_));
+    });
+  }
+  handlers_.on_checkpoint(
+      {buffer_.next_tick(), node_.save(), journal.take(), std::move(last_outputs)});
+}
+
+void NodeHost::repeat_last_outputs(const Checkpoint& checkpoint) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (Topic topic : node_.ports().output_order) {
+    const auto bytes = checkpoint.last_outputs.find(std::string(domain::topic_name(topic)));
+    if (bytes != checkpoint.last_outputs.end()) {
+      write(outputs_[index_of(topic)], topic, bytes->second);
+    }
+  }
 }
 
 void NodeHost::account(const runtime::TopicSet& present) {

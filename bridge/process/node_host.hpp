@@ -55,6 +55,8 @@ class NodeHost {
 
   /// Goes on from a checkpoint instead of tick 0; before open().
   core::Result<void> restore(const Checkpoint& checkpoint);
+  /// Writes again what was written last before the checkpoint; after open().
+  void repeat_last_outputs(const Checkpoint& checkpoint);
   /// Lets the stage that starts ticks begin.
   void go(Time now);
   /// Ticks up to this one, not included, may start.
