@@ -23,8 +23,8 @@ Result<void> read_count(const YamlNode& root, const char* key, std::int64_t leas
   return {};
 }
 
-/// A pair [first, last] with 0 < last <= first <= most.
-Result<void> read_annealed(const YamlNode& root, const char* key, double most,
+/// A pair [first, last] with 0 < last <= first <= most, a whole number.
+Result<void> read_annealed(const YamlNode& root, const char* key, int most,
                            std::array<double, 2>& field) {
   const auto node = root.at(key);
   if (!node.ok()) return node.error();
@@ -76,8 +76,8 @@ Result<SomRecipe> SomRecipe::parse(const core::Resource& resource) {
   SomRecipe recipe;
   CLEW_RETURN_IF_ERROR(read_count(*root, "seed", 0, recipe.seed));
   CLEW_RETURN_IF_ERROR(read_count(*root, "iterations", kLeastIterations, recipe.iterations));
-  CLEW_RETURN_IF_ERROR(read_annealed(*root, "learning_rate", 1.0, recipe.learning_rate));
-  CLEW_RETURN_IF_ERROR(read_annealed(*root, "radius_neurons", 7.0, recipe.radius_neurons));
+  CLEW_RETURN_IF_ERROR(read_annealed(*root, "learning_rate", 1, recipe.learning_rate));
+  CLEW_RETURN_IF_ERROR(read_annealed(*root, "radius_neurons", 7, recipe.radius_neurons));
   CLEW_RETURN_IF_ERROR(core::read_counts(*root, "least_runs_ticks", recipe.least_runs));
   CLEW_RETURN_IF_ERROR(read_scales(*root, recipe.scales));
   CLEW_RETURN_IF_ERROR(read_worlds(*root, recipe.worlds));

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "core/resources.hpp"
+
+namespace clew::classify {
+
+/// A file of the source tree, as a behaviour gets it.
+inline core::Resource file_of(const std::string& path) {
+  std::ifstream stream(std::string(CLEW_SOURCE_DIR) + '/' + path, std::ios::binary);
+  return {path.substr(path.rfind('/') + 1),
+          {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()}};
+}
+
+/// The text with one occurrence replaced.
+inline std::string with(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+}  // namespace clew::classify
