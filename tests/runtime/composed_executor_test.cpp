@@ -86,6 +86,34 @@ TEST(ComposedExecutor, PassesValuesRoundTheLoop) {
   EXPECT_EQ(std::get<domain::Command>(executor.messages()).stamp.sequence, 2u);
 }
 
+TEST(ComposedExecutor, GoesOnFromTheMiddleOfARun) {
+  std::vector<std::string> log;
+  ComposedExecutor whole(make_loop(log), nullptr);
+  std::vector<Node> nodes = make_loop(log);
+  ComposedExecutor first(make_loop(log), nullptr);
+  for (int tick = 0; tick < 3; ++tick) whole.step();
+  first.step();
+  first.step();
+  // The samples of a tick lie with the executor, the counts of the outputs with the nodes.
+  std::vector<Node> stepped = make_loop(log);
+  domain::Messages scratch;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::uint64_t tick = 0; tick < 2; ++tick) {
+      stepped[i].step(tick, stepped[i].ports().inputs, scratch);
+    }
+    ASSERT_TRUE(nodes[i].load(stepped[i].save()).ok());
+  }
+
+  ComposedExecutor rest(std::move(nodes), nullptr, 2, first.messages());
+  rest.step();
+
+  const auto& expected = std::get<domain::Command>(whole.messages());
+  const auto& command = std::get<domain::Command>(rest.messages());
+  EXPECT_EQ(rest.next_tick(), 3u);
+  EXPECT_EQ(command.motion.speed_mps, expected.motion.speed_mps);
+  EXPECT_EQ(command.stamp.sequence, expected.stamp.sequence);
+}
+
 class TopicLog : public SampleObserver {
  public:
   void on_output(Topic topic, const domain::Messages& messages) override {

@@ -95,7 +95,7 @@ TEST(ExpandedGraph, DoesNotDependOnHowStagesAreDeployed) {
   const std::string spread = R"(world: open-field
 robot: disc-015
 start_timeout_s: 60
-sense: {behaviour: cones, process: {middleware: fastdds}}
+sense: {behaviour: cones, process: {middleware: fastdds, restart_limit: 3}}
 control: {behaviour: straight}
 drive: {behaviour: slow}
 )";

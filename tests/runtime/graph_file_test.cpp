@@ -129,11 +129,16 @@ TEST(GraphFile, ListsWhatIsUnwired) {
 TEST(GraphFile, ReadsHowStagesAreDeployed) {
   const Graph graph = load_good(
       replaced(replaced(kSmallGraph, "{behaviour: cones}",
-                        "{behaviour: cones, process: {middleware: fastdds}}"),
+                        "{behaviour: cones, process: {middleware: fastdds, restart_limit: 3, "
+                        "restart_backoff_s: 0.5}}"),
                "{behaviour: straight}", "{exec: [./my control, --gain, '2'], process: {}}"));
 
   EXPECT_EQ(graph.find("sense")->deployment.middleware, "fastdds");
+  EXPECT_EQ(graph.find("sense")->deployment.restart_limit, 3u);
+  EXPECT_EQ(graph.find("sense")->deployment.restart_backoff_s, 0.5);
   EXPECT_EQ(graph.find("drive")->deployment.middleware, "");
+  EXPECT_EQ(graph.find("drive")->deployment.restart_limit, 100u);
+  EXPECT_EQ(graph.find("drive")->deployment.restart_backoff_s, 0.0);
   EXPECT_EQ(graph.find("control")->deployment.exec,
             (std::vector<std::string>{"./my control", "--gain", "2"}));
   EXPECT_TRUE(graph.find("control")->config.parts.empty());

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/yaml_fields.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace clew::core {
+namespace {
+
+YamlNode parse(const std::string& yaml) {
+  auto node = YamlNode::parse(yaml, "a.yaml");
+  EXPECT_TRUE(node.ok()) << node.error().text();
+  return *std::move(node);
+}
+
+std::string answer(const Result<void>& result) {
+  return result.ok() ? "accepted" : result.error().text();
+}
+
+TEST(YamlFields, TheFormatIsTheOneExpected) {
+  const auto check = [](const char* yaml) { return answer(check_format(parse(yaml), "clew-a/1")); };
+
+  EXPECT_EQ(check("format: clew-a/1"), "accepted");
+  EXPECT_EQ(check("format: clew-a/2"), "a.yaml:1:9: found 'clew-a/2', expected clew-a/1");
+  EXPECT_EQ(check("format: [clew-a/1]"), "a.yaml:1:9: found a list of 1, expected clew-a/1");
+  EXPECT_EQ(check("name: a"), "a.yaml:1:1: missing key 'format'");
+}
+
+TEST(YamlFields, ANumberIsWithinItsRange) {
+  double rate = 0.0;
+  const auto read = [&](const char* yaml) {
+    return answer(read_number(parse(yaml), "rate", {0.25, 2.0}, rate));
+  };
+
+  EXPECT_EQ(read("rate: 0.5"), "accepted");
+  EXPECT_EQ(rate, 0.5);
+  EXPECT_EQ(read("rate: 0.25"), "accepted");
+  EXPECT_EQ(read("rate: 2"), "accepted");
+  EXPECT_EQ(read("rate: 0.125"), "a.yaml:1:7: found 0.125, expected a number from 0.25 to 2");
+  EXPECT_EQ(read("rate: 3"), "a.yaml:1:7: found 3, expected a number from 0.25 to 2");
+  EXPECT_EQ(read("rate: high"), "a.yaml:1:7: found 'high', expected a finite number");
+  EXPECT_EQ(read("race: 1"), "a.yaml:1:1: missing key 'rate'");
+}
+
+TEST(YamlFields, CountsAreThreeWholeNumbersFromOne) {
+  std::array<std::uint32_t, 3> counts{};
+  const auto read = [&](const char* yaml) {
+    return answer(read_counts(parse(yaml), "cells", counts));
+  };
+
+  EXPECT_EQ(read("cells: [1, 20, 300]"), "accepted");
+  EXPECT_EQ(counts, (std::array<std::uint32_t, 3>{1, 20, 300}));
+  EXPECT_EQ(read("cells: [1, 2]"), "a.yaml:1:8: found a list of 2, expected three counts");
+  EXPECT_EQ(read("cells: [1, 0, 2]"), "a.yaml:1:8: found 0, expected whole numbers of at least 1");
+  EXPECT_EQ(read("cells: [1, 2.5, 2]"),
+            "a.yaml:1:8: found 2.5, expected whole numbers of at least 1");
+  EXPECT_EQ(read("cells: [1, 1e10, 2]"),
+            "a.yaml:1:8: found 10000000000, expected whole numbers of at least 1");
+}
+
+}  // namespace
+}  // namespace clew::core
