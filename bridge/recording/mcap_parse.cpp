@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstring>
 #include <tuple>
 
 #include "recording/mcap_records.hpp"
@@ -18,12 +19,11 @@ class Cursor {
 
   template <typename Integer>
   Integer integer() {
+    // Copied at once, since this is most of what reading a file costs: a host is little-endian, as
+    // the format is.
     const std::string_view raw = take(sizeof(Integer));
     Integer value = 0;
-    for (std::size_t byte = 0; byte < raw.size(); ++byte) {
-      const Integer digit = static_cast<unsigned char>(raw[byte]);
-      value = static_cast<Integer>(value | (digit << (8 * byte)));
-    }
+    if (!raw.empty()) std::memcpy(&value, raw.data(), sizeof value);
     return value;
   }
   std::string_view text() { return take(integer<std::uint32_t>()); }
