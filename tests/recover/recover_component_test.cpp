@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recover/recover_component.hpp"
+
+#include <gtest/gtest.h>
+
+#include "data_files.hpp"
+#include "recover/no_recovery.hpp"
+#include "scene.hpp"
+
+namespace clew::recover {
+namespace {
+
+using domain::EventKind;
+using domain::GuidanceMode;
+using domain::Topic;
+
+/// Says trap when it is told to.
+class ToldDetector final : public TrapDetector {
+ public:
+  std::optional<TrapEvidence> observe(const Situation&) override {
+    ++observed;
+    if (!trap) return std::nullopt;
+    return TrapEvidence{3, {1, 2}, 9.0, 7, "told so"};
+  }
+  void escape_ended() override { ++ends; }
+  void save(core::StateWriter&) const override {}
+  void load(core::StateReader&) override {}
+
+  bool trap = false;
+  int observed = 0;
+  int ends = 0;
+};
+
+/// Turns by an angle of its own, and ends as it is told to.
+class ToldEscape final : public Escape {
+ public:
+  explicit ToldEscape(double turn_rad) : turn_rad_(turn_rad) {}
+  void begin(const Situation&, const TrapEvidence& evidence) override {
+    ++begins;
+    reason = evidence.text;
+  }
+  EscapeStatus step(const Situation&, domain::Guidance& guidance) override {
+    guidance.has_override = true;
+    guidance.override_motion.turn_rad = turn_rad_;
+    guidance.why = "told";
+    return status;
+  }
+  void save(core::StateWriter&) const override {}
+  void load(core::StateReader&) override {}
+
+  EscapeStatus status = EscapeStatus::kActive;
+  int begins = 0;
+  std::string reason;
+
+ private:
+  double turn_rad_;
+};
+
+class RecoverComponentTest : public ::testing::Test {
+ protected:
+  RecoverComponentTest() {
+    make_component();
+    for (const Topic topic : {Topic::kOdometry, Topic::kScan, Topic::kTarget, Topic::kLandmark}) {
+      inputs_.set(static_cast<std::size_t>(topic));
+    }
+    for (const Topic topic : {Topic::kGuidance, Topic::kEvent}) {
+      outputs_.set(static_cast<std::size_t>(topic));
+    }
+  }
+
+  void make_component() {
+    RecoverComponent::Parts parts;
+    detector_ = add(parts.detector, "told", std::make_unique<ToldDetector>());
+    shadow_ = add(parts.shadows.emplace_back(), "watcher", std::make_unique<ToldDetector>());
+    first_ = add(parts.escapes.emplace_back(), "first", std::make_unique<ToldEscape>(0.1));
+    second_ = add(parts.escapes.emplace_back(), "second", std::make_unique<ToldEscape>(0.2));
+    parts.immediate_memory = ImmediateMemory::parse(rule_base("krishna_kalra_actions")).value();
+    component_ = std::make_unique<RecoverComponent>(std::move(parts));
+  }
+
+  template <typename Told, typename Behaviour>
+  static Told* add(Named<Behaviour>& slot, const char* name, std::unique_ptr<Told> behaviour) {
+    Told* told = behaviour.get();
+    slot.name = name;
+    slot.behaviour = std::move(behaviour);
+    return told;
+  }
+
+  const domain::Guidance& step(const Scene& scene = {}) {
+    std::get<domain::Odometry>(messages_) = scene.odometry();
+    std::get<domain::Scan>(messages_) = scene.scan();
+    std::get<domain::Landmark>(messages_) = scene.landmark();
+    std::get<domain::Target>(messages_).x_m = scene.target().x();
+    std::get<domain::Target>(messages_).y_m = scene.target().y();
+    std::get<domain::Guidance>(messages_) = {};
+    std::get<domain::Event>(messages_) = {};
+    runtime::TickOutputs outputs(messages_, outputs_);
+    component_->step({messages_, inputs_, inputs_, tick_++}, outputs);
+    return std::get<domain::Guidance>(messages_);
+  }
+
+  std::vector<EventKind> events() const {
+    std::vector<EventKind> kinds;
+    for (const auto& entry : std::get<domain::Event>(messages_).entries)
+      kinds.push_back(entry.kind);
+    return kinds;
+  }
+  const domain::EventEntry& event(std::size_t i) const {
+    return std::get<domain::Event>(messages_).entries[i];
+  }
+
+  ToldDetector* detector_ = nullptr;
+  ToldDetector* shadow_ = nullptr;
+  ToldEscape* first_ = nullptr;
+  ToldEscape* second_ = nullptr;
+  std::unique_ptr<RecoverComponent> component_;
+  domain::Messages messages_;
+  runtime::TopicSet inputs_;
+  runtime::TopicSet outputs_;
+  std::uint64_t tick_ = 0;
+};
+
+TEST_F(RecoverComponentTest, SeeksTheMissionsTargetWithoutATrap) {
+  const domain::Guidance& guidance = step(Scene().target(4, 5));
+
+  EXPECT_EQ(guidance.mode, GuidanceMode::kSeek);
+  EXPECT_EQ(guidance.target_x_m, 4.0);
+  EXPECT_EQ(guidance.target_y_m, 5.0);
+  EXPECT_FALSE(guidance.has_override);
+  EXPECT_TRUE(events().empty());
+}
+
+TEST_F(RecoverComponentTest, StartsTheFirstEscapeInTheTickOfTheTrap) {
+  detector_->trap = true;
+
+  const domain::Guidance& guidance = step(Scene().at(2, 3, 0));
+
+  EXPECT_EQ(guidance.mode, GuidanceMode::kRecover);
+  EXPECT_EQ(guidance.override_motion.turn_rad, 0.1);
+  EXPECT_EQ(first_->reason, "told so");
+  ASSERT_EQ(events(), (std::vector<EventKind>{EventKind::kTrap, EventKind::kEscapeBegun}));
+  EXPECT_EQ(event(0).rule, "told");
+  EXPECT_EQ(event(0).x_m, 2.0);
+  EXPECT_TRUE(event(0).has_earlier);
+  EXPECT_EQ(event(0).earlier_tick, 3u);
+  EXPECT_EQ(event(0).earlier_y_m, 2.0);
+  EXPECT_EQ(event(0).travel_m, 9.0);
+  EXPECT_EQ(event(0).cell, 7u);
+  EXPECT_EQ(event(1).rule, "first");
+}
+
+TEST_F(RecoverComponentTest, IgnoresEvidenceWhileAnEscapeIsAtWork) {
+  detector_->trap = true;
+  step();
+  step();
+
+  EXPECT_EQ(first_->begins, 1);
+  EXPECT_EQ(detector_->observed, 2);
+  EXPECT_TRUE(events().empty());
+}
+
+TEST_F(RecoverComponentTest, SeeksAgainWhenAnEscapeEnds) {
+  detector_->trap = true;
+  step();
+  first_->status = EscapeStatus::kEnded;
+
+  const domain::Guidance& guidance = step(Scene().target(4, 5));
+
+  EXPECT_EQ(guidance.mode, GuidanceMode::kSeek);
+  EXPECT_FALSE(guidance.has_override);
+  EXPECT_EQ(guidance.target_x_m, 4.0);
+  EXPECT_EQ(events(), std::vector<EventKind>{EventKind::kEscapeEnded});
+  EXPECT_EQ(detector_->ends, 1);
+  EXPECT_EQ(shadow_->ends, 1);
+}
+
+TEST_F(RecoverComponentTest, FallsBackOnTheNextEscape) {
+  detector_->trap = true;
+  step();
+  first_->status = EscapeStatus::kFailed;
+  step();
+  const auto handed_over = events();
+  const domain::Guidance& guidance = step();
+
+  EXPECT_EQ(handed_over,
+            (std::vector<EventKind>{EventKind::kEscapeFailed, EventKind::kEscapeBegun}));
+  EXPECT_EQ(guidance.override_motion.turn_rad, 0.2);
+  EXPECT_EQ(detector_->ends, 0);
+}
+
+TEST_F(RecoverComponentTest, StartsAfreshWhenTheLastEscapeFails) {
+  detector_->trap = true;
+  step();
+  first_->status = second_->status = EscapeStatus::kFailed;
+  step();
+  detector_->trap = false;
+  const domain::Guidance& guidance = step();
+
+  EXPECT_EQ(guidance.mode, GuidanceMode::kSeek);
+  EXPECT_EQ(events(), std::vector<EventKind>{EventKind::kEscapeFailed});
+  EXPECT_EQ(detector_->ends, 1);
+}
+
+TEST_F(RecoverComponentTest, GivesUpForGood) {
+  detector_->trap = true;
+  step();
+  first_->status = EscapeStatus::kUnreachable;
+
+  EXPECT_EQ(step().mode, GuidanceMode::kUnreachable);
+  EXPECT_EQ(events(), std::vector<EventKind>{EventKind::kUnreachable});
+  EXPECT_EQ(step().mode, GuidanceMode::kUnreachable);
+}
+
+TEST_F(RecoverComponentTest, LogsAShadowAndDoesNothingElse) {
+  shadow_->trap = true;
+
+  const domain::Guidance& guidance = step();
+
+  EXPECT_EQ(guidance.mode, GuidanceMode::kSeek);
+  ASSERT_EQ(events(), std::vector<EventKind>{EventKind::kTrap});
+  EXPECT_TRUE(event(0).shadow);
+  EXPECT_EQ(event(0).rule, "watcher");
+  EXPECT_EQ(first_->begins, 0);
+}
+
+TEST_F(RecoverComponentTest, LogsLandmarks) {
+  step(Scene().recognises(domain::Network::kFuzzyArt, 4, {7, 8, 1}));
+
+  ASSERT_EQ(events(), std::vector<EventKind>{EventKind::kLandmark});
+  EXPECT_EQ(event(0).rule, "fuzzy_art");
+  EXPECT_EQ(event(0).text, "[7 8 1]");
+  EXPECT_EQ(event(0).cell, 4u);
+}
+
+TEST_F(RecoverComponentTest, FiresTheImmediateMemory) {
+  const domain::Guidance& guidance = step(Scene().recognises(domain::Network::kSom, 4, {7, 1, 0}));
+
+  EXPECT_TRUE(guidance.has_override);
+  EXPECT_EQ(guidance.override_motion.turn_rad, core::radians(-90.0));
+  EXPECT_EQ(guidance.mode, GuidanceMode::kSeek);
+  EXPECT_EQ(events(), (std::vector<EventKind>{EventKind::kLandmark, EventKind::kReflex}));
+}
+
+TEST_F(RecoverComponentTest, PutsAnEscapesMotionBeforeTheImmediateMemory) {
+  detector_->trap = true;
+
+  EXPECT_EQ(step(Scene().recognises(domain::Network::kSom, 4, {7, 1, 0})).override_motion.turn_rad,
+            0.1);
+}
+
+TEST_F(RecoverComponentTest, GoesOnAsBeforeAfterSaveAndLoad) {
+  detector_->trap = true;
+  step();
+  first_->status = EscapeStatus::kFailed;
+  step();
+  core::StateWriter writer;
+  component_->save(writer);
+
+  make_component();
+  core::StateReader reader(writer.bytes());
+  component_->load(reader);
+
+  EXPECT_TRUE(reader.complete());
+  EXPECT_EQ(step().override_motion.turn_rad, 0.2);
+}
+
+TEST(NoRecovery, NeverSaysTrapAndEndsAtOnce) {
+  NoDetector detector;
+  NoEscape escape;
+  const Scene scene;
+  domain::Guidance guidance;
+
+  EXPECT_FALSE(detector.observe(scene.situation()).has_value());
+  EXPECT_EQ(escape.step(scene.situation(), guidance), EscapeStatus::kEnded);
+  EXPECT_FALSE(guidance.has_override);
+}
+
+}  // namespace
+}  // namespace clew::recover
