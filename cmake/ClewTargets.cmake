@@ -5,20 +5,25 @@ set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_C_STANDARD 11)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 find_program(CLEW_CCACHE ccache)
 if(CLEW_CCACHE)
-  set(CMAKE_C_COMPILER_LAUNCHER ${CLEW_CCACHE})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CLEW_CCACHE})
+  # Another clone of the same sources, as CI makes one, finds what this one has compiled.
+  set(launcher ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CLEW_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endif()
 
 # Results are compared bit for bit between builds, layouts and machines: no fused multiply-add, and
 # -Og in Debug, since the suite runs whole missions there.
 add_compile_options(-ffp-contract=off)
+# Everywhere, so that every target may use the same precompiled header.
+add_compile_options(-pthread)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2")
 set(CMAKE_C_FLAGS_RELEASE "-O2")
 set(CMAKE_CXX_FLAGS_DEBUG "-Og -g1")
@@ -34,6 +39,14 @@ add_library(clew_warnings INTERFACE)
 target_compile_options(clew_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
   $<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast>)
 
+# What nearly every file of ours includes, parsed once for all targets.
+add_library(clew_precompiled STATIC ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
+target_precompile_headers(clew_precompiled PRIVATE <Eigen/Core> <algorithm> <array> <cmath> <cstdint>
+  <functional> <map> <memory> <optional> <string> <string_view> <variant> <vector>)
+target_link_libraries(clew_precompiled PRIVATE clew_warnings Eigen3::Eigen)
+# A sum of products has one order, whatever vector unit a machine has.
+target_compile_definitions(clew_precompiled PUBLIC EIGEN_DONT_VECTORIZE)
+
 # clew_library(<folder name> SOURCES ... [LINK ...] [PRIVATE_LINK ...])
 # One static library a folder, clew_<name>, alias clew::<name>. Headers are included by their path
 # from the source root's include_root (components/ or the root itself): "core/angle.hpp".
@@ -43,4 +56,5 @@ function(clew_library name)
   add_library(clew::${name} ALIAS clew_${name})
   target_include_directories(clew_${name} PUBLIC ${CLEW_INCLUDE_ROOT})
   target_link_libraries(clew_${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK} clew_warnings)
+  target_precompile_headers(clew_${name} REUSE_FROM clew_precompiled)
 endfunction()
