@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "process/run_members.hpp"
 
+#include <poll.h>
+
 #include <algorithm>
+#include <csignal>
 
 #include "cyclonedds/configuration.hpp"
 
@@ -30,6 +33,21 @@ std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const Graph
     }
   }
   return expected;
+}
+
+// Whether every process has ended in time.
+bool ended_by(std::vector<Member>& members, std::chrono::steady_clock::time_point deadline) {
+  while (true) {
+    bool running = false;
+    for (Member& member : members) {
+      if (!member.child) continue;
+      member.child->reap();
+      running = running || member.child->running();
+    }
+    if (!running) return true;
+    if (std::chrono::steady_clock::now() >= deadline) return false;
+    ::poll(nullptr, 0, 1);
+  }
 }
 
 }  // namespace
@@ -108,6 +126,26 @@ ChildCommand command_of(const Member& member, const GraphStage& stage, const Pro
                          {"CLEW_RUN_ID", run_id},
                          {"CYCLONEDDS_URI", cyclonedds_configuration({domain, member.stage})}};
   return command;
+}
+
+RunTally total_tally(const std::vector<Member>& members) {
+  RunTally total;
+  for (const Member& member : members) {
+    total.merge(member.finished ? member.finished->tally : member.progress.tally);
+  }
+  return total;
+}
+
+void end_processes(std::vector<Member>& members, bool orderly) {
+  for (Member& member : members) {
+    member.link.reset();
+    if (member.child && (member.foreign || !orderly)) member.child->signal(SIGTERM);
+  }
+  if (ended_by(members, std::chrono::steady_clock::now() + kEndGrace)) return;
+  for (Member& member : members) {
+    if (member.child) member.child->signal(SIGKILL);
+  }
+  ended_by(members, std::chrono::steady_clock::now() + kEndGrace);
 }
 
 std::string missing_text(const std::vector<Member>& members,

@@ -65,6 +65,16 @@ std::string middleware_of(const runtime::GraphStage& stage, const ProcessLayout&
 ChildCommand command_of(const Member& member, const runtime::GraphStage& stage,
                         const ProcessLayout& layout, int domain, const std::string& run_id);
 
+/// How long a process may take to end once it should.
+inline constexpr auto kEndGrace = std::chrono::milliseconds(500);
+
+/// Closes every line, which tells our components that the run is over, and waits for all processes
+/// to end: asked by a signal if they are not ours or the run was cut off, killed if they stay.
+void end_processes(std::vector<Member>& members, bool orderly);
+
+/// What all members together have gathered.
+RunTally total_tally(const std::vector<Member>& members);
+
 /// Who has not reported, and every endpoint that somebody waits for: `observed` by the observer. A
 /// line each, after a line break.
 std::string missing_text(const std::vector<Member>& members,

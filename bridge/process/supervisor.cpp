@@ -13,9 +13,11 @@
 
 #include "process/domain_hold.hpp"
 #include "process/foreign_observer.hpp"
+#include "process/reception.hpp"
 #include "process/restarts.hpp"
 #include "process/run_members.hpp"
 #include "process/signal_queue.hpp"
+#include "process/tick_rate.hpp"
 #include "recording/run_hash.hpp"
 
 namespace clew::bridge {
@@ -37,7 +39,6 @@ constexpr auto kStallTimeout = std::chrono::seconds(10);
 // A person at a debugger may take his time.
 constexpr auto kPatience = std::chrono::hours(1);
 constexpr double kPatientLease_s = 3600.0;
-constexpr auto kTermGrace = milliseconds(500);
 
 class Supervisor {
  public:
@@ -46,6 +47,7 @@ class Supervisor {
       : plan_(plan),
         layout_(layout),
         hold_(std::move(hold)),
+        reception_(hold_),
         recording_(recording),
         display_(display),
         members_(list_members(plan, layout)),
@@ -63,12 +65,12 @@ class Supervisor {
         report_.interrupted_by = number;
         abort("interrupted by signal " + std::to_string(number) + " (" + ::strsignal(number) + ")");
       }
-      accept_connections();
+      for (auto& [link, hello] : reception_.arrivals()) welcome(std::move(link), hello);
       for (Member& member : members_) serve(member);
       if (observer_) observe();
       watch();
     }
-    stop_members();
+    end_processes(members_, all_finished_);
     return finish_report();
   }
 
@@ -118,39 +120,25 @@ class Supervisor {
     return assignment;
   }
 
-  void accept_connections() {
-    while (const auto socket = hold_.accept())
-      newcomers_.push_back(std::make_unique<Link>(*socket));
-    for (auto& newcomer : newcomers_) {
-      if (!newcomer->receive()) {
-        newcomer.reset();
-      } else if (const auto frame = newcomer->next()) {
-        welcome(std::move(newcomer), frame->as<Hello>());
-      }
-    }
-    newcomers_.erase(std::remove(newcomers_.begin(), newcomers_.end(), nullptr), newcomers_.end());
-  }
-
-  void welcome(std::unique_ptr<Link> link, const std::optional<Hello>& hello) {
-    if (!hello) return;
+  void welcome(std::unique_ptr<Link> link, const Hello& hello) {
     const auto member =
         std::find_if(members_.begin(), members_.end(), [&](const Member& candidate) {
-          return candidate.stage == hello->stage && !candidate.foreign;
+          return candidate.stage == hello.stage && !candidate.foreign;
         });
     if (member == members_.end() || member->link != nullptr) {
-      link->send(FrameType::kNotice, Text{"this run has no place for a component " + hello->stage});
+      link->send(FrameType::kNotice, Text{"this run has no place for a component " + hello.stage});
       return;
     }
-    if (hello->idl_fingerprint != idl_fingerprint()) {
-      const std::string what = hello->stage + " (process " + std::to_string(hello->process_id) +
+    if (hello.idl_fingerprint != idl_fingerprint()) {
+      const std::string what = hello.stage + " (process " + std::to_string(hello.process_id) +
                                ") was built from other IDL files: its fingerprint is " +
-                               hello->idl_fingerprint + ", that of the run is " +
+                               hello.idl_fingerprint + ", that of the run is " +
                                std::string(idl_fingerprint());
       link->send(FrameType::kNotice, Text{what});
       return abort(what);
     }
-    const GraphStage& stage = *plan_.graph.find(hello->stage);
-    Assignment assignment = assignment_for(hello->stage, middleware_of(stage, layout_));
+    const GraphStage& stage = *plan_.graph.find(hello.stage);
+    Assignment assignment = assignment_for(hello.stage, middleware_of(stage, layout_));
     if (gone_) {
       assignment.resumes = true;
       if (!member->checkpoints.empty()) assignment.checkpoint = member->checkpoints.back();
@@ -165,9 +153,8 @@ class Supervisor {
   // ---- while it runs ----
 
   void wait_for_something() {
-    std::vector<pollfd> descriptors = {{signals_.descriptor(), POLLIN, 0},
-                                       {hold_.socket(), POLLIN, 0}};
-    for (const auto& newcomer : newcomers_) descriptors.push_back({newcomer->socket(), POLLIN, 0});
+    std::vector<pollfd> descriptors = {{signals_.descriptor(), POLLIN, 0}};
+    for (const int socket : reception_.sockets()) descriptors.push_back({socket, POLLIN, 0});
     for (const Member& member : members_) {
       if (member.link) descriptors.push_back({member.link->socket(), POLLIN, 0});
     }
@@ -188,7 +175,7 @@ class Supervisor {
   // sent before was read before.
   void lose(Member& member) {
     member.link.reset();
-    const auto deadline = Clock::now() + kTermGrace;
+    const auto deadline = Clock::now() + kEndGrace;
     while (member.child && member.child->running() && Clock::now() < deadline) {
       if (!member.child->reap()) ::poll(nullptr, 0, 1);
     }
@@ -245,11 +232,7 @@ class Supervisor {
     member.progress = progress;
     if (progress.ticks >= member.lost_at) member.catching_up = false;
     if (!member.starts_ticks || !progress.tally.truth) return;
-    if (!first_tick_at_) {
-      first_tick_at_ = Clock::now();
-      first_tick_ = progress.tally.truth->tick;
-    }
-    last_tick_at_ = Clock::now();
+    rate_.note(progress.tally.truth->tick, Clock::now());
     if (progress.tally.truth->outcome != domain::Outcome::kRunning && !last_tick_) {
       last_tick_ = progress.tally.truth->tick;
       for (Member& other : members_) {
@@ -300,7 +283,7 @@ class Supervisor {
     if (last_tick_ && everybody_finished()) all_finished_ = true;
     if (display_ && gone_ && now - displayed_at_ >= kDisplayPeriod) {
       displayed_at_ = now;
-      display_(tally(), ticks_per_s());
+      display_(tally(), rate_.per_s());
     }
   }
 
@@ -355,54 +338,15 @@ class Supervisor {
 
   // ---- end ----
 
-  // A closed line tells ours that the run is over; then signals, the gentle one first.
-  void stop_members() {
-    for (Member& member : members_) {
-      member.link.reset();
-      if (member.child && (member.foreign || !all_finished_)) member.child->signal(SIGTERM);
-    }
-    if (!wait_for_children(Clock::now() + kTermGrace)) {
-      for (Member& member : members_) {
-        if (member.child) member.child->signal(SIGKILL);
-      }
-      wait_for_children(Clock::now() + kTermGrace);
-    }
-  }
-
-  bool wait_for_children(Clock::time_point deadline) {
-    while (true) {
-      bool running = false;
-      for (Member& member : members_) {
-        if (!member.child) continue;
-        member.child->reap();
-        running = running || member.child->running();
-      }
-      if (!running) return true;
-      if (Clock::now() >= deadline) return false;
-      ::poll(nullptr, 0, 1);
-    }
-  }
-
   RunTally tally() const {
-    RunTally total;
-    for (const Member& member : members_) {
-      total.merge(member.finished ? member.finished->tally : member.progress.tally);
-    }
+    RunTally total = total_tally(members_);
     if (observer_) total.merge(observer_->tally());
     return total;
   }
 
-  double ticks_per_s() const {
-    if (!first_tick_at_ || !last_tick_at_) return 0.0;
-    const double seconds = std::chrono::duration<double>(*last_tick_at_ - *first_tick_at_).count();
-    const RunTally total = tally();
-    if (!total.truth || seconds <= 0.0) return 0.0;
-    return static_cast<double>(total.truth->tick - first_tick_) / seconds;
-  }
-
   RunReport finish_report() {
     report_.tally = tally();
-    report_.ticks_per_s = ticks_per_s();
+    report_.ticks_per_s = rate_.per_s();
     report_.wall_s = std::chrono::duration<double>(Clock::now() - started_at_).count();
     std::map<std::string, core::Hash128> chains;
     for (const Member& member : members_) {
@@ -421,25 +365,23 @@ class Supervisor {
   const runtime::RunPlan& plan_;
   const ProcessLayout& layout_;
   DomainHold hold_;
+  Reception reception_;
   SampleSink* recording_;
   const ProgressDisplay& display_;
   SignalQueue signals_;
   std::vector<Member> members_;
   Restarts restarts_;
-  std::vector<std::unique_ptr<Link>> newcomers_;
   std::unique_ptr<ForeignObserver> observer_;
   std::string run_id_;
   RunReport report_;
   const Clock::time_point started_at_;
   const bool patient_;
   std::array<std::uint64_t, domain::kTopicCount> recorded_{};  // the next tick of each topic
+  TickRate rate_;
   bool gone_ = false;
   bool all_finished_ = false;
   std::uint64_t credit_ = kLead;
-  std::uint64_t first_tick_ = 0;
   std::optional<std::uint64_t> last_tick_;
-  std::optional<Clock::time_point> first_tick_at_;
-  std::optional<Clock::time_point> last_tick_at_;
   Clock::time_point stalled_since_{};
   Clock::time_point displayed_at_{};
 };
