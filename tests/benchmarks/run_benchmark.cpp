@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What whole runs cost: composed, and as five processes on either vendor and mixed, with the clew
+/// command itself.
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+struct Layout {
+  const char* name;
+  const char* options;
+};
+
+// Neighbours in the loop on different cores: with five processes on two cores each hop then wakes
+// the other core.
+constexpr char kPinned[] =
+    " --prefix drive='taskset -c 0' --prefix sense='taskset -c 1' --prefix classify='taskset -c 0'"
+    " --prefix recover='taskset -c 1' --prefix control='taskset -c 0'";
+
+// In this world nobody arrives, and without a detector nobody gives up: every run has all ticks.
+constexpr char kEndless[] = " --world unsolvable-box --with recover.detector=none";
+
+constexpr Layout kComposed = {"composed", " --layout composed"};
+constexpr Layout kProcesses[] = {
+    {"cyclonedds", " --middleware cyclonedds"},
+    {"fastdds", " --middleware fastdds"},
+    {"mixed",
+     " --middleware sense=fastdds --middleware recover=fastdds --middleware drive=fastdds"}};
+
+nlohmann::json run(const std::string& options) {
+  const std::string command = "'" CLEW_COMMAND "' run krishna_kalra --json" + options;
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  for (int c; pipe && (c = std::fgetc(pipe.get())) != EOF;) text += static_cast<char>(c);
+  return nlohmann::json::parse(text, nullptr, false);
+}
+
+// Time is that between the first tick and the last, as the run reports it.
+void ticks(benchmark::State& state, const std::string& options, int max_ticks) {
+  for (auto _ : state) {
+    const auto report = run(options + " --max-ticks " + std::to_string(max_ticks));
+    if (!report.is_object() || report["ticks_per_s"] <= 0.0) {
+      state.SkipWithError("the run failed");
+      break;
+    }
+    state.SetIterationTime(report["ticks"].get<double>() / report["ticks_per_s"].get<double>());
+    state.SetItemsProcessed(state.items_processed() + report["ticks"].get<std::int64_t>());
+  }
+}
+
+// From start to end of a run of one tick: what a user waits before the robot moves.
+void start(benchmark::State& state, const std::string& options) {
+  for (auto _ : state) {
+    const auto report = run(options + " --max-ticks 1");
+    if (!report.is_object()) {
+      state.SkipWithError("the run failed");
+      break;
+    }
+    state.SetIterationTime(report["wall_s"]);
+  }
+}
+
+void register_ticks(const std::string& name, const std::string& options, int max_ticks) {
+  benchmark::RegisterBenchmark(name.c_str(), ticks, options, max_ticks)
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  const std::string endless = kEndless;
+  register_ticks("ticks/composed/u-trap", std::string(kComposed.options) + " --world u-trap",
+                 20000);
+  register_ticks("ticks/composed/endless", kComposed.options + endless, 20000);
+  register_ticks("ticks/composed/endless/no-hash", kComposed.options + endless + " --no-hash",
+                 20000);
+  for (const Layout& layout : kProcesses) {
+    const std::string name = layout.name;
+    register_ticks("ticks/" + name + "/pinned", layout.options + endless + kPinned, 10000);
+    register_ticks("ticks/" + name, layout.options + endless, 10000);
+    register_ticks("ticks/" + name + "/recorded",
+                   layout.options + endless + " --record /tmp/clew-benchmark.mcap --force", 10000);
+    benchmark::RegisterBenchmark(("start/" + name).c_str(), start, std::string(layout.options))
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  std::remove("/tmp/clew-benchmark.mcap");
+  return 0;
+}
