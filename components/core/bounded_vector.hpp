@@ -27,7 +27,8 @@ class BoundedVector {
   }
   /// Sets the size, 0..N; new values are default ones.
   void resize(std::size_t size) {
-    CLEW_CHECK(size <= N, std::to_string(size) + " values in a list of at most " + std::to_string(N));
+    CLEW_CHECK(size <= N,
+               std::to_string(size) + " values in a list of at most " + std::to_string(N));
     for (std::size_t i = size_; i < size; ++i) items_[i] = T{};
     size_ = size;
   }

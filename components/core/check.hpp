@@ -13,9 +13,9 @@ namespace clew::core {
 
 /// Always-on check of an invariant of our own code; `what` is a string with the values involved and
 /// is built only on failure. Bad input is never answered with this, but with core::Result.
-#define CLEW_CHECK(condition, what)                                            \
-  do {                                                                         \
-    if (!(condition)) {                                                        \
-      ::clew::core::check_failed(#condition, __FILE__, __LINE__, (what));      \
-    }                                                                          \
+#define CLEW_CHECK(condition, what)                                       \
+  do {                                                                    \
+    if (!(condition)) {                                                   \
+      ::clew::core::check_failed(#condition, __FILE__, __LINE__, (what)); \
+    }                                                                     \
   } while (false)

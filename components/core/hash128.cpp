@@ -24,7 +24,7 @@ Hash128 hash128(std::string_view bytes) {
 void HashChain::add(std::uint64_t tick, std::uint64_t sequence, std::string_view bytes) {
   // The sample's own hash first, then one fixed block: no sample needs copying.
   const Hash128 content = hash128(bytes);
-  const std::uint64_t block[] = {value_.high, value_.low,   tick,       sequence,
+  const std::uint64_t block[] = {value_.high,  value_.low,   tick,       sequence,
                                  bytes.size(), content.high, content.low};
   char raw[sizeof block];
   std::memcpy(raw, block, sizeof block);

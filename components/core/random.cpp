@@ -29,10 +29,10 @@ std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
 std::uint64_t Random::bits(std::uint32_t index) const {
   // The tick fills two words of the counter, the index one, robot and component share the last.
   const std::uint32_t who = (key_.robot << 16) ^ key_.component;
-  const auto words = philox4x32({static_cast<std::uint32_t>(key_.tick),
-                                 static_cast<std::uint32_t>(key_.tick >> 32), index, who},
-                                {static_cast<std::uint32_t>(key_.seed),
-                                 static_cast<std::uint32_t>(key_.seed >> 32)});
+  const auto words = philox4x32(
+      {static_cast<std::uint32_t>(key_.tick), static_cast<std::uint32_t>(key_.tick >> 32), index,
+       who},
+      {static_cast<std::uint32_t>(key_.seed), static_cast<std::uint32_t>(key_.seed >> 32)});
   return (static_cast<std::uint64_t>(words[1]) << 32) | words[0];
 }
 

@@ -81,9 +81,9 @@ class [[nodiscard]] Result<void> {
 }  // namespace clew::core
 
 /// Leaves the function with the error of `expression`, a Result, if it has one.
-#define CLEW_RETURN_IF_ERROR(expression)                       \
-  do {                                                         \
-    if (auto clew_result = (expression); !clew_result.ok()) {  \
-      return clew_result.error();                              \
-    }                                                          \
+#define CLEW_RETURN_IF_ERROR(expression)                      \
+  do {                                                        \
+    if (auto clew_result = (expression); !clew_result.ok()) { \
+      return clew_result.error();                             \
+    }                                                         \
   } while (false)

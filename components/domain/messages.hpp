@@ -33,10 +33,10 @@ struct State {
   double turn_rate_radps = 0.0;  ///< over the tick that ended
   double path_length_m = 0.0;    ///< travelled since tick 0
   Outcome outcome = Outcome::kRunning;
-  bool command_late = false;          ///< the command of the tick that ended came too late
-  std::uint32_t collisions = 0;       ///< contacts that the robot moved into, since tick 0
-  std::uint32_t hit_by = 0;           ///< contacts that a moving obstacle made, since tick 0
-  std::uint32_t safety_stops = 0;     ///< interventions of the safety layer, since tick 0
+  bool command_late = false;       ///< the command of the tick that ended came too late
+  std::uint32_t collisions = 0;    ///< contacts that the robot moved into, since tick 0
+  std::uint32_t hit_by = 0;        ///< contacts that a moving obstacle made, since tick 0
+  std::uint32_t safety_stops = 0;  ///< interventions of the safety layer, since tick 0
 };
 
 inline constexpr std::size_t kMaxContacts = 8;
@@ -87,8 +87,8 @@ enum class Network : std::uint8_t { kSom, kFuzzyArt };
 /// A network's answer to a presented landmark vector.
 struct Recognition {
   Network network = Network::kSom;
-  std::uint32_t neuron = 0;   ///< row-major in the lattice (SOM), or the category's number (ART)
-  bool created = false;       ///< a category that was made just now
+  std::uint32_t neuron = 0;  ///< row-major in the lattice (SOM), or the category's number (ART)
+  bool created = false;      ///< a category that was made just now
   std::array<double, 3> prototype_classes{};  ///< what the winner stands for, in classes 0..8
 };
 
@@ -98,8 +98,8 @@ struct Landmark {
   std::uint8_t spatial_class = 8;  ///< 0..8, Table I
   std::uint32_t run_length = 0;    ///< ticks that this class has lasted, this one included
   bool presented = false;          ///< a landmark vector was presented to the networks this tick
-  std::array<std::uint8_t, 3> classes{};       ///< the presented vector, oldest first
-  std::array<std::uint32_t, 3> run_lengths{};  ///< how long each lasted, in ticks
+  std::array<std::uint8_t, 3> classes{};             ///< the presented vector, oldest first
+  std::array<std::uint32_t, 3> run_lengths{};        ///< how long each lasted, in ticks
   core::BoundedVector<Recognition, 4> recognitions;  ///< who knew it
 };
 
@@ -155,9 +155,9 @@ struct Guidance {
 };
 
 enum class EventKind : std::uint8_t {
-  kLandmark,       ///< a landmark was recognised
-  kReflex,         ///< immediate memory acted
-  kTrap,           ///< a detector says trap
+  kLandmark,  ///< a landmark was recognised
+  kReflex,    ///< immediate memory acted
+  kTrap,      ///< a detector says trap
   kEscapeBegun,
   kEscapeEnded,    ///< the escape let go: the way is open
   kEscapeFailed,   ///< the escape gave up
@@ -176,9 +176,9 @@ struct EventEntry {
   std::uint64_t earlier_tick = 0;
   double earlier_x_m = 0.0;
   double earlier_y_m = 0.0;
-  std::uint32_t cell = 0;   ///< neuron, category or grid cell
-  double travel_m = 0.0;    ///< path between the two visits
-  std::string text;         ///< at most kMaxTextLength bytes
+  std::uint32_t cell = 0;  ///< neuron, category or grid cell
+  double travel_m = 0.0;   ///< path between the two visits
+  std::string text;        ///< at most kMaxTextLength bytes
 };
 
 inline constexpr std::size_t kMaxEventEntries = 8;

@@ -17,8 +17,8 @@ struct Robot {
   double radius_m = 0.15;
 };
 
-/// A range sensor's arrangement, so that what does not fit is refused before the run. The fields are
-/// those of Scan.
+/// A range sensor's arrangement, so that what does not fit is refused before the run. The fields
+/// are those of Scan.
 struct ScanLayout {
   std::string sensor;  ///< the behaviour's name, for messages
   std::size_t beam_count = 0;

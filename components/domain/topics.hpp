@@ -12,7 +12,8 @@
 
 namespace clew::domain {
 
-/// The topics, in the order of their names: the order of a recording within a tick, and of the hash.
+/// The topics, in the order of their names: the order of a recording within a tick, and of the
+/// hash.
 enum class Topic : std::uint8_t {
   kCommand,
   kEvent,
@@ -57,20 +58,29 @@ std::optional<Topic> topic_from_name(std::string_view name);
 template <typename F>
 decltype(auto) visit_topic(Topic topic, F&& f) {
   switch (topic) {
-    case Topic::kCommand: return f(std::integral_constant<Topic, Topic::kCommand>{});
-    case Topic::kEvent: return f(std::integral_constant<Topic, Topic::kEvent>{});
-    case Topic::kGuidance: return f(std::integral_constant<Topic, Topic::kGuidance>{});
-    case Topic::kLandmark: return f(std::integral_constant<Topic, Topic::kLandmark>{});
-    case Topic::kOdometry: return f(std::integral_constant<Topic, Topic::kOdometry>{});
-    case Topic::kScan: return f(std::integral_constant<Topic, Topic::kScan>{});
-    case Topic::kState: return f(std::integral_constant<Topic, Topic::kState>{});
-    case Topic::kTarget: break;
+    case Topic::kCommand:
+      return f(std::integral_constant<Topic, Topic::kCommand>{});
+    case Topic::kEvent:
+      return f(std::integral_constant<Topic, Topic::kEvent>{});
+    case Topic::kGuidance:
+      return f(std::integral_constant<Topic, Topic::kGuidance>{});
+    case Topic::kLandmark:
+      return f(std::integral_constant<Topic, Topic::kLandmark>{});
+    case Topic::kOdometry:
+      return f(std::integral_constant<Topic, Topic::kOdometry>{});
+    case Topic::kScan:
+      return f(std::integral_constant<Topic, Topic::kScan>{});
+    case Topic::kState:
+      return f(std::integral_constant<Topic, Topic::kState>{});
+    case Topic::kTarget:
+      break;
   }
   return f(std::integral_constant<Topic, Topic::kTarget>{});
 }
 
 /// Whether a sample may enter a component: every number finite and in its range, every list within
-/// its bound, every enumerator known. The error names the field, what was found and what is allowed.
+/// its bound, every enumerator known. The error names the field, what was found and what is
+/// allowed.
 core::Result<void> validate(const Command& m);
 core::Result<void> validate(const Event& m);
 core::Result<void> validate(const Guidance& m);

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What Krishna & Kalra 2000 say of their figures, and what the tables in recover's README say."""
+import importlib.machinery
+import importlib.util
+import unittest
+
+from clew_command import SOURCE
+
+loader = importlib.machinery.SourceFileLoader("paper_table", str(SOURCE / "tools/paper-table"))
+paper_table = importlib.util.module_from_spec(
+    importlib.util.spec_from_loader("paper_table", loader))
+loader.exec_module(paper_table)
+
+TRAPS = ["kk-fig10-bends-and-kinks", "kk-fig11a-oscillation", "kk-fig11c-double-wall",
+         "kk-fig12-hooks", "kk-fig14-som-cannot-detect", "kk-fig16a-concave-obstacle",
+         "kk-fig16c-concave-obstacle-mirrored"]
+MAZE = "kk-fig13-maze-four-loops"
+NO_TRAPS = [world for world in paper_table.worlds("kk-*") if world not in [*TRAPS, MAZE]]
+
+
+def run(world, variant):
+    """The report of a run of the table."""
+    return paper_table.run(world, paper_table.VARIANTS[variant])
+
+
+class Figures(unittest.TestCase):
+    def test_fuzzy_control_alone_passes_clutter_and_what_is_no_trap(self):
+        for world in ("kk-fig07-clutter", "kk-fig15-not-trapped"):
+            self.assertEqual(run(world, "reactive")["outcome"], "reached", world)
+
+    def test_fuzzy_control_alone_is_trapped(self):
+        for world in [*TRAPS, MAZE]:
+            self.assertEqual(run(world, "reactive")["outcome"], "timeout", world)
+
+    def test_the_full_system_notices_and_leaves_the_traps(self):
+        for variant in ("SOM + ART", "SOM + ART, paper's leaving"):
+            for world in [*TRAPS, MAZE]:
+                report = run(world, variant)
+                self.assertEqual(report["outcome"], "reached", (world, variant))
+                self.assertGreaterEqual(report["traps_detected"], 1, (world, variant))
+
+    def test_art_alone_leads_out_of_the_maze(self):
+        report = run(MAZE, "ART")
+
+        self.assertEqual(report["outcome"], "reached")
+        self.assertGreaterEqual(report["traps_detected"], 1)
+
+    def test_art_notices_what_the_map_does_not_know(self):
+        self.assertEqual(run("kk-fig14-som-cannot-detect", "SOM")["traps_detected"], 0)
+        self.assertEqual(run("kk-fig14-som-cannot-detect", "ART")["traps_detected"], 1)
+
+    def test_immediate_memory_shortens_the_corner(self):
+        without = run("kk-fig08-right-angle-corner", "SOM + ART, no IMAS")
+
+        self.assertLess(run("kk-fig08-right-angle-corner", "SOM + ART")["path_length_m"],
+                        without["path_length_m"])
+
+    def test_no_recovery_where_there_is_no_trap(self):
+        for world in NO_TRAPS:
+            for variant in ("SOM + ART", "SOM", "ART"):
+                report = run(world, variant)
+                self.assertEqual(report["outcome"], "reached", (world, variant))
+                self.assertEqual(report["traps_detected"], 0, (world, variant))
+
+
+class Worlds(unittest.TestCase):
+    def test_every_static_world_is_driven_safely(self):
+        reached = 0
+        for world in paper_table.worlds():
+            if paper_table.moves(world):
+                continue
+            report = run(world, "SOM + ART")
+            self.assertEqual(report["collisions"], 0, world)
+            self.assertLessEqual(report["safety_stops"], 5, world)
+            if world.startswith("unsolvable"):
+                self.assertEqual(report["outcome"], "unreachable", world)
+            else:
+                self.assertNotEqual(report["outcome"], "unreachable", world)
+                reached += report["outcome"] == "reached"
+
+        # 58 are asked for; all 64 solvable ones are what it does.
+        self.assertEqual(reached, 64)
+
+
+class Tables(unittest.TestCase):
+    def test_the_readme_holds_what_the_command_prints(self):
+        readme = (SOURCE / "components/recover/README.md").read_text(encoding="utf-8")
+
+        self.assertIn(paper_table.table(paper_table.worlds("kk-*"), paper_table.VARIANTS), readme)
+
+
+if __name__ == "__main__":
+    unittest.main()
