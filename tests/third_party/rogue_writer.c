@@ -8,16 +8,15 @@
  * Meant for `clew run --prefix sense='rogue_writer --beside'`.
  */
 #define _POSIX_C_SOURCE 200809L
+#include <dds/dds.h>
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
 #include <sys/types.h>
-#include <signal.h>
 #include <unistd.h>
-
-#include <dds/dds.h>
 
 #include "Scan.h"
 #include "clew/idl_fingerprint.h"
@@ -27,8 +26,7 @@
 static dds_entity_t create_writer(int domain) {
   const dds_data_representation_id_t xcdr1 = DDS_DATA_REPRESENTATION_XCDR1;
   const dds_entity_t participant = dds_create_participant((dds_domainid_t)domain, NULL, NULL);
-  const dds_entity_t topic =
-      dds_create_topic(participant, &clew_msg_Scan_desc, "scan", NULL, NULL);
+  const dds_entity_t topic = dds_create_topic(participant, &clew_msg_Scan_desc, "scan", NULL, NULL);
   dds_qos_t* qos = dds_create_qos();
   dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
   dds_qset_durability(qos, DDS_DURABILITY_TRANSIENT_LOCAL);

@@ -13,12 +13,11 @@
  *
  * The last three misbehave on purpose, for the tests.
  */
+#include <dds/dds.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <dds/dds.h>
 
 #include "Command.h"
 #include "Guidance.h"
@@ -98,7 +97,8 @@ static double free_ahead(const clew_msg_Scan* scan, double turn_rad) {
   double least = scan->range_max_m;
   for (uint32_t i = 0; i < scan->ranges_m._length; ++i) {
     const double bearing = scan->bearing_first_rad + i * scan->bearing_step_rad;
-    if (fabs(bearing - turn_rad) <= scan->beam_width_rad * 1.5 && scan->ranges_m._buffer[i] < least) {
+    if (fabs(bearing - turn_rad) <= scan->beam_width_rad * 1.5 &&
+        scan->ranges_m._buffer[i] < least) {
       least = scan->ranges_m._buffer[i];
     }
   }
@@ -143,7 +143,8 @@ int main(int argc, char** argv) {
   dds_qos_t* writer_qos = endpoint_qos(options.best_effort);
   const dds_entity_t topic =
       must(dds_create_topic(participant, &clew_msg_Command_desc, "command", NULL, NULL), "command");
-  const dds_entity_t writer = must(dds_create_writer(participant, topic, writer_qos, NULL), "command");
+  const dds_entity_t writer =
+      must(dds_create_writer(participant, topic, writer_qos, NULL), "command");
   dds_delete_qos(qos);
   dds_delete_qos(writer_qos);
 
