@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mission.hpp"
+
+#include <gtest/gtest.h>
+
+#include "convert/codec.hpp"
+#include "core/hash128.hpp"
+#include "stages/all.hpp"
+#include "world/world.hpp"
+
+namespace clew::stages {
+namespace {
+
+constexpr std::uint64_t kMaxTicks = 6000;
+
+runtime::ConfigPath configs() { return runtime::ConfigPath({CLEW_SOURCE_DIR "/configs"}); }
+
+runtime::RunPlan make_plan(const std::string& graph, const std::string& world,
+                           const std::vector<std::string>& with,
+                           const std::vector<std::string>& set) {
+  runtime::GraphOverrides overrides;
+  overrides.world = world;
+  overrides.with = with;
+  overrides.set = set;
+  overrides.max_ticks = kMaxTicks;
+  auto plan = runtime::prepare_run(graph, overrides, configs(), all());
+  EXPECT_TRUE(plan.ok()) << plan.error().text();
+  return std::move(plan).value();
+}
+
+world::World load_world(const std::string& name) {
+  const auto file = configs().find("worlds", name);
+  auto world = world::World::parse(file->text, file->file);
+  EXPECT_TRUE(world.ok()) << world.error().text();
+  return std::move(world).value();
+}
+
+}  // namespace
+
+Mission::Mission(const std::string& graph, const std::string& world,
+                 const std::vector<std::string>& with, const std::vector<std::string>& set)
+    : plan_(make_plan(graph, world, with, set)), nodes_(runtime::make_nodes(plan_).value()) {}
+
+void Mission::step() {
+  for (runtime::Node& node : nodes_) {
+    runtime::TopicSet present = node.ports().inputs;
+    if (next_tick_ > 0) present |= node.ports().delayed_inputs;
+    node.step(next_tick_, present, messages_);
+  }
+  ++next_tick_;
+  count_events();
+}
+
+bool Mission::over() const {
+  return next_tick_ > 0 && std::get<domain::State>(messages_).outcome != domain::Outcome::kRunning;
+}
+
+Report Mission::run() {
+  while (!over()) step();
+  const auto& state = std::get<domain::State>(messages_);
+  report_.outcome = state.outcome;
+  report_.ticks = state.stamp.tick;
+  report_.path_length_m = state.path_length_m;
+  report_.collisions = state.collisions;
+  report_.safety_stops = state.safety_stops;
+  return report_;
+}
+
+Mission::Saved Mission::save() const {
+  Saved saved;
+  for (const runtime::Node& node : nodes_) saved.nodes.push_back(node.save());
+  saved.messages = messages_;
+  saved.next_tick = next_tick_;
+  return saved;
+}
+
+void Mission::load(const Saved& saved) {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const auto loaded = nodes_[i].load(saved.nodes[i]);
+    EXPECT_TRUE(loaded.ok()) << loaded.error().text();
+  }
+  messages_ = saved.messages;
+  next_tick_ = saved.next_tick;
+}
+
+std::string Mission::digest() const {
+  core::HashChain chain;
+  for (const domain::Topic topic : domain::kAllTopics) {
+    domain::visit_topic(topic, [&](auto constant) {
+      using Message = domain::MessageOf<decltype(constant)::value>;
+      const Message& message = std::get<Message>(messages_);
+      chain.add(message.stamp.tick, message.stamp.sequence,
+                bridge::Codec<Message>().encode(message));
+    });
+  }
+  return chain.value().hex();
+}
+
+void Mission::count_events() {
+  for (const domain::EventEntry& entry : std::get<domain::Event>(messages_).entries) {
+    if (entry.kind == domain::EventKind::kTrap && !entry.shadow) ++report_.traps;
+    if (entry.kind == domain::EventKind::kReflex) ++report_.reflexes;
+  }
+}
+
+std::vector<std::string> static_worlds() {
+  std::vector<std::string> names;
+  for (const std::string& name : configs().names("worlds")) {
+    if (load_world(name).moving().empty()) names.push_back(name);
+  }
+  return names;
+}
+
+bool is_solvable(const std::string& world) { return load_world(world).solvable().value_or(true); }
+
+}  // namespace clew::stages
