@@ -43,7 +43,7 @@ target_compile_options(clew_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow
 add_library(clew_precompiled STATIC ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
 target_precompile_headers(clew_precompiled PRIVATE <Eigen/Core> <algorithm> <array> <cmath> <cstdint>
   <functional> <map> <memory> <optional> <string> <string_view> <variant> <vector>)
-target_link_libraries(clew_precompiled PRIVATE clew_warnings Eigen3::Eigen)
+target_link_libraries(clew_precompiled PUBLIC Eigen3::Eigen PRIVATE clew_warnings)
 # A sum of products has one order, whatever vector unit a machine has.
 target_compile_definitions(clew_precompiled PUBLIC EIGEN_DONT_VECTORIZE)
 

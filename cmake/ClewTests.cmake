@@ -7,7 +7,8 @@
 function(clew_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK;LABELS" ${ARGN})
   add_executable(clew_${name}_test ${ARG_SOURCES})
-  target_link_libraries(clew_${name}_test PRIVATE ${ARG_LINK} GTest::gtest_main clew_warnings)
+  target_link_libraries(clew_${name}_test PRIVATE ${ARG_LINK} GTest::gtest_main clew_precompiled
+    clew_warnings)
   target_precompile_headers(clew_${name}_test REUSE_FROM clew_precompiled)
   target_compile_definitions(clew_${name}_test PRIVATE CLEW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(clew_${name}_test DISCOVERY_TIMEOUT 60 PROPERTIES
