@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "replay/fed_node.hpp"
+#include "replay/recorded_plan.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -102,6 +103,25 @@ Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::R
   if (past.has_ended()) return refuse(fmt::format("the run ended at tick {}", tick - 1));
   past.hand_over(start);
   return start;
+}
+
+Result<std::optional<ReplayReport>> find_unfaithful(const RunRecording& recording,
+                                                    const runtime::RunPlan& recorded,
+                                                    std::uint64_t tick, const std::string& only) {
+  const auto own = first_own_tick(recording);
+  if (!own) return own.error();
+  if (tick <= *own) return std::optional<ReplayReport>();
+  ReplayRange range;
+  range.first_tick = *own;
+  range.last_tick = tick - 1;
+  for (const auto& stage : recorded.graph.stages) {
+    const std::string& name = stage.info->name;
+    if (!stage.deployment.exec.empty() || (!only.empty() && name != only)) continue;
+    auto report = replay_component(recording, recorded, name, range);
+    if (!report) return report.error();
+    if (!report->identical()) return std::optional<ReplayReport>(std::move(report).value());
+  }
+  return std::optional<ReplayReport>();
 }
 
 Result<void> copy_samples_before(const RunRecording& recording, std::uint64_t tick,

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include "core/result.hpp"
 #include "process/composed_run.hpp"
 #include "recording/run_recording.hpp"
+#include "replay/component_replay.hpp"
 #include "runtime/run_plan.hpp"
 
 namespace clew::bridge {
@@ -18,6 +21,14 @@ namespace clew::bridge {
 /// component, and a recording that does not begin at tick 0 or lacks a sample.
 core::Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::RunPlan& plan,
                                        std::uint64_t tick);
+
+/// The first component of `recorded`, the recording's own plan, that does not do before `tick` what
+/// is recorded: no branch can go on from there. Someone else's components are passed over, and of a
+/// recording that is a branch itself the ticks before it began. With `only`, just that stage.
+core::Result<std::optional<ReplayReport>> find_unfaithful(const RunRecording& recording,
+                                                          const runtime::RunPlan& recorded,
+                                                          std::uint64_t tick,
+                                                          const std::string& only = {});
 
 /// Gives the recorded samples of all ticks before `tick` to a recording of the branch.
 core::Result<void> copy_samples_before(const RunRecording& recording, std::uint64_t tick,

@@ -188,6 +188,27 @@ TEST_F(Branch, IsReplayedFromWhereItBegan) {
   EXPECT_TRUE(from_there->identical());
 }
 
+TEST_F(Branch, FindsTheComponentThatDoesNotDoWhatIsRecorded) {
+  RecordingDraft draft = RecordingDraft::read(path_);
+  draft.sample(Topic::kCommand, 40).cdr = draft.sample(Topic::kCommand, 41).cdr;
+  draft.write(branch_path_);
+  const RunRecording recording = open_recording(branch_path_);
+  const auto recorded = replay_plan(recording);
+
+  const auto before = find_unfaithful(recording, recorded, 40);
+  const auto after = find_unfaithful(recording, recorded, 42);
+  const auto elsewhere = find_unfaithful(recording, recorded, 42, "sense");
+
+  ASSERT_TRUE(before.ok() && after.ok() && elsewhere.ok());
+  EXPECT_FALSE(before->has_value());
+  EXPECT_FALSE(elsewhere->has_value());
+  // Drive moves as the changed command says, at tick 41; control is the one that is looked at
+  // later.
+  ASSERT_TRUE(after->has_value());
+  EXPECT_EQ((*after)->component, "drive");
+  EXPECT_EQ((*after)->first->tick, 41U);
+}
+
 TEST_F(Branch, CanBeCutShorter) {
   const RunRecording recording = open_recording(path_);
 

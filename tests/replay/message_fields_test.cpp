@@ -124,13 +124,16 @@ class BitFlipper {
   std::size_t left_;
 };
 
+/// Every place, but of long lists a sample.
+std::size_t next_place(std::size_t place) { return place < 64 ? place + 1 : place + 101; }
+
 TYPED_TEST(MessageFields, ShowAChangedBitInAnyOfThem) {
   RandomMessages random(2);
   for (unsigned i = 0; i < 20; ++i) {
     TypeParam message;
     random.fill(message);
     const std::vector<Field> fields = fields_of(message);
-    for (std::size_t place = 0; place < fields.size(); ++place) {
+    for (std::size_t place = 0; place < fields.size(); place = next_place(place)) {
       const bool is_empty_text = std::get_if<std::string>(&fields[place].value) != nullptr &&
                                  std::get<std::string>(fields[place].value).empty();
       if (fields[place].path.find(".length") != std::string::npos || is_empty_text) continue;

@@ -17,29 +17,20 @@ namespace {
 
 using core::Result;
 
-/// The first difference between the recording and what its own configuration gives before the
-/// branch, as a sentence; empty without one.
-Result<std::string> difference_before(const ReplayOptions& options,
-                                      const bridge::RunRecording& recording,
-                                      const runtime::RunPlan& recorded) {
-  const auto own = bridge::first_own_tick(recording);
-  if (!own.ok()) return own.error();
-  if (*options.branch_tick <= *own) return std::string();
-  bridge::ReplayRange range;
-  range.first_tick = *own;
-  range.last_tick = *options.branch_tick - 1;
-  for (const auto& stage : recorded.graph.stages) {
-    const std::string& name = stage.info->name;
-    if (!options.component.empty() && name != options.component) continue;
-    if (!stage.deployment.exec.empty()) continue;
-    const auto report = bridge::replay_component(recording, recorded, name, range);
-    if (!report.ok()) return report.error();
-    if (report->identical()) continue;
-    return fmt::format("{} does not do what is recorded, at tick {} in {}.{}: no branch from there",
-                       name, report->first->tick, domain::topic_name(report->first->topic),
-                       report->first->fields.front().path);
-  }
-  return std::string();
+/// Whether the branch may go on from the tick: else says which component does something else.
+Result<void> check_before(const ReplayOptions& options, const bridge::RunRecording& recording,
+                          const runtime::RunPlan& recorded) {
+  const auto unfaithful =
+      bridge::find_unfaithful(recording, recorded, *options.branch_tick, options.component);
+  if (!unfaithful.ok()) return unfaithful.error();
+  if (!*unfaithful) return {};
+  const bridge::ReplayReport& report = **unfaithful;
+  return core::Error{
+      fmt::format("{} does not do what is recorded, at tick {} in {}.{}: there is no "
+                  "branch from later ones",
+                  report.component, report.first->tick, domain::topic_name(report.first->topic),
+                  report.first->fields.front().path),
+      recording.path(), 0, 0};
 }
 
 /// The bundle of the branch's recording: that of the recording it branches off, if they are the
@@ -61,10 +52,8 @@ int replay_branch(const ReplayOptions& options, const bridge::RunRecording& reco
   if (!options.component.empty() && recorded.graph.find(options.component) == nullptr) {
     return complain({"the recording has no stage '" + options.component + "'", {}, 0, 0});
   }
-  const auto difference = difference_before(options, recording, recorded);
-  if (!difference.ok()) return complain(difference.error());
-  if (!difference->empty()) {
-    return complain({*difference, recording.path(), 0, 0}, kExitFailed);
+  if (const auto checked = check_before(options, recording, recorded); !checked.ok()) {
+    return complain(checked.error(), kExitFailed);
   }
   const auto own = bridge::first_own_tick(recording);
   if (!own.ok()) return complain(own.error());
