@@ -22,7 +22,12 @@ core::Result<std::unique_ptr<Cones>> Cones::create(const Parameters& parameters,
 }
 
 Cones::Cones(const Parameters& parameters, double radius_m)
-    : parameters_(parameters), radius_m_(radius_m) {}
+    : parameters_(parameters), radius_m_(radius_m) {
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const double bearing_rad = kFirstBearingRad - static_cast<double>(i) * kWidthRad;
+    cones_[i] = world::ConeDirection::of(bearing_rad, 0.5 * kWidthRad);
+  }
+}
 
 domain::ScanLayout Cones::layout() const {
   return {"cones", kCount, kFirstBearingRad, -kWidthRad, kWidthRad, parameters_.range_m};
@@ -36,10 +41,9 @@ void Cones::measure(const world::World& world, const core::Pose2& pose_world_rob
   scan.range_min_m = 0.0;
   scan.range_max_m = parameters_.range_m;
   scan.ranges_m.resize(kCount);
+  const core::Vec2 heading = core::direction(pose_world_robot.heading_rad);
   for (std::size_t i = 0; i < kCount; ++i) {
-    const double bearing_rad =
-        core::wrap_angle_rad(pose_world_robot.heading_rad + scan.bearing_rad(i));
-    double reading_m = echo_m(world, pose_world_robot.position(), bearing_rad, sim_time_s);
+    double reading_m = echo_m(world, pose_world_robot, heading, sim_time_s, i);
     // Each cone has two numbers of its own, drawn or not, so that options do not shift each other.
     const auto index = static_cast<std::uint32_t>(2 * i);
     if (parameters_.noise_stddev_m > 0.0 && reading_m < parameters_.range_m) {
@@ -53,15 +57,17 @@ void Cones::measure(const world::World& world, const core::Pose2& pose_world_rob
   }
 }
 
-/// What comes back from one cone without noise, from the skin, at most range_m.
-double Cones::echo_m(const world::World& world, const core::Vec2& apex, double bearing_world_rad,
-                     double sim_time_s) const {
+/// What comes back from cone i without noise, from the skin, at most range_m.
+double Cones::echo_m(const world::World& world, const core::Pose2& pose_world_robot,
+                     const core::Vec2& heading, double sim_time_s, std::size_t i) const {
+  const core::Vec2 apex = pose_world_robot.position();
   const double reach_m = parameters_.range_m + radius_m_;
-  double distance_m =
-      world.cone_distance_m(apex, bearing_world_rad, 0.5 * kWidthRad, reach_m, sim_time_s);
+  double distance_m = world.cone_distance_m(apex, cones_[i].turned(heading), reach_m, sim_time_s);
   if (parameters_.corner_echo_ratio > 0.0) {
+    const double bearing_rad = core::wrap_angle_rad(
+        pose_world_robot.heading_rad + kFirstBearingRad - static_cast<double>(i) * kWidthRad);
     const std::optional<double> corner_m =
-        world.corner_distance_m(apex, bearing_world_rad, 0.5 * kWidthRad, reach_m);
+        world.corner_distance_m(apex, bearing_rad, 0.5 * kWidthRad, reach_m);
     if (corner_m && distance_m >= kCornerWallsRatio * *corner_m) {
       distance_m = *corner_m * (1.0 + parameters_.corner_echo_ratio);
     }

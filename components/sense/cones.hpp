@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "core/angle.hpp"
@@ -53,11 +54,12 @@ class Cones final : public RangeSensor {
                const core::Random& random, domain::Scan& scan) const override;
 
  private:
-  double echo_m(const world::World& world, const core::Vec2& apex, double bearing_world_rad,
-                double sim_time_s) const;
+  double echo_m(const world::World& world, const core::Pose2& pose_world_robot,
+                const core::Vec2& heading, double sim_time_s, std::size_t i) const;
 
   Parameters parameters_;
   double radius_m_;
+  std::array<world::ConeDirection, kCount> cones_;  // in the robot's frame
 };
 
 }  // namespace clew::sense
