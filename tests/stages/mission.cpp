@@ -6,12 +6,9 @@
 #include "convert/codec.hpp"
 #include "core/hash128.hpp"
 #include "stages/all.hpp"
-#include "world/world.hpp"
 
 namespace clew::stages {
 namespace {
-
-constexpr std::uint64_t kMaxTicks = 6000;
 
 runtime::ConfigPath configs() { return runtime::ConfigPath({CLEW_SOURCE_DIR "/configs"}); }
 
@@ -22,17 +19,9 @@ runtime::RunPlan make_plan(const std::string& graph, const std::string& world,
   overrides.world = world;
   overrides.with = with;
   overrides.set = set;
-  overrides.max_ticks = kMaxTicks;
   auto plan = runtime::prepare_run(graph, overrides, configs(), all());
   EXPECT_TRUE(plan.ok()) << plan.error().text();
   return std::move(plan).value();
-}
-
-world::World load_world(const std::string& name) {
-  const auto file = configs().find("worlds", name);
-  auto world = world::World::parse(file->text, file->file);
-  EXPECT_TRUE(world.ok()) << world.error().text();
-  return std::move(world).value();
 }
 
 }  // namespace
@@ -48,22 +37,10 @@ void Mission::step() {
     node.step(next_tick_, present, messages_);
   }
   ++next_tick_;
-  count_events();
 }
 
 bool Mission::over() const {
-  return next_tick_ > 0 && std::get<domain::State>(messages_).outcome != domain::Outcome::kRunning;
-}
-
-Report Mission::run() {
-  while (!over()) step();
-  const auto& state = std::get<domain::State>(messages_);
-  report_.outcome = state.outcome;
-  report_.ticks = state.stamp.tick;
-  report_.path_length_m = state.path_length_m;
-  report_.collisions = state.collisions;
-  report_.safety_stops = state.safety_stops;
-  return report_;
+  return next_tick_ > 0 && state().outcome != domain::Outcome::kRunning;
 }
 
 Mission::Saved Mission::save() const {
@@ -95,22 +72,5 @@ std::string Mission::digest() const {
   }
   return chain.value().hex();
 }
-
-void Mission::count_events() {
-  for (const domain::EventEntry& entry : std::get<domain::Event>(messages_).entries) {
-    if (entry.kind == domain::EventKind::kTrap && !entry.shadow) ++report_.traps;
-    if (entry.kind == domain::EventKind::kReflex) ++report_.reflexes;
-  }
-}
-
-std::vector<std::string> static_worlds() {
-  std::vector<std::string> names;
-  for (const std::string& name : configs().names("worlds")) {
-    if (load_world(name).moving().empty()) names.push_back(name);
-  }
-  return names;
-}
-
-bool is_solvable(const std::string& world) { return load_world(world).solvable().value_or(true); }
 
 }  // namespace clew::stages

@@ -9,17 +9,6 @@
 
 namespace clew::stages {
 
-/// How a run went.
-struct Report {
-  domain::Outcome outcome = domain::Outcome::kRunning;
-  std::uint64_t ticks = 0;
-  double path_length_m = 0.0;
-  std::uint32_t collisions = 0;
-  std::uint32_t safety_stops = 0;
-  int traps = 0;
-  int reflexes = 0;
-};
-
 /// A run of a shipped graph in one thread, which can be stopped, saved and taken up.
 class Mission {
  public:
@@ -38,8 +27,8 @@ class Mission {
   void step();
   /// Whether the last tick was the run's last.
   bool over() const;
-  /// Steps to the end of the run.
-  Report run();
+  /// The truth at the start of the last tick.
+  const domain::State& state() const { return std::get<domain::State>(messages_); }
 
   Saved save() const;
   void load(const Saved& saved);
@@ -48,19 +37,10 @@ class Mission {
   std::string digest() const;
 
  private:
-  void count_events();
-
   runtime::RunPlan plan_;
   std::vector<runtime::Node> nodes_;
   domain::Messages messages_;
   std::uint64_t next_tick_ = 0;
-  Report report_;
 };
-
-/// The shipped worlds in which nothing moves, by name.
-std::vector<std::string> static_worlds();
-
-/// Whether a world says that its target can be reached.
-bool is_solvable(const std::string& world);
 
 }  // namespace clew::stages
