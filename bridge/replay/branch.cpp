@@ -17,8 +17,16 @@ using domain::Topic;
 /// Makes the recorded ticks the past of a run that goes on.
 class Past {
  public:
-  explicit Past(std::vector<runtime::Node> nodes) {
-    for (runtime::Node& node : nodes) fed_.emplace_back(std::move(node));
+  /// `nodes` go on; but up to there the robot is the recorded one.
+  Past(std::vector<runtime::Node> nodes, FedNode recorded_robot) {
+    for (runtime::Node& node : nodes) {
+      if (is_robot(node)) {
+        fed_.push_back(std::move(recorded_robot));
+        new_robot_ = std::move(node);
+      } else {
+        fed_.emplace_back(std::move(node));
+      }
+    }
   }
 
   runtime::TopicSet topics() const {
@@ -43,10 +51,18 @@ class Past {
     return truth && truth->outcome != domain::Outcome::kRunning;
   }
 
-  void hand_over(ComposedStart& start) {
-    for (FedNode& fed : fed_) start.nodes.push_back(fed.take());
+  Result<void> hand_over(ComposedStart& start) {
+    for (FedNode& fed : fed_) {
+      if (is_robot(fed.node())) {
+        CLEW_RETURN_IF_ERROR(new_robot_->load(fed.node().save()));
+        start.nodes.push_back(std::move(*new_robot_));
+      } else {
+        start.nodes.push_back(fed.take());
+      }
+    }
     start.messages = std::move(messages_);
     start.journal = std::move(journal_);
+    return {};
   }
 
  private:
@@ -64,55 +80,88 @@ class Past {
   }
 
   std::vector<FedNode> fed_;
+  std::optional<runtime::Node> new_robot_;
   Codecs codecs_;
   domain::Messages messages_;
   Journal journal_{true, false};
 };
 
-Result<void> check_tick_duration(const RunRecording& recording, const runtime::RunPlan& plan) {
+/// The robot as it was recorded.
+Result<FedNode> recorded_robot(const RunRecording& recording, const runtime::RunPlan& recorded) {
+  auto branch = branch_of(recording);
+  if (!branch) return branch.error();
+  auto node = runtime::make_node(recorded, *recorded.graph.writer_of(Topic::kState));
+  if (!node) return node.error();
+  return FedNode(std::move(node).value(), std::move(branch).value());
+}
+
+/// What can be said of a branch before any sample is read.
+Result<void> check(const RunRecording& recording, const runtime::RunPlan& plan,
+                   std::uint64_t tick) {
+  const auto refuse = [&](std::string what) {
+    return core::Error{std::move(what), recording.path(), 0, 0};
+  };
   const double recorded_s = recording.description().tick_s;
-  if (plan.graph.tick_s == recorded_s) return {};
-  return core::Error{fmt::format("has ticks of {} s; a branch cannot go on with ticks of {} s",
-                                 recorded_s, plan.graph.tick_s),
-                     recording.path(), 0, 0};
+  if (plan.graph.tick_s != recorded_s) {
+    return refuse(fmt::format("has ticks of {} s; a branch cannot go on with ticks of {} s",
+                              recorded_s, plan.graph.tick_s));
+  }
+  const auto branch = branch_of(recording);
+  if (!branch) return branch.error();
+  if (*branch && tick < (*branch)->tick) {
+    return refuse(
+        fmt::format("is a branch itself, at tick {}: what is before belongs to the "
+                    "recording that it branched off",
+                    (*branch)->tick));
+  }
+  return {};
 }
 
 }  // namespace
 
-Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::RunPlan& plan,
-                                 std::uint64_t tick) {
+Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::RunPlan& recorded,
+                                 const runtime::RunPlan& plan, std::uint64_t tick) {
   ComposedStart start{{}, tick, {}, Journal(true, false), std::chrono::steady_clock::now()};
-  CLEW_RETURN_IF_ERROR(check_tick_duration(recording, plan));
+  CLEW_RETURN_IF_ERROR(check(recording, plan, tick));
+  auto robot = recorded_robot(recording, recorded);
+  if (!robot) return robot.error();
   auto nodes = runtime::make_nodes(plan);
   if (!nodes) return nodes.error();
-  Past past(std::move(nodes).value());
+  Past past(std::move(nodes).value(), std::move(robot).value());
   const auto refuse = [&](std::string what) {
     return core::Error{std::move(what), recording.path(), 0, 0};
   };
   if (tick > 0) {
     TickReader reader(recording, past.topics(), tick - 1);
     for (std::uint64_t next = 0; next < tick; ++next) {
-      const auto recorded = reader.next();
-      if (!recorded) return recorded.error();
-      if (*recorded == nullptr) {
+      const auto found = reader.next();
+      if (!found) return found.error();
+      if (*found == nullptr) {
         return refuse(fmt::format("has {} ticks; a branch at tick {} needs as many", next, tick));
       }
-      if (const auto added = past.add(**recorded); !added) return refuse(added.error().text());
+      if (const auto added = past.add(**found); !added) return refuse(added.error().text());
     }
   }
   if (past.has_ended()) return refuse(fmt::format("the run ended at tick {}", tick - 1));
-  past.hand_over(start);
+  CLEW_RETURN_IF_ERROR(past.hand_over(start));
   return start;
+}
+
+HandOver robot_of(const ComposedStart& start) {
+  for (const runtime::Node& node : start.nodes) {
+    if (is_robot(node)) return {start.next_tick, node.save()};
+  }
+  CLEW_CHECK(false, "a plan without drive");
 }
 
 Result<std::optional<ReplayReport>> find_unfaithful(const RunRecording& recording,
                                                     const runtime::RunPlan& recorded,
                                                     std::uint64_t tick, const std::string& only) {
-  const auto own = first_own_tick(recording);
-  if (!own) return own.error();
-  if (tick <= *own) return std::optional<ReplayReport>();
+  const auto branch = branch_of(recording);
+  if (!branch) return branch.error();
   ReplayRange range;
-  range.first_tick = *own;
+  if (*branch) range.first_tick = (*branch)->tick;
+  if (tick <= range.first_tick) return std::optional<ReplayReport>();
   range.last_tick = tick - 1;
   for (const auto& stage : recorded.graph.stages) {
     const std::string& name = stage.info->name;

@@ -9,18 +9,26 @@
 #include "process/composed_run.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/component_replay.hpp"
+#include "replay/fed_node.hpp"
 #include "runtime/run_plan.hpp"
 
 namespace clew::bridge {
 
 /// Brings every component of `plan` into the state in which the recorded inputs of all ticks before
 /// `tick` put it, so that run_composed goes on from there: what would this plan have done from
-/// here? The recorded samples of those ticks are accounted for as the run's own. Time goes on in
-/// lockstep, so the last recorded command is never late. Refused: a tick that is not between the
-/// run's first and its last one, a plan with another duration of a tick or with someone else's
+/// here? Only the robot's is the state that `recorded`, the recording's own plan, gives: a changed
+/// drive begins where the recorded one stands. The recorded samples of those ticks are accounted
+/// for as the run's own. Time goes on in lockstep, so the last recorded command is never late.
+///
+/// Refused: a tick that is not between the run's first and its last one, one before the recording
+/// itself branched off another, a plan with another duration of a tick or with someone else's
 /// component, and a recording that does not begin at tick 0 or lacks a sample.
-core::Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::RunPlan& plan,
-                                       std::uint64_t tick);
+core::Result<ComposedStart> branch_off(const RunRecording& recording,
+                                       const runtime::RunPlan& recorded,
+                                       const runtime::RunPlan& plan, std::uint64_t tick);
+
+/// The robot's state at a branch, for note_branch.
+HandOver robot_of(const ComposedStart& start);
 
 /// The first component of `recorded`, the recording's own plan, that does not do before `tick` what
 /// is recorded: no branch can go on from there. Someone else's components are passed over, and of a

@@ -10,6 +10,7 @@
 #include "core/nearest_name.hpp"
 #include "process/tick_clock.hpp"
 #include "replay/fed_node.hpp"
+#include "replay/recorded_plan.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -102,7 +103,13 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
   CLEW_RETURN_IF_ERROR(check_range(range));
   auto node = node_of(plan, stage);
   if (!node) return node.error();
-  FedNode fed(std::move(node).value());
+  std::optional<HandOver> branch;
+  if (is_robot(*node)) {
+    auto found = branch_of(recording);
+    if (!found) return found.error();
+    branch = std::move(found).value();
+  }
+  FedNode fed(std::move(node).value(), std::move(branch));
   const runtime::TopicSet topics = fed.fed_topics() | fed.node().ports().outputs;
   CLEW_RETURN_IF_ERROR(check_topics(recording, stage, topics));
 

@@ -19,7 +19,7 @@ std::string sample_of(Topic topic, std::uint64_t tick) {
 
 runtime::TopicSet FedNode::fed_topics() const {
   runtime::TopicSet topics = node_.ports().all_inputs();
-  if (node_.ports().delayed_inputs.any()) topics.set(index_of(Topic::kState));
+  if (is_robot(node_)) topics.set(index_of(Topic::kState));
   return topics;
 }
 
@@ -72,6 +72,9 @@ core::Result<void> FedNode::step(const RecordedTick& recorded) {
   for (Topic topic : domain::kAllTopics) {
     if (!node_.ports().inputs[index_of(topic)]) continue;
     CLEW_RETURN_IF_ERROR(decode(topic, recorded.tick(), recorded.cdr(topic)));
+  }
+  if (hand_over_ && hand_over_->tick == next_tick_) {
+    CLEW_RETURN_IF_ERROR(node_.load(hand_over_->state));
   }
   node_.step(next_tick_, present_, messages_);
   ++next_tick_;

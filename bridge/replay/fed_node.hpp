@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "core/result.hpp"
 #include "process/journal.hpp"
@@ -12,19 +14,30 @@
 
 namespace clew::bridge {
 
+/// The state that a component takes over before it steps `tick`.
+struct HandOver {
+  std::uint64_t tick = 0;
+  std::string state;  ///< runtime::Node::save
+};
+
+/// Whether the node is the one that begins each tick: drive, which is the robot.
+inline bool is_robot(const runtime::Node& node) { return node.ports().delayed_inputs.any(); }
+
 /// A component whose inputs come from a recording. Its own recorded outputs do not matter to it,
 /// with one exception: in real time drive goes on without a command that is late, and only the
 /// `state` that it published then tells.
 class FedNode {
  public:
-  explicit FedNode(runtime::Node node) : node_(std::move(node)) {}
+  explicit FedNode(runtime::Node node, std::optional<HandOver> hand_over = std::nullopt)
+      : node_(std::move(node)), hand_over_(std::move(hand_over)) {}
 
   const runtime::Node& node() const { return node_; }
   /// What a tick must hold to be fed.
   runtime::TopicSet fed_topics() const;
 
   /// Steps for the next tick, from 0. Refused: another tick than that, one without a sample of a
-  /// wired input, and samples that are not valid.
+  /// wired input, samples that are not valid, and a state handed over that is not one of the
+  /// component's.
   core::Result<void> step(const RecordedTick& recorded);
 
   /// The outputs of the last step, and its inputs as far as they were present.
@@ -40,6 +53,7 @@ class FedNode {
   core::Result<void> decode_delayed(const RecordedTick& recorded);
 
   runtime::Node node_;
+  std::optional<HandOver> hand_over_;
   Codecs codecs_;
   domain::Messages messages_;
   runtime::TopicSet present_;

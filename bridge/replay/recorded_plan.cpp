@@ -3,6 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
 #include "convert/codec.hpp"
 #include "core/yaml_reader.hpp"
 
@@ -31,6 +36,43 @@ class RecordingSource : public runtime::ConfigSource {
   runtime::BundleSource bundle_;
   const runtime::ConfigSource& files_;
 };
+
+std::vector<unsigned> bytes_of(const std::string& text) {
+  std::vector<unsigned> bytes;
+  for (const char c : text) bytes.push_back(static_cast<unsigned char>(c));
+  return bytes;
+}
+
+/// The bytes of `x` and two hexadecimal digits for each; nothing if the text is not that.
+std::optional<std::string> bytes_from(std::string_view text) {
+  if (text.size() % 2 == 0 || text.front() != 'x') return std::nullopt;
+  std::string bytes;
+  for (std::size_t place = 1; place < text.size(); place += 2) {
+    unsigned byte = 0;
+    const char* end = text.data() + place + 2;
+    const auto read = std::from_chars(text.data() + place, end, byte, 16);
+    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    bytes += static_cast<char>(byte);
+  }
+  return bytes;
+}
+
+Result<HandOver> read_branch(const core::Resource& file) {
+  const auto root = core::YamlNode::parse(file.text, file.file);
+  if (!root) return root.error();
+  const auto tick = root->at("tick");
+  if (!tick) return tick.error();
+  const auto number = tick->integer();
+  if (!number) return number.error();
+  if (*number < 0) return tick->error("tick is negative");
+  const auto state = root->at("drive");
+  if (!state) return state.error();
+  const auto text = state->string();
+  if (!text) return text.error();
+  auto bytes = bytes_from(*text);
+  if (!bytes) return state->error("no state of drive: 'x' and two hexadecimal digits a byte");
+  return HandOver{static_cast<std::uint64_t>(*number), std::move(*bytes)};
+}
 
 core::Error in_recording(const RunRecording& recording, const core::Error& error) {
   return {error.text(), recording.path(), 0, 0};
@@ -64,29 +106,26 @@ Result<runtime::RunPlan> changed_plan(const RunRecording& recording,
   return runtime::prepare_run("graph", overrides, source, stages);
 }
 
-Result<std::uint64_t> first_own_tick(const RunRecording& recording) {
+Result<std::optional<HandOver>> branch_of(const RunRecording& recording) {
   const auto& bundle = recording.description().bundle;
   const auto file = bundle.find(kBranchFile);
-  if (file == bundle.end()) return std::uint64_t{0};
-  const auto root = core::YamlNode::parse(file->second, kBranchFile);
-  if (!root) return in_recording(recording, root.error());
-  const auto tick = root->at("tick");
-  if (!tick) return in_recording(recording, tick.error());
-  const auto number = tick->integer();
-  if (!number) return in_recording(recording, number.error());
-  if (*number < 0) return in_recording(recording, tick->error("allowed: 0 and more"));
-  return static_cast<std::uint64_t>(*number);
+  if (file == bundle.end()) return std::optional<HandOver>();
+  auto read = read_branch({kBranchFile, file->second});
+  if (!read) return in_recording(recording, read.error());
+  return std::optional<HandOver>(std::move(read).value());
 }
 
-void note_branch(const runtime::Bundle& before, std::uint64_t tick, runtime::RunPlan& plan) {
+void note_branch(const runtime::Bundle& before, const HandOver& robot, runtime::RunPlan& plan) {
   for (const auto& [name, text] : before) {
     const auto now = plan.bundle.find(name);
     if (now == plan.bundle.end() || now->second != text) plan.bundle[kBeforeBranch + name] = text;
   }
   plan.bundle[kBranchFile] = fmt::format(
       "# Samples of earlier ticks are those of the run in {}, from which this one branched off.\n"
-      "tick: {}\n",
-      kBeforeBranch, tick);
+      "tick: {}\n"
+      "# The state of drive at that tick.\n"
+      "drive: x{:02x}\n",
+      kBeforeBranch, robot.tick, fmt::join(bytes_of(robot.state), ""));
 }
 
 }  // namespace clew::bridge

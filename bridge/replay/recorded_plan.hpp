@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "core/result.hpp"
 #include "recording/run_recording.hpp"
+#include "replay/fed_node.hpp"
 #include "runtime/run_plan.hpp"
 
 namespace clew::bridge {
@@ -26,12 +26,12 @@ core::Result<runtime::RunPlan> changed_plan(const RunRecording& recording,
                                             const runtime::ConfigSource& files,
                                             const std::vector<runtime::StageInfo>& stages);
 
-/// The tick from which a recording's samples are those of its own configuration: 0, or where it
-/// branched off another run.
-core::Result<std::uint64_t> first_own_tick(const RunRecording& recording);
+/// Where a recording branched off the recording of another run, nothing if it did not: its samples
+/// of earlier ticks are those of that run, and the robot took over the state that it had there.
+core::Result<std::optional<HandOver>> branch_of(const RunRecording& recording);
 
-/// Puts into a plan's bundle what its recording must tell if it goes on from `tick` of another run:
-/// that tick, and under `before_branch/` the files that are not the same in it.
-void note_branch(const runtime::Bundle& before, std::uint64_t tick, runtime::RunPlan& plan);
+/// Puts into a plan's bundle what its recording must tell if it goes on from another run: where,
+/// and under `before_branch/` the files of `before` that are not the same in it.
+void note_branch(const runtime::Bundle& before, const HandOver& robot, runtime::RunPlan& plan);
 
 }  // namespace clew::bridge

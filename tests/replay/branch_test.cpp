@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "../recording/scratch_directory.hpp"
@@ -31,11 +32,16 @@ class Branch : public testing::Test {
     last_tick_ = open_recording(path_).end()->ticks - 1;
   }
 
-  /// Runs `plan` from `tick` on and records it; the report.
-  RunReport branch(const RunRecording& recording, const runtime::RunPlan& plan, std::uint64_t tick,
+  /// Runs `plan` from `tick` on and records it, with a note of where it began if it is another one;
+  /// the report.
+  RunReport branch(const RunRecording& recording, runtime::RunPlan plan, std::uint64_t tick,
                    const std::string& path) {
-    auto start = branch_off(recording, plan, tick);
+    const auto recorded = replay_plan(recording);
+    auto start = branch_off(recording, recorded, plan, tick);
     EXPECT_TRUE(start.ok()) << start.error().text();
+    if (plan.bundle != recorded.bundle) {
+      note_branch(recording.description().bundle, robot_of(*start), plan);
+    }
     auto sink = RecordingSink::create(plan, path, true);
     EXPECT_TRUE(sink.ok()) << sink.error().text();
     const auto copied = copy_samples_before(recording, tick, **sink);
@@ -48,7 +54,8 @@ class Branch : public testing::Test {
   }
 
   std::string refused(const runtime::RunPlan& plan, std::uint64_t tick) {
-    const auto start = branch_off(open_recording(path_), plan, tick);
+    const RunRecording recording = open_recording(path_);
+    const auto start = branch_off(recording, replay_plan(recording), plan, tick);
     return start.ok() ? "accepted" : start.error().text();
   }
 
@@ -87,6 +94,7 @@ class TakeOver {
     std::vector<std::string> samples;
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {
       const bool taken_over = tick >= branch_tick;
+      if (tick == branch_tick) place_robot();
       for (std::size_t i = 0; i < before_.size(); ++i) {
         domain::Messages messages = messages_;
         runtime::Node& in_command = taken_over ? after_[i] : before_[i];
@@ -99,6 +107,13 @@ class TakeOver {
   }
 
  private:
+  /// The new robot begins where the old one stands.
+  void place_robot() {
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      if (before_[i].name() != "drive") continue;
+      ASSERT_TRUE(after_[i].load(before_[i].save()));
+    }
+  }
   static void step(runtime::Node& node, std::uint64_t tick, domain::Messages& messages) {
     runtime::TopicSet present = node.ports().inputs;
     if (tick > 0) present |= node.ports().delayed_inputs;
@@ -153,18 +168,33 @@ TEST_F(Branch, KeepsThePartBeforeAndDiffersAfter) {
   EXPECT_GE(diff->first->tick, 60U);
 }
 
+TEST_F(Branch, BeginsWhereTheRobotStands) {
+  const RunRecording recording = open_recording(path_);
+  // A drive that is slower from tick 60 on; by the recorded commands alone it would stand
+  // elsewhere.
+  branch(recording, replay_plan(recording, changes({}, {"drive.max_step_m=0.1"}, kMaxTicks)), 60,
+         branch_path_);
+
+  const auto before = messages_of<domain::Odometry>(recording);
+  const auto after = messages_of<domain::Odometry>(open_recording(branch_path_));
+
+  ASSERT_GT(before[60].travel_m - before[59].travel_m, 0.1);
+  // The command of tick 59 is applied at the start of tick 60, which is the new drive's.
+  EXPECT_EQ(after[59].travel_m, before[59].travel_m);
+  EXPECT_DOUBLE_EQ(after[60].travel_m, before[59].travel_m + 0.1);
+}
+
 TEST_F(Branch, SaysInItsRecordingWhereItBeganAndOfWhat) {
   const RunRecording recording = open_recording(path_);
-  auto plan = replay_plan(recording, changes({}, {"drive.max_step_m=0.1"}, kMaxTicks));
-  note_branch(recording.description().bundle, 60, plan);
-  branch(recording, plan, 60, branch_path_);
+  branch(recording, replay_plan(recording, changes({}, {"drive.max_step_m=0.1"}, kMaxTicks)), 60,
+         branch_path_);
   const RunRecording branched = open_recording(branch_path_);
 
-  const auto own = first_own_tick(branched);
+  const auto place = branch_of(branched);
 
-  ASSERT_TRUE(own.ok()) << own.error().text();
-  EXPECT_EQ(*own, 60U);
-  EXPECT_EQ(*first_own_tick(recording), 0U);
+  ASSERT_TRUE(place.ok() && place->has_value());
+  EXPECT_EQ((*place)->tick, 60U);
+  EXPECT_FALSE(branch_of(recording)->has_value());
   const auto& bundle = branched.description().bundle;
   EXPECT_EQ(bundle.at("before_branch/graph.yaml"), recording.description().bundle.at("graph.yaml"));
   EXPECT_EQ(bundle.count("before_branch/world.yaml"), 0U) << "it is the same";
@@ -172,20 +202,70 @@ TEST_F(Branch, SaysInItsRecordingWhereItBeganAndOfWhat) {
 
 TEST_F(Branch, IsReplayedFromWhereItBegan) {
   const RunRecording recording = open_recording(path_);
-  auto plan = replay_plan(recording, changes({}, {"drive.max_step_m=0.1"}, kMaxTicks));
-  note_branch(recording.description().bundle, 60, plan);
-  branch(recording, plan, 60, branch_path_);
+  const auto change =
+      changes({"recover.detector=none"}, {"drive.max_step_m=0.1", "sense.range_m=1.2"}, kMaxTicks);
+  branch(recording, replay_plan(recording, change), 60, branch_path_);
   const RunRecording branched = open_recording(branch_path_);
   const auto own_plan = recorded_plan(branched, stages::all());
   ASSERT_TRUE(own_plan.ok()) << own_plan.error().text();
 
-  const auto from_there = replay_component(branched, *own_plan, "drive", {60});
-  const auto whole = replay_component(branched, *own_plan, "drive");
+  for (const auto& stage : own_plan->graph.stages) {
+    const auto replayed = replay_component(branched, *own_plan, stage.info->name, {60});
 
-  ASSERT_TRUE(from_there.ok() && whole.ok());
-  // With the recorded commands the shorter steps lead elsewhere long before the branch.
-  EXPECT_FALSE(whole->identical());
-  EXPECT_TRUE(from_there->identical());
+    ASSERT_TRUE(replayed.ok()) << replayed.error().text();
+    EXPECT_TRUE(replayed->identical()) << stage.info->name;
+  }
+}
+
+TEST_F(Branch, CanBranchAgain) {
+  const RunRecording recording = open_recording(path_);
+  branch(recording, replay_plan(recording, changes({}, {"drive.max_step_m=0.1"}, kMaxTicks)), 60,
+         branch_path_);
+  const RunRecording branched = open_recording(branch_path_);
+  const std::string second_path = scratch_.file("second.mcap");
+
+  branch(branched, replay_plan(branched, changes({"recover.detector=none"}, {}, kMaxTicks)), 90,
+         second_path);
+
+  const RunRecording second = open_recording(second_path);
+  const auto diff = diff_recordings(branched, second);
+  ASSERT_TRUE(diff.ok()) << diff.error().text();
+  EXPECT_TRUE(diff->identical() || diff->first->tick >= 90);
+  const auto own_plan = recorded_plan(second, stages::all());
+  for (const auto& stage : own_plan->graph.stages) {
+    const auto replayed = replay_component(second, *own_plan, stage.info->name, {90});
+    ASSERT_TRUE(replayed.ok()) << replayed.error().text();
+    EXPECT_TRUE(replayed->identical()) << stage.info->name;
+  }
+  const auto plan = replay_plan(branched);
+  const auto too_early = branch_off(branched, plan, plan, 59);
+  ASSERT_FALSE(too_early.ok());
+  EXPECT_NE(too_early.error().message.find("is a branch itself, at tick 60"), std::string::npos);
+}
+
+TEST_F(Branch, RefusesANoteThatIsNone) {
+  RecordingDraft draft = RecordingDraft::read(path_);
+  for (const auto& [note, message] :
+       std::map<std::string, std::string>{{"drive: x00\n", "tick"},
+                                          {"tick: -1\ndrive: x00\n", "negative"},
+                                          {"tick: 5\ndrive: x0\n", "no state of drive"},
+                                          {"tick: 5\ndrive: x0g\n", "no state of drive"}}) {
+    draft.description.bundle["branch.yaml"] = note;
+    draft.write(branch_path_);
+
+    const auto place = branch_of(open_recording(branch_path_));
+
+    ASSERT_FALSE(place.ok()) << note;
+    EXPECT_NE(place.error().text().find(message), std::string::npos) << place.error().text();
+  }
+  draft.description.bundle["branch.yaml"] = "tick: 5\ndrive: x00\n";
+  draft.write(branch_path_);
+  const RunRecording recording = open_recording(branch_path_);
+
+  const auto replayed = replay_component(recording, replay_plan(recording), "drive");
+
+  ASSERT_FALSE(replayed.ok());
+  EXPECT_NE(replayed.error().text().find("the saved state of drive (1 bytes)"), std::string::npos);
 }
 
 TEST_F(Branch, FindsTheComponentThatDoesNotDoWhatIsRecorded) {
@@ -242,7 +322,7 @@ TEST_F(Branch, RefusesARecordingWithAGap) {
   draft.write(branch_path_);
 
   const RunRecording recording = open_recording(branch_path_);
-  const auto start = branch_off(recording, replay_plan(recording), 50);
+  const auto start = branch_off(recording, replay_plan(recording), replay_plan(recording), 50);
 
   ASSERT_FALSE(start.ok());
   EXPECT_EQ(start.error().text(), branch_path_ + ": lacks a sample of tick 33");

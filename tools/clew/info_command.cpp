@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "clew/commands.hpp"
 #include "clew/json_line.hpp"
@@ -36,7 +37,7 @@ struct RecordingFacts {
   core::Hash128 hash;
   bool hash_matches = true;  ///< or the recording does not say
   bool types_match = false;
-  std::uint64_t first_own_tick = 0;
+  std::optional<std::uint64_t> branch_tick;
 };
 
 RecordingFacts gather(const RunRecording& recording, const RunSurvey& survey) {
@@ -106,9 +107,9 @@ void print(const RunRecording& recording, const RecordingFacts& facts) {
   } else {
     fmt::print("ticks      none\n");
   }
-  if (facts.first_own_tick > 0) {
+  if (facts.branch_tick) {
     fmt::print("branched   at tick {}; the ticks before are those of another run\n",
-               facts.first_own_tick);
+               *facts.branch_tick);
   }
   fmt::print("hash       {}\nseed       {}\n", hash_text(recording, facts), description.seed);
   for (const auto& [program, version] : description.versions) {
@@ -171,7 +172,7 @@ ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts)
   json["last_tick"] = facts.ticks > 0 ? ordered_json(facts.last_tick) : nullptr;
   json["tick_s"] = description.tick_s;
   json["duration_s"] = static_cast<double>(facts.last_tick) * description.tick_s;
-  json["branch_tick"] = facts.first_own_tick > 0 ? ordered_json(facts.first_own_tick) : nullptr;
+  json["branch_tick"] = facts.branch_tick ? ordered_json(*facts.branch_tick) : nullptr;
   json["missing_samples"] = facts.missing_samples;
   json["hash"] = facts.hash.hex();
   json["recorded_hash"] =
@@ -197,10 +198,10 @@ int info_command(const InfoOptions& options) {
   if (!recording.ok()) return complain(recording.error());
   const auto survey = recording->survey_samples();
   if (!survey.ok()) return complain(survey.error());
-  const auto own = bridge::first_own_tick(*recording);
-  if (!own.ok()) return complain(own.error());
+  const auto branch = bridge::branch_of(*recording);
+  if (!branch.ok()) return complain(branch.error());
   RecordingFacts facts = gather(*recording, *survey);
-  facts.first_own_tick = *own;
+  if (*branch) facts.branch_tick = (*branch)->tick;
   if (options.json) {
     fmt::print("{}\n", json_line(to_json(*recording, facts)));
   } else {

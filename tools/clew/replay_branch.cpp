@@ -33,14 +33,13 @@ Result<void> check_before(const ReplayOptions& options, const bridge::RunRecordi
       recording.path(), 0, 0};
 }
 
-/// The bundle of the branch's recording: that of the recording it branches off, if they are the
-/// same run.
-void settle_bundle(const bridge::RunRecording& recording, std::uint64_t own_tick,
-                   const runtime::RunPlan& recorded, std::uint64_t tick, runtime::RunPlan& plan) {
-  if (plan.bundle == recorded.bundle && tick >= own_tick) {
+/// The recording of a branch without a change is that of the run; else it says where it began.
+void settle_bundle(const bridge::RunRecording& recording, const runtime::RunPlan& recorded,
+                   const bridge::ComposedStart& start, runtime::RunPlan& plan) {
+  if (plan.bundle == recorded.bundle) {
     plan.bundle = recording.description().bundle;
-  } else if (tick > 0) {
-    bridge::note_branch(recording.description().bundle, tick, plan);
+  } else if (start.next_tick > 0) {
+    bridge::note_branch(recording.description().bundle, bridge::robot_of(start), plan);
   }
 }
 
@@ -55,12 +54,10 @@ int replay_branch(const ReplayOptions& options, const bridge::RunRecording& reco
   if (const auto checked = check_before(options, recording, recorded); !checked.ok()) {
     return complain(checked.error(), kExitFailed);
   }
-  const auto own = bridge::first_own_tick(recording);
-  if (!own.ok()) return complain(own.error());
   runtime::RunPlan plan = changed;
-  settle_bundle(recording, *own, recorded, tick, plan);
-  auto start = bridge::branch_off(recording, plan, tick);
+  auto start = bridge::branch_off(recording, recorded, plan, tick);
   if (!start.ok()) return complain(start.error());
+  settle_bundle(recording, recorded, *start, plan);
   std::unique_ptr<bridge::RecordingSink> sink;
   if (!options.record.empty()) {
     auto created = bridge::RecordingSink::create(plan, options.record, options.force);

@@ -101,15 +101,16 @@ void print(const ReplayReport& report) {
 Result<std::vector<ReplayReport>> replay_all(const bridge::RunRecording& recording,
                                              const runtime::RunPlan& plan,
                                              const ReplayOptions& options) {
-  const auto own = bridge::first_own_tick(recording);
-  if (!own.ok()) return own.error();
+  const auto branch = bridge::branch_of(recording);
+  if (!branch.ok()) return branch.error();
+  const std::uint64_t own_tick = *branch ? (*branch)->tick : 0;
   bridge::ReplayRange range;
-  range.first_tick = options.first_tick.value_or(*own);
+  range.first_tick = options.first_tick.value_or(own_tick);
   if (options.last_tick) range.last_tick = *options.last_tick;
   range.rate = options.rate;
-  if (!options.first_tick && *own > 0) {
+  if (!options.first_tick && own_tick > 0) {
     fmt::print(stderr, "clew: {}: branched at tick {} off another run; compared from there\n",
-               recording.path(), *own);
+               recording.path(), own_tick);
   }
   std::vector<ReplayReport> reports;
   for (const std::string& stage : stages_of(options, plan.graph)) {
