@@ -78,6 +78,17 @@ Result<runtime::Node> node_of(const runtime::RunPlan& plan, const std::string& s
   return runtime::make_node(plan, *found);
 }
 
+/// The component of a stage, to be fed from the recording.
+Result<FedNode> fed_node_of(const RunRecording& recording, const runtime::RunPlan& plan,
+                            const std::string& stage) {
+  auto node = node_of(plan, stage);
+  if (!node) return node.error();
+  if (!is_robot(*node)) return FedNode(std::move(node).value());
+  auto branch = branch_of(recording);
+  if (!branch) return branch.error();
+  return FedNode(std::move(node).value(), std::move(branch).value());
+}
+
 Result<void> check_topics(const RunRecording& recording, const std::string& stage,
                           const runtime::TopicSet& topics) {
   for (Topic topic : domain::kAllTopics) {
@@ -101,15 +112,9 @@ Result<void> check_range(const ReplayRange& range) {
 Result<ReplayReport> replay_component(const RunRecording& recording, const runtime::RunPlan& plan,
                                       const std::string& stage, const ReplayRange& range) {
   CLEW_RETURN_IF_ERROR(check_range(range));
-  auto node = node_of(plan, stage);
-  if (!node) return node.error();
-  std::optional<HandOver> branch;
-  if (is_robot(*node)) {
-    auto found = branch_of(recording);
-    if (!found) return found.error();
-    branch = std::move(found).value();
-  }
-  FedNode fed(std::move(node).value(), std::move(branch));
+  auto made = fed_node_of(recording, plan, stage);
+  if (!made) return made.error();
+  FedNode& fed = *made;
   const runtime::TopicSet topics = fed.fed_topics() | fed.node().ports().outputs;
   CLEW_RETURN_IF_ERROR(check_topics(recording, stage, topics));
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "clew/commands.hpp"
@@ -38,12 +37,12 @@ void print(const RecordingDiff& diff) {
     fmt::print("first difference:\n");
     print_difference(*diff.first, "a", "b");
   }
-  fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "topic", "samples", "equal", "different",
-             "only a", "only b");
+  fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "topic", "in a", "in b", "equal",
+             "different", "only a", "only b");
   for (const auto& [topic, found] : diff.topics) {
-    fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", domain::topic_name(topic),
-               std::max(found.samples_a, found.samples_b), found.equal, found.different,
-               found.only_a, found.only_b);
+    fmt::print("{:<9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", domain::topic_name(topic),
+               found.samples_a, found.samples_b, found.equal, found.different, found.only_a,
+               found.only_b);
   }
   for (const auto& found : diff.configuration) {
     fmt::print("configuration, {}:\n  a: {}\n  b: {}\n", found.what,

@@ -15,22 +15,14 @@
 namespace clew::tools {
 namespace {
 
-using core::Result;
-
-/// Whether the branch may go on from the tick: else says which component does something else.
-Result<void> check_before(const ReplayOptions& options, const bridge::RunRecording& recording,
-                          const runtime::RunPlan& recorded) {
-  const auto unfaithful =
-      bridge::find_unfaithful(recording, recorded, *options.branch_tick, options.component);
-  if (!unfaithful.ok()) return unfaithful.error();
-  if (!*unfaithful) return {};
-  const bridge::ReplayReport& report = **unfaithful;
-  return core::Error{
-      fmt::format("{} does not do what is recorded, at tick {} in {}.{}: there is no "
-                  "branch from later ones",
-                  report.component, report.first->tick, domain::topic_name(report.first->topic),
-                  report.first->fields.front().path),
-      recording.path(), 0, 0};
+/// Why there is no branch after what a component does that is not recorded.
+core::Error unfaithful_error(const bridge::RunRecording& recording,
+                             const bridge::ReplayReport& report) {
+  return {fmt::format("{} does not do what is recorded, at tick {} in {}.{}: there is no branch "
+                      "from later ones",
+                      report.component, report.first->tick, domain::topic_name(report.first->topic),
+                      report.first->fields.front().path),
+          recording.path(), 0, 0};
 }
 
 /// The recording of a branch without a change is that of the run; else it says where it began.
@@ -51,9 +43,9 @@ int replay_branch(const ReplayOptions& options, const bridge::RunRecording& reco
   if (!options.component.empty() && recorded.graph.find(options.component) == nullptr) {
     return complain({"the recording has no stage '" + options.component + "'", {}, 0, 0});
   }
-  if (const auto checked = check_before(options, recording, recorded); !checked.ok()) {
-    return complain(checked.error(), kExitFailed);
-  }
+  const auto unfaithful = bridge::find_unfaithful(recording, recorded, tick, options.component);
+  if (!unfaithful.ok()) return complain(unfaithful.error());
+  if (*unfaithful) return complain(unfaithful_error(recording, **unfaithful), kExitFailed);
   runtime::RunPlan plan = changed;
   auto start = bridge::branch_off(recording, recorded, plan, tick);
   if (!start.ok()) return complain(start.error());
