@@ -8,7 +8,8 @@ import sys
 import tempfile
 import unittest
 
-from clew_command import CLEW, DEBUG_CLEW, LAYOUTS, SOAK, SOURCE, WORLDS, Run, run_graph
+from clew_command import (CLEW, DEBUG_CLEW, LAYOUTS, SOAK, SOURCE, WORLDS, Run, components_of,
+                          run_graph, wait_until)
 
 TICKS = "6000" if SOAK else "1500"
 REPEATS = 20
@@ -107,13 +108,11 @@ class Isolation(unittest.TestCase):
     def test_a_domain_that_is_held_is_refused(self):
         holder = subprocess.Popen([CLEW, "run", "default", "--world", "unsolvable-box", "--pace", "1x",
                                    "--domain", "42"], stderr=subprocess.DEVNULL,
-                                  stdout=subprocess.DEVNULL)
+                                  stdout=subprocess.DEVNULL, start_new_session=True)
         try:
-            refused = None
-            for _ in range(100):
-                refused = Run(["run", "default", "--domain", "42", "--max-ticks", "1"])
-                if refused.status == 2:
-                    break
+            # Its components come after it has taken the domain.
+            self.assertTrue(wait_until(lambda: components_of(holder.pid)))
+            refused = Run(["run", "default", "--domain", "42", "--max-ticks", "1"])
             self.assertEqual(refused.status, 2)
             self.assertIn("domain 42 is held by another run", refused.err)
         finally:
