@@ -12,6 +12,7 @@
 #include "core/nearest_name.hpp"
 #include "process/composed_run.hpp"
 #include "process/recording_sink.hpp"
+#include "process/run_members.hpp"
 #include "process/supervisor.hpp"
 #include "stages/all.hpp"
 
@@ -105,10 +106,7 @@ std::string middleware_text(const runtime::Graph& graph, const bridge::ProcessLa
   std::set<std::string> vendors;
   std::string each;
   for (const auto& stage : graph.stages) {
-    const auto chosen = layout.stage_middleware.find(stage.info->name);
-    std::string vendor =
-        chosen != layout.stage_middleware.end() ? chosen->second : stage.deployment.middleware;
-    if (vendor.empty()) vendor = layout.middleware;
+    const std::string vendor = bridge::middleware_of(stage, layout);
     vendors.insert(vendor);
     each += (each.empty() ? "" : ",") + stage.info->name + '=' + vendor;
   }
