@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/safe_regions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/angle.hpp"
+
+namespace clew::world {
+namespace {
+
+constexpr double kFree = std::numeric_limits<double>::infinity();
+constexpr double kRightAngle_rad = 0.5 * core::kPi;
+
+}  // namespace
+
+double SafeRegion::nearest_rad(double bearing_rad) const {
+  const double middle_rad = right_rad + 0.5 * width_rad;
+  const double off_rad = core::wrap_angle_rad(bearing_rad - middle_rad);
+  return core::wrap_angle_rad(middle_rad + std::clamp(off_rad, -0.5 * width_rad, 0.5 * width_rad));
+}
+
+void SafeRegions::update(const domain::Scan& scan) {
+  if (scan.ranges_m.size() != beams_ || scan.bearing_step_rad != step_rad_ ||
+      scan.beam_width_rad != width_rad_) {
+    adopt_shape(scan);
+  }
+  const bool leftward = step_rad_ >= 0.0;
+  first_rad_ = leftward || beams_ == 0 ? scan.bearing_first_rad : scan.bearing_rad(beams_ - 1);
+  for (auto& level : levels_) std::fill(level.begin(), level.end(), kFree);
+  for (std::size_t i = 0; i < beams_; ++i) {
+    if (scan.ranges_m[i] >= scan.range_max_m) continue;
+    const double distance_m = scan.ranges_m[i] + radius_m_;
+    const std::size_t direction = (leftward ? i : beams_ - 1 - i) % size();
+    lower(direction, reach(distance_m), std::max(0.0, distance_m - rho_m_));
+  }
+  for (std::size_t l = levels_.size(); l-- > 1;) {
+    const std::size_t half = std::size_t{1} << (l - 1);
+    for (std::size_t i = 0; i < size(); ++i) {
+      const double bound_m = levels_[l][i];
+      double& second_m = levels_[l - 1][i + half < size() ? i + half : i + half - size()];
+      levels_[l - 1][i] = std::min(levels_[l - 1][i], bound_m);
+      second_m = std::min(second_m, bound_m);
+    }
+  }
+  for (std::size_t i = 0; i < size(); ++i) {
+    free_m_[i] = std::min(levels_[0][i], scan.range_max_m);
+  }
+}
+
+/// Tables for scans of this shape.
+void SafeRegions::adopt_shape(const domain::Scan& scan) {
+  beams_ = scan.ranges_m.size();
+  step_rad_ = scan.bearing_step_rad;
+  width_rad_ = scan.beam_width_rad;
+  const double step_rad = std::fabs(step_rad_);
+  std::size_t directions = beams_;
+  full_circle_ = false;
+  if (beams_ > 1 && step_rad > 0.0) {
+    // The last beam of a circle may repeat the first one.
+    const auto around = static_cast<std::size_t>(std::floor(2.0 * core::kPi / step_rad + 0.5));
+    full_circle_ = around > 0 && beams_ >= around;
+    if (full_circle_) directions = around;
+  }
+  free_m_.assign(directions, 0.0);
+  sines_.clear();
+  for (std::size_t k = 1; k < directions; ++k) {
+    const double angle_rad = std::max(0.0, static_cast<double>(k) * step_rad - 0.5 * width_rad_);
+    if (angle_rad > kRightAngle_rad) break;
+    sines_.push_back(core::sin(angle_rad));
+  }
+  levels_of_.assign(directions + 1, 0);
+  for (std::size_t n = 2; n <= directions; ++n) levels_of_[n] = levels_of_[n / 2] + 1;
+  levels_.assign(directions == 0 ? 0 : levels_of_[directions] + 1,
+                 std::vector<double>(directions, kFree));
+}
+
+/// How many directions on each side a return at that distance keeps the robot out of.
+std::size_t SafeRegions::reach(double distance_m) const {
+  const auto end = std::partition_point(sines_.begin(), sines_.end(),
+                                        [&](double sine) { return distance_m * sine < rho_m_; });
+  return static_cast<std::size_t>(end - sines_.begin());
+}
+
+/// Bounds the directions within `reach` of one. A run of any length is two runs, which may overlap,
+/// of a power of two.
+void SafeRegions::lower(std::size_t direction, std::size_t reach, double free_m) {
+  const std::size_t n = size();
+  std::size_t first = direction >= reach ? direction - reach : 0;
+  std::size_t count = std::min(direction + reach, n - 1) - first + 1;
+  if (full_circle_) {
+    first = direction >= reach ? direction - reach : direction + n - std::min(reach, n);
+    count = std::min(2 * reach + 1, n);
+  }
+  const std::size_t level = levels_of_[count];
+  const std::size_t second = (first + count - (std::size_t{1} << level)) % n;
+  std::vector<double>& bounds_m = levels_[level];
+  first %= n;
+  bounds_m[first] = std::min(bounds_m[first], free_m);
+  bounds_m[second] = std::min(bounds_m[second], free_m);
+}
+
+double SafeRegions::bearing_rad(std::size_t i) const {
+  return core::wrap_angle_rad(first_rad_ + static_cast<double>(i) * std::fabs(step_rad_));
+}
+
+SafeRegion SafeRegions::region(std::size_t first, std::size_t count) const {
+  SafeRegion found{bearing_rad(first % size()),
+                   static_cast<double>(count - 1) * std::fabs(step_rad_), 0.0};
+  for (std::size_t k = 0; k < count; ++k) {
+    found.depth_m = std::max(found.depth_m, free_m_[(first + k) % size()]);
+  }
+  return found;
+}
+
+void SafeRegions::find(double depth_m, std::vector<SafeRegion>& regions) const {
+  regions.clear();
+  const auto open = [&](std::size_t i) { return free_m_[i] >= depth_m; };
+  // On a circle the walk begins behind a direction that is not free, so that no run is cut in two.
+  std::size_t begin = 0;
+  if (full_circle_) {
+    while (begin < size() && open(begin)) ++begin;
+    if (begin == size()) begin = 0;
+  }
+  for (std::size_t k = 0; k < size();) {
+    std::size_t count = 0;
+    while (k + count < size() && open((begin + k + count) % size())) ++count;
+    if (count > 0) regions.push_back(region(begin + k, count));
+    k += count + 1;
+  }
+}
+
+}  // namespace clew::world
