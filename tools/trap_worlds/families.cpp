@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trap_worlds/families.hpp"
+
+namespace clew::trap_worlds {
+
+const std::vector<Family>& families() {
+  using Claim = TrapClaim;
+  static const std::vector<Family> all = {
+      {"u", "U open to the start", true, Claim::kOnTheWay, draw_u},
+      {"v", "V open to the start", true, Claim::kOnTheWay, draw_v},
+      {"g", "chamber with one opening at the side, the robot inside", true, Claim::kOnTheWay,
+       draw_g},
+      {"recursive-u", "U in a U: the way out of one is a dead end of the other", true,
+       Claim::kOnTheWay, draw_recursive_u},
+      {"spiral", "square spiral, the robot in its centre", true, Claim::kOnTheWay, draw_spiral},
+      {"comb", "row of pockets beside each other", true, Claim::kOnTheWay, draw_comb},
+      {"dead-end-corridor", "narrow corridor toward the target, closed at its end", true,
+       Claim::kOnTheWay, draw_dead_end_corridor},
+      {"double-wall", "two walls from opposite sides, one behind the other", true, Claim::kAny,
+       draw_double_wall},
+      {"slits", "hollow wall with slits too narrow for the robot", true, Claim::kOnTheWay,
+       draw_slits},
+      {"concentric-loops", "rings around the robot, their gaps on opposite sides", true,
+       Claim::kOnTheWay, draw_concentric_loops},
+      {"staggered-baffles", "corridor with walls from either side in turn", true, Claim::kAny,
+       draw_staggered_baffles},
+      {"symmetric-wall", "straight wall met head-on at its middle", true, Claim::kAny,
+       draw_symmetric_wall},
+      {"look-alike", "equal niches beside an open way", true, Claim::kAny, draw_look_alike},
+      {"closing-door", "wall with two doors, of which the near one closes", true, Claim::kOnTheWay,
+       draw_closing_door},
+      {"clutter", "round obstacles that leave no trap", true, Claim::kNone, draw_clutter},
+      {"unreachable", "the target in a closed room", false, Claim::kOnTheWay, draw_unreachable}};
+  return all;
+}
+
+}  // namespace clew::trap_worlds

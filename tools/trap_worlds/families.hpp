@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trap_worlds/dice.hpp"
+#include "trap_worlds/world_draft.hpp"
+
+namespace clew::trap_worlds {
+
+/// How a family's worlds relate to traps; computed for each world, not believed.
+enum class TrapClaim {
+  kOnTheWay,  ///< at least one, and a straight drive to the target runs into it
+  kNone,      ///< no trap, however cluttered
+  kAny        ///< depends on the parameters
+};
+
+/// A kind of world. `draw` draws one with everything but the depth by chance; it may come out
+/// unfit, and is then drawn again with other dice.
+struct Family {
+  std::string name;
+  std::string about;
+  bool solvable = true;
+  TrapClaim traps = TrapClaim::kAny;
+  WorldDraft (*draw)(Dice& dice, double depth_m);
+};
+
+/// All families, in the order of the tables.
+const std::vector<Family>& families();
+
+// Pockets: the robot drives in, and must turn its back to the target to get out.
+WorldDraft draw_u(Dice& dice, double depth_m);
+WorldDraft draw_v(Dice& dice, double depth_m);
+WorldDraft draw_g(Dice& dice, double depth_m);
+WorldDraft draw_recursive_u(Dice& dice, double depth_m);
+WorldDraft draw_spiral(Dice& dice, double depth_m);
+WorldDraft draw_comb(Dice& dice, double depth_m);
+WorldDraft draw_dead_end_corridor(Dice& dice, double depth_m);
+WorldDraft draw_concentric_loops(Dice& dice, double depth_m);
+
+// Walls across the way.
+WorldDraft draw_double_wall(Dice& dice, double depth_m);
+WorldDraft draw_slits(Dice& dice, double depth_m);
+WorldDraft draw_staggered_baffles(Dice& dice, double depth_m);
+WorldDraft draw_symmetric_wall(Dice& dice, double depth_m);
+WorldDraft draw_closing_door(Dice& dice, double depth_m);
+
+// What is no trap, or has no way at all.
+WorldDraft draw_look_alike(Dice& dice, double depth_m);
+WorldDraft draw_clutter(Dice& dice, double depth_m);
+WorldDraft draw_unreachable(Dice& dice, double depth_m);
+
+}  // namespace clew::trap_worlds
