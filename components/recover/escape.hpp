@@ -22,10 +22,18 @@ class Escape {
  public:
   virtual ~Escape() = default;
 
+  /// Watches every tick before anything else, whether this escape is at work or not.
+  virtual void watch(const Situation&) {}
+
   /// A trap was noticed; step() follows in the same tick.
   virtual void begin(const Situation& situation, const TrapEvidence& evidence) = 0;
 
-  /// One tick at work. `guidance` comes set to the mission's target and mode kRecover.
+  /// A trap was noticed while this escape is at work; step() follows. True if it takes that up: the
+  /// trap is logged then, and the detectors start afresh.
+  virtual bool take_up(const Situation&, const TrapEvidence&) { return false; }
+
+  /// One tick at work; why it failed or holds the target unreachable goes into `guidance.why`.
+  /// `guidance` comes set to the mission's target and mode kRecover.
   virtual EscapeStatus step(const Situation& situation, domain::Guidance& guidance) = 0;
 
   virtual void save(core::StateWriter& writer) const = 0;

@@ -46,8 +46,9 @@ std::optional<TrapEvidence> LandmarkRevisit::visit(const Situation& situation,
   const Visit now{situation.tick, pose.position(), pose.heading_rad, situation.odometry.travel_m};
   std::optional<TrapEvidence> evidence;
   if (const Visit* earlier = find_loop(queue, now)) {
-    evidence = TrapEvidence{earlier->tick, earlier->position_odom, now.travel_m - earlier->travel_m,
-                            recognition.neuron, describe(*situation.landmark, recognition)};
+    evidence = TrapEvidence{EarlierVisit{earlier->tick, earlier->position_odom,
+                                         now.travel_m - earlier->travel_m, recognition.neuron},
+                            describe(*situation.landmark, recognition)};
   }
 
   if (queue.full()) {

@@ -61,7 +61,7 @@ class LandmarkRevisit final : public TrapDetector {
   explicit LandmarkRevisit(const Parameters& parameters) : parameters_(parameters) {}
 
   std::optional<TrapEvidence> observe(const Situation& situation) override;
-  void escape_ended() override { state_.queues.clear(); }
+  void start_afresh() override { state_.queues.clear(); }
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
 

@@ -26,7 +26,7 @@ class NoDetector final : public TrapDetector {
   }
 
   std::optional<TrapEvidence> observe(const Situation&) override { return std::nullopt; }
-  void escape_ended() override {}
+  void start_afresh() override {}
   void save(core::StateWriter&) const override {}
   void load(core::StateReader&) override {}
 };

@@ -31,12 +31,13 @@ void mark_trap(Event& event, const std::string& rule, bool shadow, const Situati
   mark(event, EventKind::kTrap, rule, situation, evidence.text);
   EventEntry& entry = event.entries[event.entries.size() - 1];
   entry.shadow = shadow;
+  if (!evidence.earlier) return;
   entry.has_earlier = true;
-  entry.earlier_tick = evidence.earlier_tick;
-  entry.earlier_x_m = evidence.earlier_position_odom.x();
-  entry.earlier_y_m = evidence.earlier_position_odom.y();
-  entry.cell = evidence.cell;
-  entry.travel_m = evidence.travel_m;
+  entry.earlier_tick = evidence.earlier->tick;
+  entry.earlier_x_m = evidence.earlier->position_odom.x();
+  entry.earlier_y_m = evidence.earlier->position_odom.y();
+  entry.cell = evidence.earlier->cell;
+  entry.travel_m = evidence.earlier->travel_m;
 }
 
 void mark_landmarks(Event& event, const Situation& situation) {
@@ -61,6 +62,11 @@ void seek(const Situation& situation, Guidance& guidance) {
   guidance.target_y_m = situation.target_odom.y();
 }
 
+/// Who, and why if a reason was given, within the bound of texts.
+std::string in_short(const std::string& who, const std::string& reason) {
+  return (reason.empty() ? who : who + ": " + reason).substr(0, domain::kMaxTextLength);
+}
+
 }  // namespace
 
 std::vector<runtime::PortInfo> RecoverComponent::ports() {
@@ -73,27 +79,44 @@ std::vector<runtime::PortInfo> RecoverComponent::ports() {
 }
 
 void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
-  const Situation situation{inputs.tick(), inputs.get<domain::Odometry>(),
-                            inputs.get<domain::Scan>(), inputs.find<domain::Landmark>(),
-                            inputs.get<domain::Target>().position()};
+  const core::Vec2 target_odom = inputs.get<domain::Target>().position();
+  const Situation situation{inputs.tick(),
+                            inputs.get<domain::Odometry>(),
+                            inputs.get<domain::Scan>(),
+                            inputs.find<domain::Landmark>(),
+                            target_odom,
+                            state_.virtual_target_odom.value_or(target_odom)};
   auto& guidance = outputs.get<Guidance>();
   auto& event = outputs.get<Event>();
   seek(situation, guidance);
+  guidance.why = state_.why;
   if (state_.gave_up) {
     guidance.mode = domain::GuidanceMode::kUnreachable;
     return;
   }
 
-  mark_landmarks(event, situation);
+  for (auto& escape : parts_.escapes) escape.behaviour->watch(situation);
+  take_evidence(situation, event);
+  if (state_.escaping) step_escape(situation, guidance, event);
+  mark_virtual_target(guidance, event);
   watch_shadows(situation, event);
+  mark_landmarks(event, situation);
+  if (!guidance.has_override) act_at_once(situation, guidance, event);
+}
+
+/// Asks the detector in command. What it says starts the first escape, or goes to the one at work.
+void RecoverComponent::take_evidence(const Situation& situation, Event& event) {
   auto evidence = parts_.detector.behaviour->observe(situation);
-  if (evidence && !state_.escaping) {
+  if (!evidence) return;
+  if (!state_.escaping) {
     mark_trap(event, parts_.detector.name, false, situation, *evidence);
     state_.evidence = std::move(*evidence);
     begin_escape(0, situation, event);
+  } else if (parts_.escapes[state_.escape].behaviour->take_up(situation, *evidence)) {
+    mark_trap(event, parts_.detector.name, false, situation, *evidence);
+    state_.evidence = std::move(*evidence);
+    start_detectors_afresh();
   }
-  if (state_.escaping) step_escape(situation, guidance, event);
-  if (!guidance.has_override) act_at_once(situation, guidance, event);
 }
 
 void RecoverComponent::watch_shadows(const Situation& situation, Event& event) {
@@ -118,33 +141,52 @@ void RecoverComponent::begin_escape(std::uint32_t index, const Situation& situat
 void RecoverComponent::step_escape(const Situation& situation, Guidance& guidance, Event& event) {
   const std::string& name = parts_.escapes[state_.escape].name;
   guidance.mode = domain::GuidanceMode::kRecover;
-  switch (parts_.escapes[state_.escape].behaviour->step(situation, guidance)) {
-    case EscapeStatus::kActive:
-      return;
-    case EscapeStatus::kEnded:
-      mark(event, EventKind::kEscapeEnded, name, situation, {});
-      stop_escaping();
-      break;
-    case EscapeStatus::kFailed:
-      mark(event, EventKind::kEscapeFailed, name, situation, {});
-      begin_escape(state_.escape + 1, situation, event);
-      break;
-    case EscapeStatus::kUnreachable:
-      mark(event, EventKind::kUnreachable, name, situation, {});
-      stop_escaping();
-      state_.gave_up = true;
-      break;
+  guidance.why.clear();
+  state_.why.clear();
+  const EscapeStatus status = parts_.escapes[state_.escape].behaviour->step(situation, guidance);
+  if (status == EscapeStatus::kActive) return;
+
+  const std::string reason = guidance.why;
+  if (status == EscapeStatus::kEnded) {
+    mark(event, EventKind::kEscapeEnded, name, situation, reason);
+    stop_escaping();
+  } else if (status == EscapeStatus::kFailed) {
+    mark(event, EventKind::kEscapeFailed, name, situation, reason);
+    begin_escape(state_.escape + 1, situation, event);
+    if (!state_.escaping) state_.why = in_short("all escapes failed, at last " + name, reason);
+  } else {
+    mark(event, EventKind::kUnreachable, name, situation, reason);
+    stop_escaping();
+    state_.gave_up = true;
+    state_.why = in_short(name, reason);
   }
   // What the escape said in its last tick is void; the next one speaks from the next tick on.
   guidance.has_override = false;
   guidance.override_motion = {};
   guidance.virtual_obstacles.clear();
-  guidance.why.clear();
+  guidance.why = state_.why;
   guidance.target_is_virtual = false;
   guidance.mode = state_.gave_up ? domain::GuidanceMode::kUnreachable
                                  : (state_.escaping ? domain::GuidanceMode::kRecover
                                                     : domain::GuidanceMode::kSeek);
   seek(situation, guidance);
+}
+
+/// Logs a virtual target when it is set, at its own place.
+void RecoverComponent::mark_virtual_target(const Guidance& guidance, Event& event) {
+  const auto before_odom = state_.virtual_target_odom;
+  state_.virtual_target_odom.reset();
+  if (!guidance.target_is_virtual) return;
+  const core::Vec2 target_odom(guidance.target_x_m, guidance.target_y_m);
+  state_.virtual_target_odom = target_odom;
+  if ((before_odom && *before_odom == target_odom) || event.entries.full()) return;
+  EventEntry entry;
+  entry.kind = EventKind::kVirtualTarget;
+  entry.rule = parts_.escapes[state_.escape].name;
+  entry.x_m = target_odom.x();
+  entry.y_m = target_odom.y();
+  entry.text = guidance.why;
+  event.entries.push_back(entry);
 }
 
 /// Immediate memory: a turn on the spot, in place of this tick's motion.
@@ -161,8 +203,12 @@ void RecoverComponent::act_at_once(const Situation& situation, Guidance& guidanc
 
 void RecoverComponent::stop_escaping() {
   state_.escaping = false;
-  parts_.detector.behaviour->escape_ended();
-  for (auto& shadow : parts_.shadows) shadow.behaviour->escape_ended();
+  start_detectors_afresh();
+}
+
+void RecoverComponent::start_detectors_afresh() {
+  parts_.detector.behaviour->start_afresh();
+  for (auto& shadow : parts_.shadows) shadow.behaviour->start_afresh();
 }
 
 void RecoverComponent::save(core::StateWriter& writer) const {

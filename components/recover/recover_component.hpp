@@ -35,7 +35,8 @@ struct Named {
 
 /// Watches for traps and leads out of them. One detector is in command; others may watch in shadow,
 /// and are only logged. A trap starts the first escape; one that fails hands over to the next;
-/// after the last, the robot seeks again and the detector starts afresh.
+/// after the last, the robot seeks again and the detectors start afresh. What the detector in
+/// command says while an escape is at work goes to that escape, which may take it up.
 class RecoverComponent final : public runtime::Component {
  public:
   struct Parts {
@@ -49,6 +50,8 @@ class RecoverComponent final : public runtime::Component {
     std::uint32_t escape = 0;  ///< index of the one at work, if escaping
     bool gave_up = false;
     TrapEvidence evidence;  ///< of the trap that it is at work on
+    std::string why;        ///< the last escape failed, or the robot gave up
+    std::optional<core::Vec2> virtual_target_odom;  ///< of the last tick
   };
 
   static std::vector<runtime::PortInfo> ports();
@@ -60,23 +63,22 @@ class RecoverComponent final : public runtime::Component {
   void load(core::StateReader& reader) override;
 
  private:
+  void take_evidence(const Situation& situation, domain::Event& event);
   void watch_shadows(const Situation& situation, domain::Event& event);
   void begin_escape(std::uint32_t index, const Situation& situation, domain::Event& event);
   void step_escape(const Situation& situation, domain::Guidance& guidance, domain::Event& event);
+  void mark_virtual_target(const domain::Guidance& guidance, domain::Event& event);
   void act_at_once(const Situation& situation, domain::Guidance& guidance, domain::Event& event);
   void stop_escaping();
+  void start_detectors_afresh();
 
   Parts parts_;
   State state_;
 };
 
 template <typename Visitor>
-void visit_fields(Visitor& visit, TrapEvidence& e) {
-  visit(e.earlier_tick, e.earlier_position_odom, e.travel_m, e.cell, e.text);
-}
-template <typename Visitor>
 void visit_fields(Visitor& visit, RecoverComponent::State& s) {
-  visit(s.escaping, s.escape, s.gave_up, s.evidence);
+  visit(s.escaping, s.escape, s.gave_up, s.evidence, s.why, s.virtual_target_odom);
 }
 
 }  // namespace clew::recover

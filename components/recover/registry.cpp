@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recover/registry.hpp"
 
+#include "recover/heading_reversal.hpp"
 #include "recover/landmark_revisit.hpp"
+#include "recover/no_progress.hpp"
 #include "recover/no_recovery.hpp"
+#include "recover/no_safe_region.hpp"
 #include "recover/obstacle_following.hpp"
+#include "recover/oscillation.hpp"
+#include "recover/position_revisit.hpp"
 
 namespace clew::recover {
 
@@ -15,6 +20,18 @@ const runtime::Registry<TrapDetector>& detectors() {
           "landmark_revisit",
           "the same landmark at the same place: distant memory (Krishna & Kalra 2000, section 4.3)",
           landmark),
+      runtime::registration<TrapDetector, PositionRevisit>(
+          "position_revisit",
+          "positions seen before, with the same heading, in a row (Pin & Bender 1996)"),
+      runtime::registration<TrapDetector, NoSafeRegion>(
+          "no_safe_region", "no navigable gap toward the target (Nakhaeinia et al. 2015)"),
+      runtime::registration<TrapDetector, HeadingReversal>(
+          "heading_reversal",
+          "a turn of 160 degrees (Huang & Lee 1992, as in Krishna & Kalra 2000, section 4.5)"),
+      runtime::registration<TrapDetector, NoProgress>(
+          "no_progress", "nowhere else for a while (Nav2's SimpleProgressChecker)"),
+      runtime::registration<TrapDetector, Oscillation>("oscillation",
+                                                       "to and fro between the same two places"),
       runtime::registration<TrapDetector, NoDetector>("none", "never says trap"),
   };
   return registry;

@@ -15,6 +15,7 @@ struct Situation {
   const domain::Scan& scan;
   const domain::Landmark* landmark = nullptr;  ///< null if nobody classifies
   core::Vec2 target_odom;                      ///< the mission's
+  core::Vec2 pursued_odom;  ///< the target in force in the tick before: an escape's own, or that
 
   const core::Pose2& pose() const { return odometry.pose_odom_robot; }
   double target_bearing_rad() const { return core::bearing_rad(pose(), target_odom); }

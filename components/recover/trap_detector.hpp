@@ -10,14 +10,29 @@
 
 namespace clew::recover {
 
-/// Why a detector says *trap*: the earlier visit that proves it.
-struct TrapEvidence {
-  std::uint64_t earlier_tick = 0;
-  core::Vec2 earlier_position_odom = core::Vec2::Zero();
-  double travel_m = 0.0;   ///< path between the two visits
-  std::uint32_t cell = 0;  ///< neuron, category or grid cell
-  std::string text;        ///< for people, at most domain::kMaxTextLength bytes
+/// An earlier visit that proves that the robot is in a trap.
+struct EarlierVisit {
+  std::uint64_t tick = 0;
+  core::Vec2 position_odom = core::Vec2::Zero();
+  double travel_m = 0.0;   ///< path from there to where the robot is now
+  std::uint32_t cell = 0;  ///< neuron, category or grid cell; 0 for rules that have none
 };
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, EarlierVisit& v) {
+  visit(v.tick, v.position_odom, v.travel_m, v.cell);
+}
+
+/// Why a detector says *trap*.
+struct TrapEvidence {
+  std::optional<EarlierVisit> earlier;  ///< nothing for rules that see a trap at a glance
+  std::string text;                     ///< for people, at most domain::kMaxTextLength bytes
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, TrapEvidence& e) {
+  visit(e.earlier, e.text);
+}
 
 /// Notices that the robot is in a trap. A detector only watches: what to do is the escape's matter,
 /// and any detector goes with any escape.
@@ -26,12 +41,12 @@ class TrapDetector {
   virtual ~TrapDetector() = default;
 
   /// Watches one tick; evidence if this tick proves a trap. Called every tick, also while an escape
-  /// is at work, when evidence is ignored.
+  /// is at work, when evidence is only of use to escapes that ask for it.
   virtual std::optional<TrapEvidence> observe(const Situation& situation) = 0;
 
-  /// An escape has just ended, for good or ill: what was remembered before it proves nothing about
-  /// what comes.
-  virtual void escape_ended() = 0;
+  /// What was remembered so far proves nothing about what comes: an escape has ended, for good or
+  /// ill, or has set other targets or obstacles.
+  virtual void start_afresh() = 0;
 
   virtual void save(core::StateWriter& writer) const = 0;
   virtual void load(core::StateReader& reader) = 0;

@@ -29,10 +29,10 @@ TEST(LandmarkRevisit, ReportsALoopOnTheSecondVisit) {
 
   EXPECT_FALSE(first.has_value());
   ASSERT_TRUE(second.has_value());
-  EXPECT_EQ(second->earlier_tick, 40u);
-  EXPECT_EQ(second->earlier_position_odom, core::Vec2(2, 3));
-  EXPECT_EQ(second->travel_m, 12.0);
-  EXPECT_EQ(second->cell, 7u);
+  EXPECT_EQ(second->earlier->tick, 40u);
+  EXPECT_EQ(second->earlier->position_odom, core::Vec2(2, 3));
+  EXPECT_EQ(second->earlier->travel_m, 12.0);
+  EXPECT_EQ(second->earlier->cell, 7u);
   EXPECT_EQ(second->text, "SOM [7 1 0] seen here before");
 }
 
@@ -107,7 +107,7 @@ TEST(LandmarkRevisit, MayAskForTheSameHeading) {
 TEST(LandmarkRevisit, StartsAfreshWhenAnEscapeHasEnded) {
   LandmarkRevisit revisit = detector();
   revisit.observe(win(2, 3, 5.0).situation());
-  revisit.escape_ended();
+  revisit.start_afresh();
 
   EXPECT_FALSE(revisit.observe(win(2, 3, 17.0).situation()).has_value());
 }
@@ -129,7 +129,7 @@ TEST(LandmarkRevisit, IsBoundedInMemory) {
 TEST(LandmarkRevisit, SeesNothingWhenNobodyClassifies) {
   LandmarkRevisit revisit = detector();
   const Scene scene = win(2, 3, 5.0);
-  const Situation blind{0, scene.odometry(), scene.scan(), nullptr, scene.target()};
+  const Situation blind{0, scene.odometry(), scene.scan(), nullptr, scene.target(), scene.target()};
 
   EXPECT_FALSE(revisit.observe(blind).has_value());
 }
@@ -147,7 +147,7 @@ TEST(LandmarkRevisit, GoesOnAsBeforeAfterSaveAndLoad) {
 
   EXPECT_TRUE(reader.complete());
   ASSERT_TRUE(evidence.has_value());
-  EXPECT_EQ(evidence->earlier_tick, 40u);
+  EXPECT_EQ(evidence->earlier->tick, 40u);
 }
 
 }  // namespace

@@ -17,16 +17,20 @@ using domain::Topic;
 /// Says trap when it is told to.
 class ToldDetector final : public TrapDetector {
  public:
-  std::optional<TrapEvidence> observe(const Situation&) override {
+  std::optional<TrapEvidence> observe(const Situation& situation) override {
     ++observed;
+    pursued = situation.pursued_odom;
     if (!trap) return std::nullopt;
-    return TrapEvidence{3, {1, 2}, 9.0, 7, "told so"};
+    if (at_a_glance) return TrapEvidence{std::nullopt, "seen"};
+    return TrapEvidence{EarlierVisit{3, {1, 2}, 9.0, 7}, "told so"};
   }
-  void escape_ended() override { ++ends; }
+  void start_afresh() override { ++ends; }
   void save(core::StateWriter&) const override {}
   void load(core::StateReader&) override {}
 
   bool trap = false;
+  bool at_a_glance = false;
+  core::Vec2 pursued = core::Vec2::Zero();
   int observed = 0;
   int ends = 0;
 };
@@ -35,13 +39,21 @@ class ToldDetector final : public TrapDetector {
 class ToldEscape final : public Escape {
  public:
   explicit ToldEscape(double turn_rad) : turn_rad_(turn_rad) {}
+  void watch(const Situation&) override { ++watched; }
   void begin(const Situation&, const TrapEvidence& evidence) override {
     ++begins;
     reason = evidence.text;
   }
+  bool take_up(const Situation&, const TrapEvidence&) override { return takes_up; }
   EscapeStatus step(const Situation&, domain::Guidance& guidance) override {
-    guidance.has_override = true;
-    guidance.override_motion.turn_rad = turn_rad_;
+    if (virtual_target) {
+      guidance.target_x_m = virtual_target->x();
+      guidance.target_y_m = virtual_target->y();
+      guidance.target_is_virtual = true;
+    } else {
+      guidance.has_override = true;
+      guidance.override_motion.turn_rad = turn_rad_;
+    }
     guidance.why = "told";
     return status;
   }
@@ -49,7 +61,10 @@ class ToldEscape final : public Escape {
   void load(core::StateReader&) override {}
 
   EscapeStatus status = EscapeStatus::kActive;
+  bool takes_up = false;
+  std::optional<core::Vec2> virtual_target;
   int begins = 0;
+  int watched = 0;
   std::string reason;
 
  private:
@@ -159,6 +174,66 @@ TEST_F(RecoverComponentTest, IgnoresEvidenceWhileAnEscapeIsAtWork) {
   EXPECT_TRUE(events().empty());
 }
 
+TEST_F(RecoverComponentTest, LogsATrapThatTheEscapeAtWorkTakesUp) {
+  detector_->trap = true;
+  step();
+  first_->takes_up = true;
+  step();
+
+  EXPECT_EQ(events(), std::vector<EventKind>{EventKind::kTrap});
+  EXPECT_EQ(first_->begins, 1);
+  EXPECT_EQ(detector_->ends, 1);
+  EXPECT_EQ(shadow_->ends, 1);
+}
+
+TEST_F(RecoverComponentTest, LetsEveryEscapeWatchEveryTick) {
+  step();
+  detector_->trap = true;
+  step();
+
+  EXPECT_EQ(first_->watched, 2);
+  EXPECT_EQ(second_->watched, 2);
+}
+
+TEST_F(RecoverComponentTest, LogsATrapSeenAtAGlanceWithoutAnEarlierVisit) {
+  detector_->trap = detector_->at_a_glance = true;
+  step();
+
+  EXPECT_EQ(event(0).kind, EventKind::kTrap);
+  EXPECT_FALSE(event(0).has_earlier);
+}
+
+TEST_F(RecoverComponentTest, LogsAVirtualTargetWhereItIsWhenItIsSet) {
+  detector_->trap = true;
+  first_->virtual_target = core::Vec2(6, 7);
+  step();
+  const auto when_set = events();
+  const auto entry = event(2);
+  step();
+  const auto later = events();
+  first_->virtual_target = core::Vec2(8, 7);
+  step();
+
+  EXPECT_EQ(when_set, (std::vector<EventKind>{EventKind::kTrap, EventKind::kEscapeBegun,
+                                              EventKind::kVirtualTarget}));
+  EXPECT_EQ(entry.rule, "first");
+  EXPECT_EQ(entry.x_m, 6.0);
+  EXPECT_EQ(entry.y_m, 7.0);
+  EXPECT_TRUE(later.empty());
+  EXPECT_EQ(events(), std::vector<EventKind>{EventKind::kVirtualTarget});
+}
+
+TEST_F(RecoverComponentTest, TellsDetectorsWhichTargetIsPursued) {
+  step(Scene().target(4, 5));
+  EXPECT_EQ(detector_->pursued, core::Vec2(4, 5));
+
+  detector_->trap = true;
+  first_->virtual_target = core::Vec2(6, 7);
+  step(Scene().target(4, 5));
+  step(Scene().target(4, 5));
+  EXPECT_EQ(detector_->pursued, core::Vec2(6, 7));
+}
+
 TEST_F(RecoverComponentTest, SeeksAgainWhenAnEscapeEnds) {
   detector_->trap = true;
   step();
@@ -198,7 +273,9 @@ TEST_F(RecoverComponentTest, StartsAfreshWhenTheLastEscapeFails) {
 
   EXPECT_EQ(guidance.mode, GuidanceMode::kSeek);
   EXPECT_EQ(events(), std::vector<EventKind>{EventKind::kEscapeFailed});
+  EXPECT_EQ(event(0).text, "told");
   EXPECT_EQ(detector_->ends, 1);
+  EXPECT_EQ(step().why, "all escapes failed, at last second: told");
 }
 
 TEST_F(RecoverComponentTest, GivesUpForGood) {
@@ -209,6 +286,7 @@ TEST_F(RecoverComponentTest, GivesUpForGood) {
   EXPECT_EQ(step().mode, GuidanceMode::kUnreachable);
   EXPECT_EQ(events(), std::vector<EventKind>{EventKind::kUnreachable});
   EXPECT_EQ(step().mode, GuidanceMode::kUnreachable);
+  EXPECT_EQ(step().why, "first: told");
 }
 
 TEST_F(RecoverComponentTest, LogsAShadowAndDoesNothingElse) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 
 #include "core/angle.hpp"
 #include "recover/situation.hpp"
@@ -28,8 +29,14 @@ class Scene {
     odometry_.travel_m = travel_m;
     return *this;
   }
+  /// The mission's target, which is pursued.
   Scene& target(double x_m, double y_m) {
     target_ = {x_m, y_m};
+    return *this;
+  }
+  /// Another target in force.
+  Scene& pursues(double x_m, double y_m) {
+    pursued_ = core::Vec2(x_m, y_m);
     return *this;
   }
   /// Readings, leftmost first.
@@ -56,7 +63,7 @@ class Scene {
     return *this;
   }
 
-  Situation situation() const { return {tick_, odometry_, scan_, &landmark_, target_}; }
+  Situation situation() const { return {tick_, odometry_, scan_, &landmark_, target_, pursued_.value_or(target_)}; }
   const domain::Odometry& odometry() const { return odometry_; }
   const domain::Scan& scan() const { return scan_; }
   const domain::Landmark& landmark() const { return landmark_; }
@@ -68,6 +75,7 @@ class Scene {
   domain::Scan scan_;
   domain::Landmark landmark_;
   core::Vec2 target_ = core::Vec2(10, 0);
+  std::optional<core::Vec2> pursued_;
 };
 
 }  // namespace clew::recover
