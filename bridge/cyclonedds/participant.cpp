@@ -33,6 +33,10 @@ class CycloneWriter : public SampleWriter {
     return code == DDS_RETCODE_TIMEOUT ? WriteStatus::kWouldBlock : WriteStatus::kFailed;
   }
 
+  bool acknowledged() const override {
+    return dds_wait_for_acks(endpoint_.handle(), 0) == DDS_RETCODE_OK;
+  }
+
  private:
   CycloneEndpoint endpoint_;
 };

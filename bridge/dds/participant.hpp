@@ -79,6 +79,8 @@ class SampleWriter {
   virtual ~SampleWriter() = default;
   /// Publishes the bytes, encapsulation included, without waiting for anybody.
   virtual WriteStatus write(std::string_view cdr) = 0;
+  /// Whether every live reader has what was written; asks, and does not wait.
+  virtual bool acknowledged() const = 0;
 };
 
 class SampleReader {

@@ -54,6 +54,11 @@ class FastWriter : public SampleWriter, private DataWriterListener {
     return code == ReturnCode_t::RETCODE_TIMEOUT ? WriteStatus::kWouldBlock : WriteStatus::kFailed;
   }
 
+  bool acknowledged() const override {
+    return writer_->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(0, 0)) ==
+           ReturnCode_t::RETCODE_OK;
+  }
+
  private:
   void on_publication_matched(DataWriter*, const PublicationMatchedStatus& status) override {
     endpoint_.on_match(iHandle2GUID(status.last_subscription_handle), status.current_count_change);

@@ -4,7 +4,9 @@
 namespace clew::bridge {
 
 std::string Identity::user_data() const {
-  return "clew_idl=" + idl_fingerprint + ";clew_stage=" + stage + ';';
+  std::string text = "clew_idl=" + idl_fingerprint + ';';
+  if (!stage.empty()) text += "clew_stage=" + stage + ';';
+  return text;
 }
 
 Identity Identity::parse(std::string_view user_data) {

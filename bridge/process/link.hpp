@@ -50,7 +50,7 @@ struct Hello {
 struct ExpectedEndpoint {
   std::string topic;
   bool is_writer = false;
-  std::string stage;
+  std::string stage;     ///< empty: of anybody
   bool foreign = false;  ///< of a component that is not clew's, and so does not tell its stage
 };
 

@@ -122,10 +122,14 @@ ChildCommand command_of(const Member& member, const GraphStage& stage, const Pro
     command.arguments.insert(command.arguments.begin(), shell.begin(), shell.end());
     command.keeps_terminal = true;
   }
-  command.environment = {{"CLEW_DOMAIN_ID", std::to_string(domain)},
-                         {"CLEW_RUN_ID", run_id},
-                         {"CYCLONEDDS_URI", cyclonedds_configuration({domain, member.stage})}};
+  command.environment = environment_of(domain, run_id);
   return command;
+}
+
+std::map<std::string, std::string> environment_of(int domain, const std::string& run_id) {
+  return {{"CLEW_DOMAIN_ID", std::to_string(domain)},
+          {"CLEW_RUN_ID", run_id},
+          {"CYCLONEDDS_URI", cyclonedds_configuration({domain, {}})}};
 }
 
 RunTally total_tally(const std::vector<Member>& members) {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,6 +65,9 @@ std::string middleware_of(const runtime::GraphStage& stage, const ProcessLayout&
 /// How to start a member's process.
 ChildCommand command_of(const Member& member, const runtime::GraphStage& stage,
                         const ProcessLayout& layout, int domain, const std::string& run_id);
+
+/// What a process of a run is told: all that a component of someone else's needs.
+std::map<std::string, std::string> environment_of(int domain, const std::string& run_id);
 
 /// How long a process may take to end once it should.
 inline constexpr auto kEndGrace = std::chrono::milliseconds(500);

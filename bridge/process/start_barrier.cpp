@@ -20,9 +20,10 @@ std::string describe(const RemoteEndpoint& remote) {
 }
 
 bool is_expected(const ExpectedEndpoint& expected, const RemoteEndpoint& remote) {
+  if (expected.topic != remote.topic || expected.is_writer != remote.is_writer) return false;
+  if (expected.stage.empty()) return true;
   const Identity identity = Identity::parse(remote.user_data);
-  return expected.topic == remote.topic && expected.is_writer == remote.is_writer &&
-         (expected.foreign ? identity.stage.empty() : identity.stage == expected.stage);
+  return expected.foreign ? identity.stage.empty() : identity.stage == expected.stage;
 }
 
 }  // namespace
@@ -30,8 +31,13 @@ bool is_expected(const ExpectedEndpoint& expected, const RemoteEndpoint& remote)
 StartBarrier::StartBarrier(std::string own_name, std::vector<ExpectedEndpoint> expected,
                            Handlers handlers)
     : own_name_(std::move(own_name)),
-      expected_(std::move(expected)),
-      handlers_(std::move(handlers)) {}
+      handlers_(std::move(handlers)),
+      expected_(std::move(expected)) {}
+
+void StartBarrier::expect(const std::vector<ExpectedEndpoint>& more) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  expected_.insert(expected_.end(), more.begin(), more.end());
+}
 
 std::vector<std::string> StartBarrier::missing() const {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -41,18 +47,13 @@ std::vector<std::string> StartBarrier::missing() const {
       return is_expected(expected, entry.second);
     });
     if (here) continue;
-    missing.push_back(own_name_ + " has not found the " +
-                      (expected.is_writer ? "writer" : "reader") + " of '" + expected.topic +
-                      "' in " + expected.stage);
+    const std::string what =
+        std::string(expected.is_writer ? "writer" : "reader") + " of '" + expected.topic + "'";
+    missing.push_back(own_name_ + (expected.stage.empty()
+                                       ? " has not found a " + what
+                                       : " has not found the " + what + " in " + expected.stage));
   }
   return missing;
-}
-
-const ExpectedEndpoint* StartBarrier::expected_for(const RemoteEndpoint& remote) const {
-  for (const ExpectedEndpoint& expected : expected_) {
-    if (is_expected(expected, remote)) return &expected;
-  }
-  return nullptr;
 }
 
 std::string StartBarrier::objection(const RemoteEndpoint& remote) const {
@@ -66,11 +67,13 @@ std::string StartBarrier::objection(const RemoteEndpoint& remote) const {
            ", that of " + own_name_ + " is " + own;
   }
   if (!remote.is_writer) return {};
-  const ExpectedEndpoint* expected = expected_for(remote);
-  if (expected == nullptr) return "the graph has no such writer";
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto expected =
+      std::find_if(expected_.begin(), expected_.end(),
+                   [&](const ExpectedEndpoint& one) { return is_expected(one, remote); });
+  if (expected == expected_.end()) return "the graph has no such writer";
   if (!expected->foreign) return {};
   // A component that is not clew's has no name to tell it by: the first one that comes is it.
-  const std::lock_guard<std::mutex> lock(mutex_);
   for (const auto& [guid, other] : matched_) {
     if (guid != remote.guid && is_expected(*expected, other)) return "there is one already";
   }

@@ -28,6 +28,9 @@ class StartBarrier : public DiscoveryListener {
 
   StartBarrier(std::string own_name, std::vector<ExpectedEndpoint> expected, Handlers handlers);
 
+  /// Expects more endpoints; before those of this process that they will match are created.
+  void expect(const std::vector<ExpectedEndpoint>& more);
+
   /// The expected endpoints that are not matched, a sentence each.
   std::vector<std::string> missing() const;
 
@@ -46,13 +49,12 @@ class StartBarrier : public DiscoveryListener {
  private:
   /// Why an endpoint is no part of this run; empty if it is.
   std::string objection(const RemoteEndpoint& remote) const;
-  const ExpectedEndpoint* expected_for(const RemoteEndpoint& remote) const;
 
   const std::string own_name_;
-  const std::vector<ExpectedEndpoint> expected_;
   const Handlers handlers_;
   std::atomic<std::uint64_t> version_{0};
   mutable std::mutex mutex_;
+  std::vector<ExpectedEndpoint> expected_;
   std::map<std::string, RemoteEndpoint> matched_;  // accepted ones, by guid
 };
 

@@ -65,17 +65,13 @@ class OutputComparison {
 };
 
 Result<runtime::Node> node_of(const runtime::RunPlan& plan, const std::string& stage) {
-  const runtime::GraphStage* found = plan.graph.find(stage);
-  if (found == nullptr) {
-    std::vector<std::string> known;
-    for (const auto& candidate : plan.graph.stages) known.push_back(candidate.info->name);
-    return core::Error{core::unknown_name("stage of this recording", stage, known), {}, 0, 0};
-  }
-  if (!found->deployment.exec.empty()) {
+  const auto found = find_stage(plan, stage);
+  if (!found) return found.error();
+  if (!(*found)->deployment.exec.empty()) {
     return core::Error{
         stage + " is a component of someone else's, and cannot be replayed", {}, 0, 0};
   }
-  return runtime::make_node(plan, *found);
+  return runtime::make_node(plan, **found);
 }
 
 /// The component of a stage, to be fed from the recording.
@@ -89,8 +85,18 @@ Result<FedNode> fed_node_of(const RunRecording& recording, const runtime::RunPla
   return FedNode(std::move(node).value(), std::move(branch).value());
 }
 
-Result<void> check_topics(const RunRecording& recording, const std::string& stage,
-                          const runtime::TopicSet& topics) {
+}  // namespace
+
+Result<const runtime::GraphStage*> find_stage(const runtime::RunPlan& plan,
+                                              const std::string& stage) {
+  if (const runtime::GraphStage* found = plan.graph.find(stage)) return found;
+  std::vector<std::string> known;
+  for (const auto& candidate : plan.graph.stages) known.push_back(candidate.info->name);
+  return core::Error{core::unknown_name("stage of this recording", stage, known), {}, 0, 0};
+}
+
+Result<void> check_recorded(const RunRecording& recording, const std::string& stage,
+                            const runtime::TopicSet& topics) {
   for (Topic topic : domain::kAllTopics) {
     if (!topics[static_cast<std::size_t>(topic)]) continue;
     if (recording.description().schemas.count(topic) != 0) continue;
@@ -107,8 +113,6 @@ Result<void> check_range(const ReplayRange& range) {
       fmt::format("no tick is from {} to {}", range.first_tick, range.last_tick), {}, 0, 0};
 }
 
-}  // namespace
-
 Result<ReplayReport> replay_component(const RunRecording& recording, const runtime::RunPlan& plan,
                                       const std::string& stage, const ReplayRange& range) {
   CLEW_RETURN_IF_ERROR(check_range(range));
@@ -116,7 +120,7 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
   if (!made) return made.error();
   FedNode& fed = *made;
   const runtime::TopicSet topics = fed.fed_topics() | fed.node().ports().outputs;
-  CLEW_RETURN_IF_ERROR(check_topics(recording, stage, topics));
+  CLEW_RETURN_IF_ERROR(check_recorded(recording, stage, topics));
 
   ReplayReport report;
   report.component = stage;

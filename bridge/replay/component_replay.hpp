@@ -38,6 +38,17 @@ struct ReplayReport {
   bool identical() const { return !first.has_value(); }
 };
 
+/// A stage of a recording's plan. Refused: one that it does not have.
+core::Result<const runtime::GraphStage*> find_stage(const runtime::RunPlan& plan,
+                                                    const std::string& stage);
+
+/// Refused: a recording that lacks one of the topics, without which `stage` cannot be replayed.
+core::Result<void> check_recorded(const RunRecording& recording, const std::string& stage,
+                                  const runtime::TopicSet& topics);
+
+/// Refused: a range without a tick.
+core::Result<void> check_range(const ReplayRange& range);
+
 /// Makes the component of a stage of `plan`, feeds it the recorded inputs and compares what it
 /// writes with what is recorded, bit by bit. It is fed what was recorded also after a difference.
 /// Refused: a stage that the plan does not have or that is someone else's component, a recording

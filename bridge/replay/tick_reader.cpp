@@ -4,11 +4,13 @@
 namespace clew::bridge {
 namespace {
 
-SampleFilter filter_of(const runtime::TopicSet& topics, std::uint64_t last_tick) {
+SampleFilter filter_of(const runtime::TopicSet& topics, std::uint64_t first_tick,
+                       std::uint64_t last_tick) {
   SampleFilter filter;
   for (domain::Topic topic : domain::kAllTopics) {
     if (topics[static_cast<std::size_t>(topic)]) filter.topics.insert(topic);
   }
+  filter.first_tick = first_tick;
   filter.last_tick = last_tick;
   return filter;
 }
@@ -16,11 +18,11 @@ SampleFilter filter_of(const runtime::TopicSet& topics, std::uint64_t last_tick)
 }  // namespace
 
 TickReader::TickReader(const RunRecording& recording, const runtime::TopicSet& topics,
-                       std::uint64_t last_tick)
+                       std::uint64_t last_tick, std::uint64_t first_tick)
     : path_(recording.path()),
       cut_off_(!recording.complete()),
       topics_(topics),
-      stream_(recording.samples(filter_of(topics, last_tick))) {}
+      stream_(recording.samples(filter_of(topics, first_tick, last_tick))) {}
 
 core::Result<void> TickReader::look_ahead() {
   auto sample = stream_.next();

@@ -34,7 +34,8 @@ class RecordedTick {
 class TickReader {
  public:
   TickReader(const RunRecording& recording, const runtime::TopicSet& topics,
-             std::uint64_t last_tick = std::numeric_limits<std::uint64_t>::max());
+             std::uint64_t last_tick = std::numeric_limits<std::uint64_t>::max(),
+             std::uint64_t first_tick = 0);
 
   /// The next tick with a sample, valid until the next call; null at the end. Of a recording that
   /// was cut off, a last tick that lacks samples is left out. Refused: a changed byte, and samples

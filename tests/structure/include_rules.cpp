@@ -30,7 +30,7 @@ const std::map<std::string, Folders> kLayers = {
      {"core", "domain", "world", "runtime", "stages", "convert", "recording", "dds", "fastdds",
       "cyclonedds"}},
     {"bridge/replay",
-     {"core", "domain", "world", "runtime", "stages", "convert", "recording", "process"}},
+     {"core", "domain", "world", "runtime", "stages", "convert", "dds", "recording", "process"}},
 };
 
 /// Beginnings of the libraries' headers, and the folder that wraps the library.

@@ -87,6 +87,16 @@ struct ReplayOptions {
   std::string record;  ///< of the branch
   bool force = false;
   bool json = false;
+  bool publishes = false;            ///< over DDS, instead of into a component in this process
+  std::vector<std::string> publish;  ///< topics besides the component's inputs
+  std::optional<int> domain;
+  std::string middleware = "cyclonedds";
+  bool start = false;                ///< the component's process
+  std::string prefix;                ///< `STAGE=COMMAND`, which starts it too
+  std::vector<std::string> readers;  ///< programs to start
+  std::optional<double> wait_s;
+  bool start_paused = false;
+  bool commands = false;  ///< from stdin
 };
 int replay_command(const ReplayOptions& options);
 

@@ -6,6 +6,8 @@
 
 #include "clew/commands.hpp"
 #include "clew/version.hpp"
+#include "domain/topics.hpp"
+#include "replay/playback.hpp"
 
 namespace clew::tools {
 namespace {
@@ -105,6 +107,23 @@ void add_diff(CLI::App& main, DiffOptions& options, Outcome& outcome) {
   app->callback([&] { outcome.status = diff_command(options); });
 }
 
+void add_publish(CLI::App& app, ReplayOptions& options) {
+  app.add_option("--publish", options.publish,
+                 "put these TOPICs, or the inputs of --component, on the wire")
+      ->expected(0, static_cast<int>(domain::kTopicCount));
+  app.add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)");
+  app.add_option("--middleware", options.middleware, "cyclonedds | fastdds (cyclonedds)");
+  app.add_flag("--start", options.start, "start the component's process, too");
+  app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it with a command before");
+  app.add_option("--reader", options.readers, "start a COMMAND that reads; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--wait", options.wait_s, "seconds to wait for readers (10; by hand started: 60)")
+      ->check(CLI::Range(0.1, 86400.0));
+  app.add_flag("--start-paused", options.start_paused, "wait before the first tick");
+  app.add_flag("--commands", options.commands,
+               "read pause, resume, step [N], rate N and end from stdin, a line each");
+}
+
 void add_replay(CLI::App& main, ReplayOptions& options, Outcome& outcome) {
   CLI::App* app = main.add_subcommand("replay", "Feed a recording to its components and compare");
   const CLI::Range ticks(std::int64_t{0}, kMaxCount);
@@ -117,14 +136,20 @@ void add_replay(CLI::App& main, ReplayOptions& options, Outcome& outcome) {
   app->add_option("--from", options.first_tick, "compare from this tick")->check(ticks);
   app->add_option("--to", options.last_tick, "end with this tick")->check(ticks);
   app->add_option("--rate", options.rate, "simulated over wall-clock time (as fast as it goes)")
-      ->check(CLI::Range(0.001, 1000.0));
+      ->check(CLI::Range(bridge::Playback::kLowestRate, bridge::Playback::kHighestRate));
   app->add_option("--branch", options.branch_tick, "run the graph on from this tick")->check(ticks);
   app->add_option("--record", options.record, "write a recording of the branch (MCAP)");
   app->add_flag("--force", options.force, "overwrite it");
   app->add_option("--max-ticks", options.overrides.max_ticks, "give up the branch after so many")
       ->check(ticks);
+  add_publish(*app, options);
   app->add_flag("--json", options.json, "print the result as one JSON object");
-  app->callback([&] { outcome.status = replay_command(options); });
+  app->callback([app, &options, &outcome] {
+    options.publishes = app->count("--publish") > 0;
+    // An option without a value is given as an empty one.
+    if (options.publish == std::vector<std::string>{""}) options.publish.clear();
+    outcome.status = replay_command(options);
+  });
 }
 
 void add_train(CLI::App& main, TrainSomOptions& options, Outcome& outcome) {

@@ -7,6 +7,8 @@
 #include "clew/difference_output.hpp"
 #include "clew/json_line.hpp"
 #include "clew/replay_branch.hpp"
+#include "clew/replay_output.hpp"
+#include "clew/replay_publish.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"
@@ -27,6 +29,20 @@ Result<void> check_options(const ReplayOptions& options) {
       (!options.record.empty() || options.force || options.overrides.max_ticks)) {
     return Error{"--record, --force and --max-ticks need --branch", {}, 0, 0};
   }
+  if (options.publishes && options.branch_tick) {
+    return Error{
+        "--publish feeds what is recorded, --branch goes on from it: leave out one", {}, 0, 0};
+  }
+  if (!options.publishes &&
+      (options.domain || options.start || !options.prefix.empty() || !options.readers.empty() ||
+       options.wait_s || options.start_paused || options.commands)) {
+    return Error{
+        "--domain, --start, --prefix, --reader, --wait, --start-paused and --commands "
+        "need --publish",
+        {},
+        0,
+        0};
+  }
   return {};
 }
 
@@ -45,24 +61,6 @@ std::vector<std::string> stages_of(const ReplayOptions& options, const runtime::
   return names;
 }
 
-ordered_json inputs_json(const ReplayReport& report) {
-  if (report.identical()) return nullptr;
-  ordered_json inputs = ordered_json::object();
-  for (const auto& input : report.inputs) {
-    ordered_json fields = ordered_json::object();
-    for (const auto& field : input.fields) fields[field.path] = value_json(field.value);
-    inputs[std::string(domain::topic_name(input.topic))] = std::move(fields);
-  }
-  return inputs;
-}
-
-ordered_json to_json(const ReplayReport& report) {
-  return {{"component", report.component},     {"ticks", report.ticks},
-          {"identical", report.identical()},   {"first_difference", difference_json(report.first)},
-          {"ticks_per_s", report.ticks_per_s}, {"different_ticks", report.different_ticks},
-          {"inputs", inputs_json(report)}};
-}
-
 /// All components in one object: the earliest difference, and the slowest one's speed.
 ordered_json to_json(const std::vector<ReplayReport>& reports) {
   const ReplayReport* first = nullptr;
@@ -73,7 +71,7 @@ ordered_json to_json(const std::vector<ReplayReport>& reports) {
     if (report.first && (first == nullptr || report.first->tick < first->first->tick)) {
       first = &report;
     }
-    components.push_back(to_json(report));
+    components.push_back(replay_json(report));
   }
   return {{"component", nullptr},
           {"ticks", reports.front().ticks},
@@ -81,21 +79,6 @@ ordered_json to_json(const std::vector<ReplayReport>& reports) {
           {"first_difference", first == nullptr ? nullptr : difference_json(first->first)},
           {"ticks_per_s", ticks_per_s},
           {"components", std::move(components)}};
-}
-
-void print(const ReplayReport& report) {
-  if (report.identical()) {
-    fmt::print("{}: {} ticks identical, {:.0f} ticks/s\n", report.component, report.ticks,
-               report.ticks_per_s);
-    return;
-  }
-  fmt::print("{}: {} of {} ticks differ, {:.0f} ticks/s\n", report.component,
-             report.different_ticks, report.ticks, report.ticks_per_s);
-  print_difference(*report.first, "recorded", "replayed");
-  fmt::print("  with these inputs:\n");
-  for (const auto& input : report.inputs) {
-    print_fields(fmt::format("    {}.", domain::topic_name(input.topic)), input.fields);
-  }
 }
 
 Result<std::vector<ReplayReport>> replay_all(const bridge::RunRecording& recording,
@@ -137,16 +120,17 @@ int replay_command(const ReplayOptions& options) {
     fmt::print(stderr, "clew: {}: was cut off; used is what is there\n", recording->path());
   }
   if (options.branch_tick) return replay_branch(options, *recording, *recorded, *plan);
+  if (options.publishes) return replay_publish(options, *recording, *recorded, *plan);
   const auto reports = replay_all(*recording, *plan, options);
   if (!reports.ok()) return complain(reports.error());
   bool identical = true;
   for (const ReplayReport& report : *reports) {
     identical = identical && report.identical();
-    if (!options.json) print(report);
+    if (!options.json) print_replay(report);
   }
   if (options.json) {
     fmt::print("{}\n", json_line(options.component.empty() ? to_json(*reports)
-                                                           : to_json(reports->front())));
+                                                           : replay_json(reports->front())));
   }
   return identical ? kExitGood : kExitFailed;
 }

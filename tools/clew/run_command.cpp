@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
@@ -8,6 +7,7 @@
 #include <set>
 
 #include "clew/commands.hpp"
+#include "clew/own_program.hpp"
 #include "clew/run_output.hpp"
 #include "core/nearest_name.hpp"
 #include "process/composed_run.hpp"
@@ -77,10 +77,7 @@ Result<void> read_middleware(const RunOptions& options, const runtime::Graph& gr
 Result<bridge::ProcessLayout> read_layout(const RunOptions& options, const runtime::Graph& graph,
                                           const Speed& speed) {
   bridge::ProcessLayout layout;
-  layout.program = "/proc/self/exe";
-  char path[4096];
-  const ssize_t length = ::readlink(layout.program.c_str(), path, sizeof path);
-  if (length > 0) layout.program.assign(path, static_cast<std::size_t>(length));
+  layout.program = own_program();
   layout.domain = options.domain;
   layout.pace = speed.pace;
   layout.pace_factor = speed.factor;

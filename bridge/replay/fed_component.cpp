@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "replay/fed_component.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <utility>
+
+#include "convert/codec.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using core::Error;
+using core::Result;
+using domain::Topic;
+
+bool is_foreign(const runtime::GraphStage& stage) { return !stage.deployment.exec.empty(); }
+
+ProcessLayout layout_of(const WireSettings& settings) {
+  ProcessLayout layout;
+  layout.program = settings.program;
+  layout.middleware = settings.middleware;
+  return layout;
+}
+
+}  // namespace
+
+FedComponent::FedComponent(const runtime::RunPlan& plan, const runtime::GraphStage& stage,
+                           WireSettings settings, std::uint64_t first_compared,
+                           std::function<void()> on_arrival,
+                           std::function<void(const std::string&)> log)
+    : plan_(plan),
+      stage_(stage),
+      settings_(std::move(settings)),
+      log_(std::move(log)),
+      comparison_(stage.info->name, stage.ports, first_compared, std::move(on_arrival)) {
+  member_.stage = stage.info->name;
+  member_.foreign = is_foreign(stage);
+  member_.starts_ticks = stage.ports.delayed_inputs.any();
+}
+
+Result<void> FedComponent::open(Participant& participant, StartBarrier& barrier) {
+  std::vector<ExpectedEndpoint> expected;
+  for (Topic topic : domain::kAllTopics) {
+    const auto index = static_cast<std::size_t>(topic);
+    const std::string name(domain::topic_name(topic));
+    if (ports().outputs[index]) expected.push_back({name, true, stage(), member_.foreign});
+    if (ports().all_inputs()[index]) expected.push_back({name, false, stage(), member_.foreign});
+  }
+  barrier.expect(expected);
+  return comparison_.open(participant, barrier, settings_.history_depth);
+}
+
+Result<void> FedComponent::start(bool by_us, const std::string& prefix) {
+  if (!by_us) {
+    log_(fmt::format("waiting for {0}; start it with: clew component - {0} --domain {1}", stage(),
+                     settings_.domain));
+    return {};
+  }
+  ProcessLayout layout = layout_of(settings_);
+  if (!prefix.empty()) layout.prefix[stage()] = prefix;
+  auto child =
+      ChildProcess::start(command_of(member_, stage_, layout, settings_.domain, settings_.run_id));
+  if (!child.ok()) return Error{stage() + ": " + child.error().text(), {}, 0, 0};
+  member_.child = std::move(child).value();
+  return {};
+}
+
+Assignment FedComponent::assignment() const {
+  Assignment assignment;
+  assignment.run_id = settings_.run_id;
+  assignment.bundle = plan_.bundle;
+  assignment.middleware = middleware_of(stage_, layout_of(settings_));
+  assignment.domain = settings_.domain;
+  assignment.lease_s = settings_.lease_s;
+  assignment.hash = false;
+  assignment.history_depth = static_cast<std::uint32_t>(settings_.history_depth);
+  assignment.lead = 0;
+  for (Topic topic : domain::kAllTopics) {
+    const auto index = static_cast<std::size_t>(topic);
+    const std::string name(domain::topic_name(topic));
+    if (ports().outputs[index]) assignment.expected.push_back({name, false, "replay", false});
+    if (!ports().all_inputs()[index]) continue;
+    const runtime::GraphStage* writer = plan_.graph.writer_of(topic);
+    assignment.expected.push_back({name, true, writer->info->name, is_foreign(*writer)});
+  }
+  return assignment;
+}
+
+Result<void> FedComponent::welcome(std::unique_ptr<Link>& link, const Hello& hello) {
+  if (member_.link != nullptr || member_.foreign || hello.stage != stage()) {
+    return Error{"this replay has no place for a component " + hello.stage, {}, 0, 0};
+  }
+  if (hello.idl_fingerprint != idl_fingerprint()) {
+    return Error{"it was built from other IDL files than this replay", {}, 0, 0};
+  }
+  link->send(FrameType::kAssignment, assignment());
+  member_.link = std::move(link);
+  return {};
+}
+
+std::vector<std::string> FedComponent::missing() const {
+  std::vector<std::string> missing = member_.missing;
+  if (!member_.foreign && !member_.link) missing.push_back(stage() + " has not reported");
+  return missing;
+}
+
+Result<void> FedComponent::handle(const Frame& frame) {
+  if (frame.type == FrameType::kWaiting) {
+    if (const auto waiting = frame.as<Waiting>()) {
+      member_.missing = waiting->missing;
+      member_.ready = waiting->missing.empty();
+    }
+  } else if (frame.type == FrameType::kFinished) {
+    member_.finished = frame.as<Finished>();
+  } else if (frame.type == FrameType::kNotice || frame.type == FrameType::kFatal) {
+    const auto text = frame.as<Text>();
+    if (text && frame.type == FrameType::kFatal) return Error{text->text, {}, 0, 0};
+    if (text) log_(text->text);
+  }
+  return {};
+}
+
+// The line broke: the process has died, or is dying; its end says more than the line's.
+Error FedComponent::lost() {
+  member_.link.reset();
+  const auto deadline = std::chrono::steady_clock::now() + kEndGrace;
+  while (member_.child && member_.child->running() && std::chrono::steady_clock::now() < deadline) {
+    if (!member_.child->reap()) ::poll(nullptr, 0, 1);
+  }
+  const bool told = member_.child && !member_.child->running();
+  return {fmt::format("{} {} at tick {}", stage(),
+                      told ? fmt::format("(process {}) {}", member_.child->process_id(),
+                                         member_.child->end())
+                           : "has left",
+                      next_compared()),
+          {},
+          0,
+          0};
+}
+
+Result<void> FedComponent::serve() {
+  CLEW_RETURN_IF_ERROR(comparison_.compare());
+  if (member_.link) {
+    const bool open = member_.link->receive();
+    while (const auto frame = member_.link->next()) CLEW_RETURN_IF_ERROR(handle(*frame));
+    if (!open && !finished()) return lost();
+  } else if (member_.child && member_.child->reap()) {
+    return lost();
+  }
+  return {};
+}
+
+void FedComponent::go() {
+  if (member_.starts_ticks && member_.link) member_.link->send(FrameType::kGo, Tick{0});
+}
+
+Result<void> FedComponent::feed(const RecordedTick& recorded) {
+  if (recorded.tick() != next_tick_) {
+    return Error{fmt::format("has no sample of tick {} for {}; the next is of tick {}", next_tick_,
+                             stage(), recorded.tick()),
+                 {},
+                 0,
+                 0};
+  }
+  for (Topic topic : domain::kAllTopics) {
+    if (!ports().all_inputs()[static_cast<std::size_t>(topic)] || recorded.has(topic)) continue;
+    return Error{fmt::format("has no sample of '{}' of tick {}, which {} needs",
+                             domain::topic_name(topic), recorded.tick(), stage()),
+                 {},
+                 0,
+                 0};
+  }
+  ++next_tick_;
+  comparison_.expect(recorded);
+  // Drive begins a tick when it may and has the command of the one before.
+  if (member_.starts_ticks && member_.link) {
+    member_.link->send(FrameType::kCredit, Tick{next_tick_});
+  }
+  return {};
+}
+
+void FedComponent::finish() {
+  if (!member_.link) return;
+  // Without a tick there is nothing to confirm.
+  if (next_tick_ == 0) {
+    member_.finished.emplace();
+  } else {
+    member_.link->send(FrameType::kFinish, Tick{next_tick_ - 1});
+  }
+}
+
+void FedComponent::end(bool orderly) {
+  std::vector<Member> members;
+  members.push_back(std::move(member_));
+  end_processes(members, orderly);
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "clew/replay_publish.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "clew/json_line.hpp"
+#include "clew/own_program.hpp"
+#include "clew/playback_console.hpp"
+#include "clew/replay_output.hpp"
+#include "core/nearest_name.hpp"
+#include "dds/participant.hpp"
+#include "replay/live_checks.hpp"
+
+namespace clew::tools {
+namespace {
+
+using bridge::LiveReplayOptions;
+using bridge::LiveReplayReport;
+using core::Error;
+using core::Result;
+using nlohmann::ordered_json;
+
+Result<void> read_prefix(const ReplayOptions& options, LiveReplayOptions& live) {
+  if (options.prefix.empty()) return {};
+  const std::size_t equals = options.prefix.find('=');
+  if (equals == std::string::npos || equals + 1 == options.prefix.size()) {
+    return Error{"expected STAGE='command', found '" + options.prefix + "'", "--prefix", 0, 0};
+  }
+  if (options.prefix.substr(0, equals) != options.component) {
+    return Error{"is of '" + options.prefix.substr(0, equals) + "', and --component is '" +
+                     options.component + "'",
+                 "--prefix", 0, 0};
+  }
+  live.prefix = options.prefix.substr(equals + 1);
+  live.starts_component = true;
+  return {};
+}
+
+Result<LiveReplayOptions> read_options(const ReplayOptions& options,
+                                       const bridge::RunRecording& recording) {
+  LiveReplayOptions live;
+  for (const std::string& name : options.publish) {
+    const auto topic = bridge::recorded_topic(recording, name);
+    if (!topic.ok()) return topic.error();
+    live.topics.set(static_cast<std::size_t>(*topic));
+  }
+  if (!bridge::vendor_from_name(options.middleware)) {
+    return Error{core::unknown_name("middleware", options.middleware, {"cyclonedds", "fastdds"}),
+                 "--middleware", 0, 0};
+  }
+  if (options.domain && (*options.domain < 0 || *options.domain > 99)) {
+    return Error{fmt::format("found {}; allowed: 0 to 99", *options.domain), "--domain", 0, 0};
+  }
+  if (options.start && options.component.empty()) {
+    return Error{"--start needs --component", {}, 0, 0};
+  }
+  live.component = options.component;
+  live.starts_component = options.start;
+  CLEW_RETURN_IF_ERROR(read_prefix(options, live));
+  live.readers = options.readers;
+  if (options.first_tick) live.range.first_tick = *options.first_tick;
+  if (options.last_tick) live.range.last_tick = *options.last_tick;
+  live.range.rate = options.rate;
+  live.paused = options.start_paused;
+  live.wait_s = options.wait_s;
+  live.program = own_program();
+  live.middleware = options.middleware;
+  live.domain = options.domain;
+  return live;
+}
+
+std::string report_json(const LiveReplayReport& report) {
+  ordered_json json = {{"component", nullptr},
+                       {"ticks", report.ticks},
+                       {"identical", nullptr},
+                       {"first_difference", nullptr},
+                       {"ticks_per_s", report.ticks_per_s}};
+  if (report.component) {
+    json = replay_json(*report.component);
+    json["ticks_per_s"] = report.ticks_per_s;
+  }
+  json["published_ticks"] = report.ticks;
+  ordered_json samples = ordered_json::object();
+  for (const auto& [topic, count] : report.samples) {
+    samples[std::string(domain::topic_name(topic))] = count;
+  }
+  json["published"] = std::move(samples);
+  json["domain"] = report.domain;
+  json["why"] = report.stopped;
+  return json_line(json);
+}
+
+void print(const LiveReplayReport& report) {
+  std::string topics;
+  for (const auto& [topic, count] : report.samples) {
+    topics += fmt::format("{}{}", topics.empty() ? "" : ", ", domain::topic_name(topic));
+  }
+  fmt::print("published {} ticks of {}, {:.0f} ticks/s\n", report.ticks, topics,
+             report.ticks_per_s);
+  if (report.component) {
+    bridge::ReplayReport component = *report.component;
+    component.ticks_per_s = report.ticks_per_s;
+    print_replay(component);
+  }
+}
+
+int status_of(const LiveReplayReport& report) {
+  if (report.interrupted_by != 0) return kExitInterrupted;
+  const bool identical = !report.component || report.component->identical();
+  return report.stopped.empty() && identical ? kExitGood : kExitFailed;
+}
+
+}  // namespace
+
+int replay_publish(const ReplayOptions& options, const bridge::RunRecording& recording,
+                   const runtime::RunPlan& recorded, const runtime::RunPlan& plan) {
+  const auto live = read_options(options, recording);
+  if (!live.ok()) return complain(live.error());
+  PlaybackTerminal console(options.commands       ? PlaybackTerminal::Input::kCommands
+                           : live->prefix.empty() ? PlaybackTerminal::Input::kKeys
+                                                  : PlaybackTerminal::Input::kNone);
+  const auto report = bridge::replay_live(recording, recorded, plan, *live, console);
+  console.clear();
+  if (!report.ok()) return complain(report.error());
+  if (!report->stopped.empty()) console.log(report->stopped);
+  if (options.json) {
+    fmt::print("{}\n", report_json(*report));
+  } else {
+    print(*report);
+  }
+  return status_of(*report);
+}
+
+}  // namespace clew::tools
