@@ -43,21 +43,12 @@ void Cones::measure(const world::World& world, const core::Pose2& pose_world_rob
   scan.ranges_m.resize(kCount);
   const core::Vec2 heading = core::direction(pose_world_robot.heading_rad);
   for (std::size_t i = 0; i < kCount; ++i) {
-    double reading_m = echo_m(world, pose_world_robot, heading, sim_time_s, i);
-    // Each cone has two numbers of its own, drawn or not, so that options do not shift each other.
-    const auto index = static_cast<std::uint32_t>(2 * i);
-    if (parameters_.noise_stddev_m > 0.0 && reading_m < parameters_.range_m) {
-      reading_m += parameters_.noise_stddev_m * random.normal(index);
-    }
-    if (parameters_.drop_out_ratio > 0.0 &&
-        random.uniform(index + 1) < parameters_.drop_out_ratio) {
-      reading_m = parameters_.range_m;
-    }
-    scan.ranges_m[i] = std::clamp(reading_m, 0.0, parameters_.range_m);
+    scan.ranges_m[i] = echo_m(world, pose_world_robot, heading, sim_time_s, i);
   }
+  add_range_noise(parameters_.noise, random, scan);
 }
 
-/// What comes back from cone i without noise, from the skin, at most range_m.
+/// What comes back from cone i without noise, from the skin, in [0, range_m].
 double Cones::echo_m(const world::World& world, const core::Pose2& pose_world_robot,
                      const core::Vec2& heading, double sim_time_s, std::size_t i) const {
   const core::Vec2 apex = pose_world_robot.position();
@@ -72,7 +63,7 @@ double Cones::echo_m(const world::World& world, const core::Pose2& pose_world_ro
       distance_m = *corner_m * (1.0 + parameters_.corner_echo_ratio);
     }
   }
-  return std::min(distance_m - radius_m_, parameters_.range_m);
+  return std::clamp(distance_m - radius_m_, 0.0, parameters_.range_m);
 }
 
 }  // namespace clew::sense

@@ -6,35 +6,30 @@
 
 #include "core/angle.hpp"
 #include "core/result.hpp"
+#include "sense/range_noise.hpp"
 #include "sense/range_sensor.hpp"
 
 namespace clew::sense {
 
 struct ConesParameters {
   double range_m = 1.5;
-  double noise_stddev_m = 0.0;
-  double drop_out_ratio = 0.0;
   double corner_echo_ratio = 0.0;
+  RangeNoiseParameters noise;
 };
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, ConesParameters& p) {
   visit.number("range_m", p.range_m, "m", {0.1, 20.0},
                "how far a cone sees, from the robot's skin");
-  visit.number("noise_stddev_m", p.noise_stddev_m, "m", {0.0, 1.0},
-               "standard deviation of the normal error added to a reading");
-  visit.number("drop_out_ratio", p.drop_out_ratio, "1", {0.0, 1.0},
-               "share of readings that are lost and read as free");
   visit.number("corner_echo_ratio", p.corner_echo_ratio, "1", {0.0, 2.0},
                "lengthening of a reading by multiple reflection in a corner; 0 is off");
+  visit_parameters(visit, p.noise);
 }
 
 /// Seven ultrasonic cones of 15 degrees, side by side over the front 105 degrees: Krishna & Kalra
 /// 2000, sections 2 and 4. Cone i is centred at 45 - 15 i degrees from the heading, so cone 0 is
 /// leftmost. A reading is the least distance to anything inside the cone, exact for the clipped
 /// geometry, from the robot's skin: apex at the centre, radius taken off, clipped to [0, range_m].
-///
-/// Noise is added to what returned; a reading that is lost (drop_out_ratio) is range_m.
 ///
 /// Multiple reflection (section 4.6) is not modelled in the paper. Ours: where a cone looks into an
 /// inner corner, and the walls of that corner are the nearest thing in it, the pulse comes back by

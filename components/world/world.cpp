@@ -10,6 +10,7 @@
 
 #include "world/cone.hpp"
 #include "world/corners.hpp"
+#include "world/fan_sweep.hpp"
 #include "world/nearest_obstacle.hpp"
 #include "world/polygon.hpp"
 #include "world/shapes.hpp"
@@ -184,6 +185,33 @@ double World::cone_distance_m(const Vec2& apex, const ConeDirection& direction,
     if (squared_distance(apex, box_of(side)) < nearest) look(side);
   }
   return nearest < farthest ? std::sqrt(nearest) : max_distance_m;
+}
+
+void World::fan_distances_m(const Pose2& pose, const RayFan& fan, double max_distance_m,
+                            double time_s, std::vector<double>& distances_m) const {
+  const Content& content = *content_;
+  if (content.areas.contains(pose.position())) {
+    distances_m.assign(fan.size(), 0.0);
+    return;
+  }
+  const double farthest = max_distance_m * max_distance_m;
+  distances_m.assign(fan.size(), farthest);
+  FanSweep sweep(fan, pose, distances_m.data());
+  const auto bound = [&](const Box& box) { return squared_distance(sweep.apex(), box); };
+  for (const MovingObstacle& obstacle : content.file.moving) {
+    const Circle disc = content.disc_at(obstacle, time_s);
+    if (bound(box_of(disc)) < farthest) sweep.look(disc);
+  }
+  content.circles.tree.visit_nearest_first(
+      bound, farthest, [&](std::uint32_t i) { sweep.look(content.circles.shapes[i]); });
+  content.segments.tree.visit_nearest_first(
+      bound, farthest, [&](std::uint32_t i) { sweep.look(content.segments.shapes[i]); });
+  for (const Segment& side : content.boundary) {
+    if (bound(box_of(side)) < farthest) sweep.look(side);
+  }
+  for (double& distance : distances_m) {
+    distance = distance < farthest ? std::sqrt(distance) : max_distance_m;
+  }
 }
 
 std::optional<double> World::corner_distance_m(const Vec2& apex, double bearing_rad,

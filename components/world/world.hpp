@@ -51,6 +51,8 @@ struct ConeDirection {
   ConeDirection turned(const Vec2& turn) const;
 };
 
+class RayFan;
+
 /// A world file (`clew-world/1`), checked and indexed for queries. Immutable; safe to share between
 /// threads. Obstacles are the boundary, walls, polygons and circles (filled), and moving discs; all
 /// queries take the simulated time, which only moving ones need.
@@ -104,6 +106,11 @@ class World {
                          double max_distance_m, double time_s) const;
   double cone_distance_m(const Vec2& apex, const ConeDirection& cone, double max_distance_m,
                          double time_s) const;
+
+  /// Fills distances_m[i] with cone_distance_m along ray i of a fan on a robot at `pose`, bit for
+  /// bit, at a fraction of the cost: each obstacle within reach is looked at once.
+  void fan_distances_m(const Pose2& pose, const RayFan& fan, double max_distance_m, double time_s,
+                       std::vector<double>& distances_m) const;
 
   /// The two walls' corner that a sonar in this cone would look into, if any: an inner corner
   /// (where a segment ends on another, within 1 mm, at less than 180 degrees on the side of the

@@ -99,7 +99,7 @@ TEST(Cones, ReadZeroAtContact) {
 
 TEST(Cones, AddNoiseThatIsAFunctionOfTheTick) {
   ConesParameters noisy;
-  noisy.noise_stddev_m = 0.05;
+  noisy.noise.stddev_m = 0.05;
   const world::World world = make_world("walls: [[11, 0, 11, 20]]");
 
   const domain::Scan first = measure(noisy, world, {10, 10, 0}, 7);
@@ -112,7 +112,7 @@ TEST(Cones, AddNoiseThatIsAFunctionOfTheTick) {
 
 TEST(Cones, NoiseHasTheStandardDeviationAskedFor) {
   ConesParameters noisy;
-  noisy.noise_stddev_m = 0.05;
+  noisy.noise.stddev_m = 0.05;
   const world::World world = make_world("walls: [[11, 0, 11, 20]]");
   constexpr int kScans = 4000;
   double sum_m = 0.0;
@@ -133,7 +133,7 @@ TEST(Cones, NoiseHasTheStandardDeviationAskedFor) {
 
 TEST(Cones, ClipNoisyReadingsToTheRange) {
   ConesParameters noisy;
-  noisy.noise_stddev_m = 1.0;
+  noisy.noise.stddev_m = 1.0;
   const world::World world = make_world("walls: [[11, 0, 11, 20]]");
 
   for (std::uint64_t tick = 0; tick < 100; ++tick) {
@@ -146,7 +146,7 @@ TEST(Cones, ClipNoisyReadingsToTheRange) {
 
 TEST(Cones, LoseTheShareOfReadingsAskedFor) {
   ConesParameters lossy;
-  lossy.drop_out_ratio = 0.25;
+  lossy.noise.drop_out_ratio = 0.25;
   const world::World world = make_world("walls: [[11, 0, 11, 20]]");
   constexpr int kScans = 4000;
   int lost = 0;

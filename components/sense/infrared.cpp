@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sense/infrared.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle.hpp"
+
+namespace clew::sense {
+namespace {
+
+constexpr double kFirstBearingRad = core::radians(90.0);
+constexpr double kStepRad = core::radians(-90.0);
+constexpr double kLargestByte = 255.0;
+
+}  // namespace
+
+core::Result<std::unique_ptr<Infrared>> Infrared::create(const Parameters& parameters,
+                                                         const domain::BehaviourSetup& setup) {
+  return std::make_unique<Infrared>(parameters, setup.robot.radius_m);
+}
+
+Infrared::Infrared(const Parameters& parameters, double radius_m)
+    : parameters_(parameters), radius_m_(radius_m), fan_(kFirstBearingRad, kStepRad, kCount) {}
+
+domain::ScanLayout Infrared::layout() const {
+  return {"infrared", kCount, kFirstBearingRad, kStepRad, 0.0, parameters_.range_m};
+}
+
+void Infrared::measure(const world::World& world, const core::Pose2& pose_world_robot,
+                       double sim_time_s, const core::Random& random, domain::Scan& scan) const {
+  scan.bearing_first_rad = kFirstBearingRad;
+  scan.bearing_step_rad = kStepRad;
+  scan.beam_width_rad = 0.0;
+  scan.range_min_m = parameters_.range_min_m;
+  scan.range_max_m = parameters_.range_m;
+  world.fan_distances_m(pose_world_robot, fan_, parameters_.range_m + radius_m_, sim_time_s,
+                        scan.ranges_m);
+  for (double& range_m : scan.ranges_m) {
+    range_m = std::clamp(range_m - radius_m_, scan.range_min_m, scan.range_max_m);
+  }
+  add_range_noise(parameters_.noise, random, scan);
+  for (double& range_m : scan.ranges_m) {
+    if (range_m < scan.range_max_m) range_m = distance_m(reading(range_m));
+  }
+}
+
+double Infrared::reading(double distance_m) const {
+  const double answer = parameters_.curve_offset + parameters_.curve_gain_m / distance_m;
+  return kLargestByte - std::clamp(std::floor(answer + 0.5), 0.0, kLargestByte);
+}
+
+double Infrared::distance_m(double reading) const {
+  const double above_offset = (kLargestByte - reading) - parameters_.curve_offset;
+  if (above_offset <= 0.0) return parameters_.range_m;
+  return std::clamp(parameters_.curve_gain_m / above_offset, parameters_.range_min_m,
+                    parameters_.range_m);
+}
+
+}  // namespace clew::sense
