@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,19 @@ struct ScanLayout {
   double range_max_m = 0.0;
 };
 
+/// What a drive can do, so that nobody asks for more; infinite where it has no limit.
+struct MotionLimits {
+  double speed_mps = std::numeric_limits<double>::infinity();
+  double turn_rate_radps = std::numeric_limits<double>::infinity();
+  double acceleration_mps2 = std::numeric_limits<double>::infinity();
+  double turn_acceleration_radps2 = std::numeric_limits<double>::infinity();
+};
+
 struct BehaviourSetup {
   double tick_s = 0.3;
   Robot robot;
   ScanLayout scan;  ///< empty for the sensor itself
+  MotionLimits limits;
   core::Resources resources;
 };
 

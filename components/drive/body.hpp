@@ -6,6 +6,7 @@
 #include "core/geometry.hpp"
 #include "domain/messages.hpp"
 #include "drive/drive_model.hpp"
+#include "drive/stretch.hpp"
 #include "world/world.hpp"
 
 namespace clew::drive {
@@ -16,7 +17,8 @@ struct SafetyParameters {
 };
 
 /// The robot's body in the world: a disc that is moved along the legs of a tick and swept for
-/// contact on the way.
+/// contact on the way. The safety layer holds back its way, never its turn: a disc that turns
+/// touches nothing.
 ///
 /// The *safety layer* is independent of all other stages: it stops the disc margin_m short of what
 /// it would move into, in that tick only, and counts the intervention. It cannot help when a moving
@@ -47,7 +49,6 @@ class Body {
   State& state() { return state_; }
 
  private:
-  struct Stretch;
   void move_leg(const world::World& world, const Leg& leg, double time_s);
   double free_fraction(const world::World& world, const Stretch& stretch);
   bool is_struck(const world::World& world, const Stretch& stretch, double fraction) const;

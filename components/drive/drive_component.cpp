@@ -16,20 +16,22 @@ std::vector<runtime::PortInfo> DriveComponent::ports() {
 }
 
 DriveComponent::DriveComponent(std::unique_ptr<DriveModel> model, const SafetyParameters& safety,
-                               const runtime::RunSetup& setup)
+                               const DriftParameters& drift, const runtime::RunSetup& setup)
     : model_(std::move(model)),
       world_(setup.world),
       max_ticks_(setup.max_ticks),
-      body_(world_->start(), setup.behaviour.robot.radius_m, safety) {}
+      seed_(setup.seed),
+      robot_index_(setup.robot_index),
+      drifts_(drift.any()),
+      body_(world_->start(), setup.behaviour.robot.radius_m, safety),
+      reckoning_(world_->start(), drift) {}
 
 void DriveComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto* command = inputs.find<domain::Command>();
   const bool late = inputs.tick() > 0 && command == nullptr;
   if (inputs.tick() > 0) {
     // Without a command the robot rests: that is what a late one means.
-    const domain::Motion motion = command != nullptr ? command->motion : domain::Motion{};
-    const double time_s = static_cast<double>(inputs.tick() - 1) * model_->tick_s();
-    body_.move(*world_, model_->legs(motion), time_s);
+    move(command != nullptr ? command->motion : domain::Motion{}, inputs.tick() - 1);
   }
 
   auto& state = outputs.get<domain::State>();
@@ -42,6 +44,21 @@ void DriveComponent::step(const runtime::TickInputs& inputs, runtime::TickOutput
   target.x_m = world_->target().x();
   target.y_m = world_->target().y();
   target.radius_m = world_->target_radius_m();
+}
+
+/// Applies the motion during `tick`.
+void DriveComponent::move(const domain::Motion& motion, std::uint64_t tick) {
+  const Body::State before = body_.state();
+  // The safety layer has brought it to rest.
+  const double speed_mps = before.blocked ? 0.0 : before.speed_mps;
+  body_.move(*world_, model_->legs(motion, {speed_mps, before.turn_rate_radps}),
+             static_cast<double>(tick) * model_->tick_s());
+  if (!drifts_) return;
+  const Body::State& after = body_.state();
+  reckoning_.count(
+      {before.pose_world_robot, after.pose_world_robot, after.path_length_m - before.path_length_m,
+       after.turn_rate_radps * model_->tick_s(), after.speed_mps < 0.0, model_->tick_s()},
+      core::Random({seed_, robot_index_, kRandomComponent, tick}));
 }
 
 Outcome DriveComponent::judge(std::uint64_t tick, bool gave_up) const {
@@ -65,22 +82,30 @@ void DriveComponent::write_state(domain::State& state) const {
   state.safety_stops = body.safety_stops;
 }
 
-/// Odometry is exact: the odometry frame is the world's.
 void DriveComponent::write_odometry(domain::Odometry& odometry) const {
   const Body::State& body = body_.state();
-  odometry.pose_odom_robot = body.pose_world_robot;
-  odometry.speed_mps = body.speed_mps;
-  odometry.turn_rate_radps = body.turn_rate_radps;
-  odometry.travel_m = body.path_length_m;
   odometry.blocked = body.blocked;
   odometry.contact_bearings_rad = body.contact_bearings_rad;
+  if (drifts_) {
+    const DeadReckoning::State& belief = reckoning_.state();
+    odometry.pose_odom_robot = belief.pose_odom_robot;
+    odometry.speed_mps = belief.speed_mps;
+    odometry.turn_rate_radps = belief.turn_rate_radps;
+    odometry.travel_m = belief.travel_m;
+  } else {
+    odometry.pose_odom_robot = body.pose_world_robot;
+    odometry.speed_mps = body.speed_mps;
+    odometry.turn_rate_radps = body.turn_rate_radps;
+    odometry.travel_m = body.path_length_m;
+  }
 }
 
 void DriveComponent::save(core::StateWriter& writer) const {
-  Body::State state = body_.state();
-  writer(state);
+  Body::State body = body_.state();
+  DeadReckoning::State belief = reckoning_.state();
+  writer(body, belief);
 }
 
-void DriveComponent::load(core::StateReader& reader) { reader(body_.state()); }
+void DriveComponent::load(core::StateReader& reader) { reader(body_.state(), reckoning_.state()); }
 
 }  // namespace clew::drive

@@ -7,6 +7,7 @@
 
 #include "core/parameters.hpp"
 #include "drive/body.hpp"
+#include "drive/dead_reckoning.hpp"
 #include "drive/drive_model.hpp"
 #include "runtime/component.hpp"
 #include "runtime/stage.hpp"
@@ -19,6 +20,9 @@ void visit_parameters(Visitor& visit, SafetyParameters& p) {
   visit.number("safety_margin_m", p.margin_m, "m", {0.0001, 0.1}, "how far short of contact");
 }
 
+/// Which random numbers are this component's, of those that a seed gives.
+inline constexpr std::uint32_t kRandomComponent = 2;
+
 /// The simulated robot: applies the command of the tick before, and tells the truth, what the robot
 /// itself knows of it, and the mission's target. Judges how the run ends.
 class DriveComponent final : public runtime::Component {
@@ -26,13 +30,14 @@ class DriveComponent final : public runtime::Component {
   static std::vector<runtime::PortInfo> ports();
 
   DriveComponent(std::unique_ptr<DriveModel> model, const SafetyParameters& safety,
-                 const runtime::RunSetup& setup);
+                 const DriftParameters& drift, const runtime::RunSetup& setup);
 
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
 
  private:
+  void move(const domain::Motion& motion, std::uint64_t tick);
   domain::Outcome judge(std::uint64_t tick, bool gave_up) const;
   void write_state(domain::State& state) const;
   void write_odometry(domain::Odometry& odometry) const;
@@ -40,7 +45,11 @@ class DriveComponent final : public runtime::Component {
   std::unique_ptr<DriveModel> model_;
   std::shared_ptr<const world::World> world_;
   std::uint64_t max_ticks_;
+  std::uint64_t seed_;
+  std::uint32_t robot_index_;
+  bool drifts_;
   Body body_;
+  DeadReckoning reckoning_;  // in use if it drifts
 };
 
 }  // namespace clew::drive

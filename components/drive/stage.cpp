@@ -9,9 +9,20 @@
 namespace clew::drive {
 namespace {
 
+// What a model can do depends on its parameters alone, not on the robot that it drives.
 double tick_s(const runtime::StageConfig& config) {
-  // The duration depends on the model alone, not on the robot that it drives.
   return drive_models().make(config.part("behaviour"), {}).value()->tick_s();
+}
+domain::MotionLimits limits(const runtime::StageConfig& config) {
+  return drive_models().make(config.part("behaviour"), {}).value()->limits();
+}
+
+/// The parameters of the stage itself: those of the safety layer and of odometry.
+std::vector<core::ParameterInfo> parameters() {
+  auto infos = core::describe_parameters<SafetyParameters>();
+  const auto drift = core::describe_parameters<DriftParameters>();
+  infos.insert(infos.end(), drift.begin(), drift.end());
+  return infos;
 }
 
 core::Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfig& config,
@@ -19,7 +30,8 @@ core::Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfi
   auto model = drive_models().make(config.part("behaviour"), setup.behaviour);
   if (!model.ok()) return model.error();
   return std::unique_ptr<runtime::Component>(std::make_unique<DriveComponent>(
-      std::move(model).value(), core::read_parameters<SafetyParameters>(config.parameters), setup));
+      std::move(model).value(), core::read_parameters<SafetyParameters>(config.parameters),
+      core::read_parameters<DriftParameters>(config.parameters), setup));
 }
 
 }  // namespace
@@ -29,11 +41,12 @@ const runtime::StageInfo& stage() {
       "drive",
       "the simulated robot: kinematics, contact, and how the run ends",
       DriveComponent::ports(),
-      core::describe_parameters<SafetyParameters>(),
+      parameters(),
       {{"behaviour", false, drive_models().variants()}},
       tick_s,
       nullptr,
-      make};
+      make,
+      limits};
   return info;
 }
 

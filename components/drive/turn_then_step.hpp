@@ -40,7 +40,8 @@ class TurnThenStep final : public DriveModel {
       : parameters_(parameters), wheel_base_m_(wheel_base_m) {}
 
   double tick_s() const override { return parameters_.tick_s; }
-  Legs legs(const domain::Motion& motion) const override;
+  domain::MotionLimits limits() const override;
+  Legs legs(const domain::Motion& motion, const Velocities& before) const override;
 
  private:
   Parameters parameters_;

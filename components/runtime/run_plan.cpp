@@ -85,8 +85,12 @@ void fill_setup(RunPlan& plan) {
   plan.setup.max_ticks = plan.graph.max_ticks;
   plan.setup.behaviour.tick_s = plan.graph.tick_s;
   for (const GraphStage& stage : plan.graph.stages) {
-    if (stage.info->scan_layout && stage.deployment.exec.empty()) {
+    if (!stage.deployment.exec.empty()) continue;
+    if (stage.info->scan_layout) {
       plan.setup.behaviour.scan = stage.info->scan_layout(stage.config);
+    }
+    if (stage.info->motion_limits) {
+      plan.setup.behaviour.limits = stage.info->motion_limits(stage.config);
     }
   }
 }

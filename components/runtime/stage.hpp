@@ -75,6 +75,8 @@ struct StageInfo {
   /// Makes the component, and with it checks data files and fit: an error says what is needed and
   /// what is there.
   std::function<core::Result<std::unique_ptr<Component>>(const StageConfig&, const RunSetup&)> make;
+  /// What the drive of this configuration can do; only drive knows.
+  std::function<domain::MotionLimits(const StageConfig&)> motion_limits = nullptr;
 };
 
 }  // namespace clew::runtime

@@ -23,7 +23,7 @@ world::World make_world(const std::string& obstacles) {
 
 Legs one_leg(double turn_rad, double step_m) {
   Legs legs;
-  legs.push_back({turn_rad, step_m, 0.3});
+  legs.push_back({turn_rad, step_m, 0.3, 0.0});
   return legs;
 }
 
@@ -121,8 +121,8 @@ TEST(Body, CollidesWithoutTheSafetyLayer) {
 
 TEST(Body, DoesNotGoOnInTheSameTickAfterItWasStopped) {
   Legs legs;
-  legs.push_back({0.0, 0.15, 0.15});
-  legs.push_back({core::radians(90.0), 0.15, 0.15});
+  legs.push_back({0.0, 0.15, 0.15, 0.0});
+  legs.push_back({core::radians(90.0), 0.15, 0.15, 0.0});
   Body body({5, 5, 0}, kRadius_m, {true, kMargin_m});
 
   body.move(make_world("walls: [[5.2, 0, 5.2, 20]]"), legs, 0.0);
@@ -130,6 +130,56 @@ TEST(Body, DoesNotGoOnInTheSameTickAfterItWasStopped) {
   EXPECT_NEAR(body.state().pose_world_robot.y_m, 5.0, kTolerance_m);
   EXPECT_NEAR(body.state().pose_world_robot.heading_rad, core::radians(90.0), 1e-12);
   EXPECT_EQ(body.state().safety_stops, 1u);
+}
+
+Legs one_arc(double step_m, double bend_rad) {
+  Legs legs;
+  legs.push_back({0.0, step_m, 0.1, bend_rad});
+  return legs;
+}
+
+TEST(Body, GoesAlongAnArc) {
+  Body body({5, 5, 0}, kRadius_m, {});
+
+  body.move(make_world(""), one_arc(core::kPi / 2.0, core::radians(90.0)), 0.0);
+
+  // A quarter of a circle of 1 m to the left.
+  const Body::State& state = body.state();
+  EXPECT_NEAR(state.pose_world_robot.x_m, 6.0, 1e-12);
+  EXPECT_NEAR(state.pose_world_robot.y_m, 6.0, 1e-12);
+  EXPECT_NEAR(state.pose_world_robot.heading_rad, core::radians(90.0), 1e-12);
+  EXPECT_NEAR(state.path_length_m, core::kPi / 2.0, 1e-12);
+  EXPECT_NEAR(state.speed_mps, core::kPi / 2.0 / 0.1, 1e-9);
+  EXPECT_NEAR(state.turn_rate_radps, core::radians(90.0) / 0.1, 1e-9);
+}
+
+TEST(Body, GoesBackwards) {
+  Body body({5, 5, 0}, kRadius_m, {});
+
+  body.move(make_world(""), one_arc(-0.2, 0.0), 0.0);
+
+  EXPECT_NEAR(body.state().pose_world_robot.x_m, 4.8, 1e-12);
+  EXPECT_NEAR(body.state().speed_mps, -2.0, 1e-9);
+  EXPECT_NEAR(body.state().path_length_m, 0.2, 1e-12);
+}
+
+TEST(Body, IsStoppedOnAnArcAndStillTurns) {
+  const double wall_m = 5.5;
+  Body body({5, 5, 0}, kRadius_m, {true, kMargin_m});
+
+  body.move(make_world("walls: [[0, 5.5, 20, 5.5]]"), one_arc(core::kPi / 2.0, core::radians(90.0)),
+            0.0);
+
+  // It stops where its centre is a disc and the margin short of the wall, on a circle of 1 m:
+  // y = 6 - cos(angle).
+  const double y_m = wall_m - kRadius_m - kMargin_m;
+  const double angle_rad = core::acos(6.0 - y_m);
+  const Body::State& state = body.state();
+  EXPECT_NEAR(state.pose_world_robot.y_m, y_m, 2e-6);
+  EXPECT_NEAR(state.pose_world_robot.x_m, 5.0 + core::sin(angle_rad), 1e-5);
+  EXPECT_NEAR(state.pose_world_robot.heading_rad, core::radians(90.0), 1e-12);
+  EXPECT_EQ(state.safety_stops, 1u);
+  EXPECT_TRUE(state.blocked);
 }
 
 // A disc of 0.2 m comes from the right along y = 5 at 1 m/s: its edge is at x = 5.8 at time 0.

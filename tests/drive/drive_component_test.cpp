@@ -19,7 +19,7 @@ using domain::Topic;
 class DriveRun {
  public:
   explicit DriveRun(const std::string& obstacles = "", bool safety = true,
-                    std::uint64_t max_ticks = 100) {
+                    std::uint64_t max_ticks = 100, const DriftParameters& drift = {}) {
     auto world = world::World::parse("format: clew-world/1\nname: test\nbounds: [0, 0, 20, 20]\n" +
                                          obstacles +
                                          "\nstart: [5, 5, 0]\ntarget: [6, 5]\ntarget_radius: 0.2\n",
@@ -29,7 +29,7 @@ class DriveRun {
     setup.world = std::make_shared<const world::World>(std::move(world).value());
     setup.max_ticks = max_ticks;
     component_.emplace(std::make_unique<TurnThenStep>(TurnThenStepParameters{}, 0.3),
-                       SafetyParameters{safety, 0.005}, setup);
+                       SafetyParameters{safety, 0.005}, drift, setup);
     command_.set(static_cast<std::size_t>(Topic::kCommand));
     for (const Topic topic : {Topic::kState, Topic::kOdometry, Topic::kTarget}) {
       outputs_.set(static_cast<std::size_t>(topic));
@@ -88,6 +88,22 @@ TEST(DriveComponent, AppliesTheCommandOfTheTickBefore) {
   const auto& odometry = std::get<domain::Odometry>(run.messages());
   EXPECT_EQ(odometry.pose_odom_robot, state.pose_world_robot);
   EXPECT_NEAR(odometry.travel_m, 0.1, 1e-12);
+}
+
+TEST(DriveComponent, BelievesWhatItsWheelsCountAndKnowsTheTruth) {
+  DriftParameters drift;
+  drift.m_per_m = 0.1;
+  DriveRun run("", true, 100, drift);
+  run.start();
+
+  const domain::State& state = run.step(ahead(0.1));
+
+  EXPECT_NEAR(state.pose_world_robot.x_m, 5.1, 1e-12);
+  const auto& odometry = std::get<domain::Odometry>(run.messages());
+  EXPECT_NEAR(odometry.pose_odom_robot.x_m, 5.11, 1e-12);
+  EXPECT_NEAR(odometry.travel_m, 0.11, 1e-12);
+  EXPECT_NEAR(odometry.speed_mps, 0.11 / 0.3, 1e-12);
+  EXPECT_EQ(std::get<domain::Target>(run.messages()).position(), core::Vec2(6, 5));
 }
 
 TEST(DriveComponent, RestsAndSaysSoWhenACommandIsLate) {

@@ -12,7 +12,7 @@ using domain::Motion;
 constexpr double kWheelBase_m = 0.3;
 
 Leg leg_of(const Motion& motion, const TurnThenStepParameters& parameters = {}) {
-  const Legs legs = TurnThenStep(parameters, kWheelBase_m).legs(motion);
+  const Legs legs = TurnThenStep(parameters, kWheelBase_m).legs(motion, {});
   EXPECT_EQ(legs.size(), 1u);
   return legs[0];
 }
