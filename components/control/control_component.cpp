@@ -20,7 +20,7 @@ std::vector<runtime::PortInfo> ControlComponent::ports() {
 ControlComponent::ControlComponent(std::unique_ptr<Controller> controller,
                                    const StepGuardParameters& guard, const runtime::RunSetup& setup)
     : controller_(std::move(controller)),
-      guard_(guard, setup.behaviour.robot.radius_m),
+      guard_(guard, setup.behaviour),
       radius_m_(setup.behaviour.robot.radius_m) {}
 
 void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "control/registry.hpp"
 
+#include "control/fuzzy_behaviourist.hpp"
 #include "control/krishna_kalra_fuzzy.hpp"
+#include "control/nearest_virtual_target.hpp"
 
 namespace clew::control {
 
@@ -10,6 +12,12 @@ const runtime::Registry<Controller>& controllers() {
       runtime::registration<Controller, KrishnaKalraFuzzy>(
           "krishna_kalra_fuzzy",
           "fuzzy target attraction and obstacle repulsion (Krishna & Kalra 2000, section 2.1)"),
+      runtime::registration<Controller, NearestVirtualTarget>(
+          "nearest_virtual_target",
+          "the gap with the shortest path, and 15 fuzzy rules (Nakhaeinia et al. 2015, NVT)"),
+      runtime::registration<Controller, FuzzyBehaviourist>(
+          "fuzzy_behaviourist",
+          "superposed elemental rules (Pin & Bender 1996, the fuzzy behaviourist approach)"),
   };
   return registry;
 }

@@ -17,27 +17,69 @@ double free_before_point_m(double distance_m, double angle_rad, double rho_m) {
   return std::max(0.0, ahead_m - std::sqrt(rho_m * rho_m - beside_m * beside_m));
 }
 
+/// The turn and step that a motion makes in a tick; none of a motion that is none.
+domain::Motion turn_and_step_of(const domain::Motion& motion, double tick_s, double wheel_base_m) {
+  if (motion.kind == domain::CommandKind::kTurnAndStep) return motion;
+  domain::Motion made;
+  made.kind = domain::CommandKind::kTurnAndStep;
+  if (motion.kind == domain::CommandKind::kVelocities) {
+    made.turn_rad = motion.turn_rate_radps * tick_s;
+    made.step_m = motion.speed_mps * tick_s;
+  } else if (motion.kind == domain::CommandKind::kWheelSpeeds) {
+    made.turn_rad = (motion.right_mps - motion.left_mps) / wheel_base_m * tick_s;
+    made.step_m = 0.5 * (motion.left_mps + motion.right_mps) * tick_s;
+  }
+  return made;
+}
+
+/// A turn and step as velocities, unless that is what was asked for.
+domain::Motion in_kind_of(const domain::Motion& asked, const domain::Motion& limited,
+                          double tick_s) {
+  if (asked.kind == domain::CommandKind::kTurnAndStep) return limited;
+  domain::Motion motion;
+  motion.kind = domain::CommandKind::kVelocities;
+  motion.turn_rate_radps = limited.turn_rad / tick_s;
+  motion.speed_mps = limited.step_m / tick_s;
+  return motion;
+}
+
 }  // namespace
 
 domain::Motion StepGuard::limit(const domain::Motion& motion, const domain::Odometry& odometry,
                                 const domain::Scan& scan) {
   keep_contacts(odometry);
-  if (!parameters_.enabled || motion.kind != domain::CommandKind::kTurnAndStep ||
-      motion.step_m <= 0.0) {
-    return motion;
-  }
-  domain::Motion limited = motion;
-  limited.step_m = std::min(motion.step_m, free_m(motion.turn_rad, odometry, scan));
-  if (limited.step_m >= std::min(motion.step_m, parameters_.least_step_m)) {
+  const domain::Motion asked = turn_and_step_of(motion, tick_s_, 2.0 * radius_m_);
+  if (!parameters_.enabled || asked.step_m <= 0.0) return motion;
+  const double most_rad = limits_.turn_rate_radps * tick_s_;
+  const double turn_rad = std::clamp(asked.turn_rad, -most_rad, most_rad);
+  const double wanted_m = stopping_m(asked.step_m);
+  const double free = free_m(turn_rad, wanted_m, odometry, scan);
+  domain::Motion limited = asked;
+  if (free < wanted_m) limited.step_m = std::min(asked.step_m, step_that_stops_within_m(free));
+  if (limited.step_m >= std::min(asked.step_m, parameters_.least_step_m)) {
     state_.turning_side = 0;
-    return limited;
+    return limited.step_m < asked.step_m ? in_kind_of(motion, limited, tick_s_) : motion;
   }
   if (state_.turning_side == 0) {
     state_.turning_side = nearest_bearing_rad(odometry, scan) > 0.0 ? -1 : 1;
   }
   limited.step_m = 0.0;
   limited.turn_rad = state_.turning_side * parameters_.turn_away_rad;
-  return limited;
+  return in_kind_of(motion, limited, tick_s_);
+}
+
+/// The way of a tick and of braking after it.
+double StepGuard::stopping_m(double step_m) const {
+  const double speed_mps = std::min(step_m / tick_s_, limits_.speed_mps);
+  return speed_mps * tick_s_ + 0.5 * speed_mps * speed_mps / limits_.acceleration_mps2;
+}
+
+/// The inverse: v T + v^2 / (2 a) = free, solved for v T.
+double StepGuard::step_that_stops_within_m(double free_m) const {
+  if (std::isinf(limits_.acceleration_mps2)) return free_m;
+  const double change_mps = limits_.acceleration_mps2 * tick_s_;
+  return tick_s_ * (std::sqrt(change_mps * change_mps + 2.0 * limits_.acceleration_mps2 * free_m) -
+                    change_mps);
 }
 
 void StepGuard::keep_contacts(const domain::Odometry& odometry) {
@@ -49,16 +91,19 @@ void StepGuard::keep_contacts(const domain::Odometry& odometry) {
   }
 }
 
-/// How far the robot may go after a turn, as far as cones and contacts tell.
-double StepGuard::free_m(double turn_rad, const domain::Odometry& odometry,
+/// How far the robot may go after a turn, as far as beams and contacts tell, at most wanted_m.
+double StepGuard::free_m(double turn_rad, double wanted_m, const domain::Odometry& odometry,
                          const domain::Scan& scan) const {
   const double rho_m = radius_m_ + parameters_.margin_m;
-  double free_m = std::numeric_limits<double>::max();
+  double free_m = wanted_m;
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
-    if (scan.ranges_m[i] >= scan.range_max_m) continue;
+    const double reading_m = scan.ranges_m[i];
+    // Most beams of a laser see nothing that is near enough to matter, whichever way they look.
+    if (reading_m >= scan.range_max_m || reading_m - parameters_.margin_m >= free_m) continue;
+    const double distance_m = (reading_m > scan.range_min_m ? reading_m : 0.0) + radius_m_;
     const double off_axis_rad = std::fabs(core::wrap_angle_rad(scan.bearing_rad(i) - turn_rad));
     const double angle_rad = std::max(0.0, off_axis_rad - 0.5 * scan.beam_width_rad);
-    free_m = std::min(free_m, free_before_point_m(scan.ranges_m[i] + radius_m_, angle_rad, rho_m));
+    free_m = std::min(free_m, free_before_point_m(distance_m, angle_rad, rho_m));
   }
   const double way_odom_rad = odometry.pose_odom_robot.heading_rad + turn_rad;
   for (const double contact_rad : state_.contacts_odom_rad) {

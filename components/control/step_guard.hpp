@@ -7,6 +7,7 @@
 #include "core/archive.hpp"
 #include "core/bounded_vector.hpp"
 #include "domain/messages.hpp"
+#include "domain/setup.hpp"
 
 namespace clew::control {
 
@@ -31,19 +32,21 @@ void visit_parameters(Visitor& visit, StepGuardParameters& p) {
 /// Cuts a step to what is known to be free: the control law of Krishna & Kalra 2000 takes no step
 /// to 0 and does not see beside itself, and collides as printed in half of the worlds.
 ///
-/// A reading d of a cone stands for an arc of points at d + r from the centre. A disc of radius rho
+/// A reading d of a beam stands for an arc of points at d + r from the centre. A disc of radius rho
 /// = r + margin that moves off at an angle alpha from the arc's nearest end may go
 ///
 ///     (d + r) cos alpha - sqrt(rho^2 - ((d + r) sin alpha)^2)
 ///
-/// before it touches. Contacts that the bumpers felt are returns on the skin until the robot moves
-/// away, since the cones do not see beside it: else drive and guard hold each other still. Where no
-/// step is left the robot turns on the spot, away from the nearest return, and keeps that side
-/// until it moves again; without that it deadlocks at corners. Steps that shrink toward an obstacle
-/// without end count as nothing from least_step_m down.
+/// before it touches; a reading at the sensor's least is none but *at most that*, and taken as 0.
+/// Contacts that the bumpers felt are returns on the skin until the robot moves away, since the
+/// cones do not see beside it: else drive and guard hold each other still. Where no step is left
+/// the robot turns on the spot, away from the nearest return, and keeps that side until it moves
+/// again; without that it deadlocks at corners. Steps that shrink toward an obstacle without end
+/// count as nothing from least_step_m down.
 ///
-/// The guard binds every motion, the overrides of recovery included, but only turn-and-step ones:
-/// others need a drive's own limits.
+/// The guard binds every motion ahead, the overrides of recovery included: velocities and wheel
+/// speeds as the turn and step that they make in a tick. A drive that brakes with a deceleration of
+/// a needs v^2 / (2 a) after the tick to come to rest, so that as much stays free.
 class StepGuard {
  public:
   struct State {
@@ -52,8 +55,11 @@ class StepGuard {
     core::BoundedVector<double, domain::kMaxContacts> contacts_odom_rad;  ///< directions
   };
 
-  StepGuard(const StepGuardParameters& parameters, double radius_m)
-      : parameters_(parameters), radius_m_(radius_m) {}
+  StepGuard(const StepGuardParameters& parameters, const domain::BehaviourSetup& setup)
+      : parameters_(parameters),
+        radius_m_(setup.robot.radius_m),
+        tick_s_(setup.tick_s),
+        limits_(setup.limits) {}
 
   /// The motion, or what is allowed of it. Called every tick.
   domain::Motion limit(const domain::Motion& motion, const domain::Odometry& odometry,
@@ -64,11 +70,16 @@ class StepGuard {
 
  private:
   void keep_contacts(const domain::Odometry& odometry);
-  double free_m(double turn_rad, const domain::Odometry& odometry, const domain::Scan& scan) const;
+  double stopping_m(double step_m) const;
+  double step_that_stops_within_m(double free_m) const;
+  double free_m(double turn_rad, double wanted_m, const domain::Odometry& odometry,
+                const domain::Scan& scan) const;
   double nearest_bearing_rad(const domain::Odometry& odometry, const domain::Scan& scan) const;
 
   StepGuardParameters parameters_;
   double radius_m_;
+  double tick_s_;
+  domain::MotionLimits limits_;
   State state_;
 };
 

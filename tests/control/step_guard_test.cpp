@@ -46,7 +46,29 @@ domain::Odometry odometry_at(double travel_m) {
 StepGuard guard(bool enabled = true) {
   StepGuardParameters parameters;
   parameters.enabled = enabled;
-  return {parameters, kRadius_m};
+  domain::BehaviourSetup setup;
+  setup.robot.radius_m = kRadius_m;
+  setup.tick_s = 0.3;
+  return {parameters, setup};
+}
+
+/// The guard of a drive with a tick of 0.1 s that brakes with 0.5 m/s^2 and turns by 45 deg/s.
+StepGuard guard_of_a_heavy_robot() {
+  domain::BehaviourSetup setup;
+  setup.robot.radius_m = kRadius_m;
+  setup.tick_s = 0.1;
+  setup.limits.speed_mps = 0.6;
+  setup.limits.turn_rate_radps = radians(45.0);
+  setup.limits.acceleration_mps2 = 0.5;
+  return {{}, setup};
+}
+
+domain::Motion velocities_of(double speed_mps, double turn_rate_radps) {
+  domain::Motion motion;
+  motion.kind = domain::CommandKind::kVelocities;
+  motion.speed_mps = speed_mps;
+  motion.turn_rate_radps = turn_rate_radps;
+  return motion;
 }
 
 TEST(StepGuard, LetsAFreeStepPass) {
@@ -152,15 +174,64 @@ TEST(StepGuard, RemembersAContactUntilTheRobotMoves) {
   EXPECT_EQ(elsewhere_m, 0.15);
 }
 
-TEST(StepGuard, LeavesOtherMotionsAlone) {
-  domain::Motion velocities;
-  velocities.kind = domain::CommandKind::kVelocities;
-  velocities.speed_mps = 1.0;
-
-  EXPECT_EQ(guard().limit(velocities, odometry_at(0), scan_with(3, 0.0)).speed_mps, 1.0);
+TEST(StepGuard, LeavesMotionsAloneThatDoNotGoAhead) {
+  EXPECT_EQ(guard().limit(velocities_of(-1.0, 0.5), odometry_at(0), scan_with(3, 0.0)).speed_mps,
+            -1.0);
+  EXPECT_EQ(guard().limit({}, odometry_at(0), scan_with(3, 0.0)).kind, domain::CommandKind::kStop);
   EXPECT_EQ(guard().limit(motion_of(90, 0.0), odometry_at(0), scan_with(3, 0.0)).turn_rad,
             radians(90.0));
   EXPECT_EQ(guard(false).limit(motion_of(0, 0.15), odometry_at(0), scan_with(3, 0.0)).step_m, 0.15);
+}
+
+TEST(StepGuard, CutsVelocitiesAsTheStepThatTheyMake) {
+  // 0.07 m are free, in a tick of 0.3 s.
+  const domain::Motion motion =
+      guard().limit(velocities_of(0.5, 0.0), odometry_at(0), scan_with(3, 0.12));
+
+  EXPECT_EQ(motion.kind, domain::CommandKind::kVelocities);
+  EXPECT_NEAR(motion.speed_mps, 0.07 / 0.3, 1e-12);
+}
+
+TEST(StepGuard, CutsWheelSpeedsToVelocities) {
+  domain::Motion wheels;
+  wheels.kind = domain::CommandKind::kWheelSpeeds;
+  wheels.left_mps = 0.49;
+  wheels.right_mps = 0.51;
+
+  const domain::Motion free = guard().limit(wheels, odometry_at(0), free_scan());
+  const domain::Motion cut = guard().limit(wheels, odometry_at(0), scan_with(3, 0.12));
+
+  EXPECT_EQ(free.kind, domain::CommandKind::kWheelSpeeds);
+  EXPECT_EQ(cut.kind, domain::CommandKind::kVelocities);
+  EXPECT_NEAR(cut.speed_mps, 0.07 / 0.3, 1e-3);  // nearly straight ahead
+  EXPECT_NEAR(cut.turn_rate_radps, 0.02 / 0.3, 1e-12);
+}
+
+TEST(StepGuard, KeepsTheWayFreeInWhichTheDriveCanBrake) {
+  // 0.30 m less the margin are 0.25 m free: v 0.1 + v^2 / (2 0.5) = 0.25 at v = 0.4525.
+  const domain::Motion cut =
+      guard_of_a_heavy_robot().limit(velocities_of(0.6, 0.0), odometry_at(0), scan_with(3, 0.30));
+  // 0.6 m/s need 0.06 + 0.36 = 0.42 m.
+  const domain::Motion free =
+      guard_of_a_heavy_robot().limit(velocities_of(0.6, 0.0), odometry_at(0), scan_with(3, 0.48));
+
+  EXPECT_NEAR(cut.speed_mps * 0.1 + cut.speed_mps * cut.speed_mps, 0.25, 1e-12);
+  EXPECT_EQ(free.speed_mps, 0.6);
+}
+
+TEST(StepGuard, LooksWhereTheDriveCanTurnWithinTheTick) {
+  // 4.5 degrees are all it turns in a tick of those 60 that are asked for.
+  const domain::Motion motion = guard_of_a_heavy_robot().limit(velocities_of(0.6, radians(600.0)),
+                                                               odometry_at(0), scan_with(3, 0.06));
+
+  EXPECT_LT(motion.speed_mps, 0.2);
+}
+
+TEST(StepGuard, TakesAReadingAtTheSensorsLeastAsContact) {
+  domain::Scan scan = scan_with(3, 0.10);
+  scan.range_min_m = 0.10;
+
+  EXPECT_EQ(guard().limit(motion_of(0, 0.15), odometry_at(0), scan).step_m, 0.0);
 }
 
 }  // namespace

@@ -12,19 +12,33 @@ namespace {
 
 runtime::ConfigPath configs() { return runtime::ConfigPath({CLEW_SOURCE_DIR "/configs"}); }
 
-runtime::RunPlan make_plan(const std::string& graph, const std::string& world,
-                           const std::vector<std::string>& with,
-                           const std::vector<std::string>& set) {
+core::Result<runtime::RunPlan> prepare(const std::string& graph, const std::string& world,
+                                       const std::vector<std::string>& with,
+                                       const std::vector<std::string>& set) {
   runtime::GraphOverrides overrides;
   overrides.world = world;
   overrides.with = with;
   overrides.set = set;
-  auto plan = runtime::prepare_run(graph, overrides, configs(), all());
+  return runtime::prepare_run(graph, overrides, configs(), all());
+}
+
+runtime::RunPlan make_plan(const std::string& graph, const std::string& world,
+                           const std::vector<std::string>& with,
+                           const std::vector<std::string>& set) {
+  auto plan = prepare(graph, world, with, set);
   EXPECT_TRUE(plan.ok()) << plan.error().text();
   return std::move(plan).value();
 }
 
 }  // namespace
+
+std::vector<std::string> shipped_graphs() { return configs().names("graphs"); }
+
+std::string Mission::refusal(const std::string& graph, const std::string& world,
+                             const std::vector<std::string>& with) {
+  const auto plan = prepare(graph, world, with, {});
+  return plan.ok() ? std::string() : plan.error().text();
+}
 
 Mission::Mission(const std::string& graph, const std::string& world,
                  const std::vector<std::string>& with, const std::vector<std::string>& set)

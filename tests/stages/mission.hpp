@@ -9,6 +9,9 @@
 
 namespace clew::stages {
 
+/// The names of the graphs in configs/.
+std::vector<std::string> shipped_graphs();
+
 /// A run of a shipped graph in one thread, which can be stopped, saved and taken up.
 class Mission {
  public:
@@ -22,6 +25,10 @@ class Mission {
   /// `graph` in `world`; `with` and `set` as on the command line.
   Mission(const std::string& graph, const std::string& world,
           const std::vector<std::string>& with = {}, const std::vector<std::string>& set = {});
+
+  /// Why the same would not be run; empty if it would.
+  static std::string refusal(const std::string& graph, const std::string& world,
+                             const std::vector<std::string>& with);
 
   /// One tick of all stages.
   void step();
