@@ -15,10 +15,17 @@ void RunTally::add(const domain::Guidance& guidance) { mode = guidance.mode; }
 
 void RunTally::add(const domain::Event& event) {
   for (const domain::EventEntry& entry : event.entries) {
+    if (entry.kind == domain::EventKind::kTrap) add_alarm(entry);
     if (entry.shadow) continue;
     if (entry.kind == domain::EventKind::kTrap) ++traps_detected;
     if (entry.kind == domain::EventKind::kVirtualTarget) ++virtual_targets;
   }
+}
+
+void RunTally::add_alarm(const domain::EventEntry& entry) {
+  if (alarms.size() >= kMostRules && alarms.count(entry.rule) == 0) return;
+  Alarms& of_rule = alarms[entry.rule];
+  ++(entry.shadow ? of_rule.in_shadow : of_rule.in_command);
 }
 
 void RunTally::merge(const RunTally& other) {
@@ -26,6 +33,10 @@ void RunTally::merge(const RunTally& other) {
   if (other.mode) mode = other.mode;
   traps_detected += other.traps_detected;
   virtual_targets += other.virtual_targets;
+  for (const auto& [rule, count] : other.alarms) {
+    alarms[rule].in_command += count.in_command;
+    alarms[rule].in_shadow += count.in_shadow;
+  }
 }
 
 }  // namespace clew::bridge

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "domain/topics.hpp"
 
@@ -23,10 +25,18 @@ struct RunTally {
     std::uint32_t safety_stops = 0;
   };
 
+  /// How often a rule said *trap*.
+  struct Alarms {
+    std::uint32_t in_command = 0;
+    std::uint32_t in_shadow = 0;
+  };
+  static constexpr std::size_t kMostRules = 64;  ///< a component of someone else's may say anything
+
   std::optional<Truth> truth;                ///< from `state`
   std::optional<domain::GuidanceMode> mode;  ///< from `guidance`
   std::uint32_t traps_detected = 0;          ///< from `event`, shadows left out
   std::uint32_t virtual_targets = 0;         ///< from `event`
+  std::map<std::string, Alarms> alarms;      ///< by rule, from `event`; the first kMostRules
 
   void add(const domain::State& state);
   void add(const domain::Guidance& guidance);
@@ -37,6 +47,9 @@ struct RunTally {
 
   /// Takes over what another process, which saw other topics, has gathered.
   void merge(const RunTally& other);
+
+ private:
+  void add_alarm(const domain::EventEntry& entry);
 };
 
 template <typename V>
@@ -45,8 +58,12 @@ void visit_fields(V& v, RunTally::Truth& t) {
     t.safety_stops);
 }
 template <typename V>
+void visit_fields(V& v, RunTally::Alarms& a) {
+  v(a.in_command, a.in_shadow);
+}
+template <typename V>
 void visit_fields(V& v, RunTally& t) {
-  v(t.truth, t.mode, t.traps_detected, t.virtual_targets);
+  v(t.truth, t.mode, t.traps_detected, t.virtual_targets, t.alarms);
 }
 
 }  // namespace clew::bridge

@@ -36,6 +36,20 @@ struct RunOptions {
 };
 int run_command(const RunOptions& options);
 
+struct BenchCommandOptions {
+  std::string suite;
+  std::vector<std::string> graphs;  ///< in place of the suite's
+  std::vector<std::string> with;
+  std::vector<std::string> set;
+  std::vector<std::string> vary;  ///< `PATH=VALUE,VALUE,...`
+  std::size_t jobs = 0;           ///< worker processes; 0: one a core
+  std::string out;                ///< empty: out/bench/SUITE
+  bool force = false;
+  bool json = false;
+  std::string write_worlds;  ///< a directory for the generated worlds, instead of running
+};
+int bench_command(const BenchCommandOptions& options);
+
 struct CheckOptions {
   std::string graph;
   runtime::GraphOverrides overrides;

@@ -59,6 +59,33 @@ void add_run(CLI::App& main, RunOptions& options, Outcome& outcome) {
   });
 }
 
+void add_bench(CLI::App& main, BenchCommandOptions& options, Outcome& outcome) {
+  CLI::App* app = main.add_subcommand("bench", "Run graphs in all worlds of a suite, and compare");
+  app->add_option("suite", options.suite, "a name or a path")->required();
+  app->add_option("--graph", options.graphs, "in place of the suite's graphs; may be repeated")
+      ->allow_extra_args(false);
+  app->add_option("--with", options.with, "STAGE[.PART]=NAME[,NAME...]: in every graph")
+      ->allow_extra_args(false);
+  app->add_option("--set", options.set, "STAGE[.PART][.NAME].PARAM=VALUE: in every graph")
+      ->allow_extra_args(false);
+  app->add_option(
+         "--vary", options.vary,
+         "STAGE.PART=NAME,NAME,... or STAGE...PARAM=VALUE,VALUE,...: every graph with each "
+         "of them; A+B is the list of A and B; repeated: all combinations, and two make a "
+         "matrix in the report")
+      ->allow_extra_args(false);
+  app->add_option("--jobs", options.jobs, "worker processes (one a core)")
+      ->check(CLI::Range(1, 1024));
+  app->add_option("--out", options.out,
+                  "directory for results and report (out/bench/SUITE); results that are there are "
+                  "gone on from");
+  app->add_flag("--force", options.force, "drop the results that are there");
+  app->add_flag("--json", options.json, "print one JSON object a run");
+  app->add_option("--write-worlds", options.write_worlds,
+                  "write the generated worlds and their pictures to a directory, run nothing");
+  app->callback([&] { outcome.status = bench_command(options); });
+}
+
 void add_check(CLI::App& main, CheckOptions& options, Outcome& outcome) {
   CLI::App* app = main.add_subcommand("check", "Check a graph and show its wiring");
   app->add_option("graph", options.graph, "a name or a path")->required();
@@ -164,7 +191,7 @@ void add_train(CLI::App& main, TrainSomOptions& options, Outcome& outcome) {
 
 // Names that later versions will use.
 void add_reserved(CLI::App& main, Outcome& outcome) {
-  for (const char* name : {"bench", "topic", "view", "bridge", "doctor"}) {
+  for (const char* name : {"topic", "view", "bridge", "doctor"}) {
     CLI::App* app = main.add_subcommand(name, "not in this version");
     app->group("");
     app->allow_extras();
@@ -180,6 +207,7 @@ int parse_and_run(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   Outcome outcome;
   RunOptions run;
+  BenchCommandOptions bench;
   CheckOptions check;
   ListOptions list;
   ComponentOptions component;
@@ -189,6 +217,7 @@ int parse_and_run(int argc, char** argv) {
   ReplayOptions replay;
   TrainSomOptions train;
   add_run(app, run, outcome);
+  add_bench(app, bench, outcome);
   add_check(app, check, outcome);
   add_list(app, list, outcome);
   add_component(app, component, outcome);

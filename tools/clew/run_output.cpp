@@ -34,6 +34,27 @@ RunTally::Truth truth_of(const RunReport& report) {
   return report.tally.truth.value_or(RunTally::Truth{});
 }
 
+/// `1 trap`, `2 traps`.
+std::string count_text(std::uint64_t count, const std::string& what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// Who said *trap* how often: ` (landmark_revisit 2; in shadow: oscillation 1)`; empty if nobody.
+std::string alarms_text(const RunTally& tally) {
+  std::string in_command;
+  std::string in_shadow;
+  const auto add = [](std::string& text, const std::string& rule, std::uint32_t count) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", rule, count);
+  };
+  for (const auto& [rule, alarms] : tally.alarms) {
+    add(in_command, rule, alarms.in_command);
+    add(in_shadow, rule, alarms.in_shadow);
+  }
+  if (!in_shadow.empty())
+    in_command += (in_command.empty() ? "" : "; ") + ("in shadow: " + in_shadow);
+  return in_command.empty() ? "" : " (" + in_command + ')';
+}
+
 }  // namespace
 
 std::string outcome_word(const RunReport& report) {
@@ -107,8 +128,9 @@ std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {
       fmt::format("{} in {}: {} ticks ({:.1f} s), path {:.2f} m", outcome_word(report),
                   plan.graph.world, truth.tick, truth.sim_time_s, truth.path_length_m);
   if (shortest_m) line += fmt::format(" ({:.2f} x shortest)", truth.path_length_m / *shortest_m);
-  line += fmt::format(", {} traps, {} collisions, {} safety stops", report.tally.traps_detected,
-                      truth.collisions, truth.safety_stops);
+  line += ", " + count_text(report.tally.traps_detected, "trap") + alarms_text(report.tally);
+  line += ", " + count_text(truth.collisions, "collision") + ", " +
+          count_text(truth.safety_stops, "safety stop");
   line += fmt::format(", {:.0f} ticks/s", report.ticks_per_s);
   if (report.hash) line += ", hash " + report.hash->hex();
   return line;

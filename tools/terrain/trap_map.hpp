@@ -43,6 +43,7 @@ class TrapMap {
   TrapMap(const ClearanceGrid& grid, double radius_m, double least_depth_m);
 
   const std::vector<Trap>& traps() const { return traps_; }
+  const Vec2& target() const { return grid_->world().target(); }
 
   /// The innermost trap whose region a place lies in, to the nearest free node; none outside.
   std::optional<std::size_t> trap_at(const Vec2& position) const;

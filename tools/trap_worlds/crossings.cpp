@@ -7,6 +7,7 @@ namespace clew::trap_worlds {
 namespace {
 
 constexpr double kRobotWidth_m = 0.3;
+constexpr double kFastest_mps = 0.5;  // of the drives that ship
 
 }  // namespace
 
@@ -82,7 +83,6 @@ WorldDraft draw_closing_door(Dice& dice, double depth_m) {
   const double door_m = dice.between(0.9, 1.2);
   const double side_m = std::max(depth_m, 0.6);
   const double far_door_m = side_m + dice.between(2.0, 3.0);
-  const double closed_s = dice.between(6.0, 20.0);
   draft.say("door", door_m);
   draft.say("second door at", far_door_m);
   draft.say("side walls", side_m);
@@ -96,17 +96,20 @@ WorldDraft draw_closing_door(Dice& dice, double depth_m) {
   draft.add_walls({{left_m, 0.0}, {-1.4, 0.0}});
   draft.add_walls({{1.4, 0.0}, {far_door_m, 0.0}});
   draft.add_walls({{far_door_m + door_m, 0.0}, {right_m, 0.0}});
-  // A round leaf behind the wall comes before the door, and then into it.
+  draft.start = {dice.between(-0.3, 0.3), -side_m - dice.between(2.5, 3.5)};
+  // A round leaf behind the wall comes before the door and then into it, in the robot's sight, but
+  // so early that no robot drives into it that does not see it.
+  const double closed_s = -draft.start.y() / kFastest_mps - dice.between(1.0, 3.0);
+  draft.say_time("closed after", closed_s);
   const double leaf_m = half_m - 0.05;
   const double aside_m = half_m + leaf_m + 0.1;
   world::MovingObstacle leaf;
   leaf.radius_m = leaf_m;
   leaf.path = {{0.0, {aside_m, leaf_m + 0.1}},
-               {closed_s, {aside_m, leaf_m + 0.1}},
-               {closed_s + 4.0, {0.0, leaf_m + 0.1}},
-               {closed_s + 6.0, {0.0, 0.0}}};
+               {closed_s - 3.0, {aside_m, leaf_m + 0.1}},
+               {closed_s - 1.5, {0.0, leaf_m + 0.1}},
+               {closed_s, {0.0, 0.0}}};
   draft.moving = {leaf};
-  draft.start = {dice.between(-0.3, 0.3), -side_m - dice.between(0.8, 1.6)};
   draft.target = {dice.between(-0.5, 0.5), 2.0 * leaf_m + dice.between(1.0, 1.6)};
   const double front_m = draft.start.y() - 1.5;
   const double back_m = draft.target.y() + 1.5;

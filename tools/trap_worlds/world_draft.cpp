@@ -89,6 +89,10 @@ void WorldDraft::say(const std::string& name, double length_m) {
   parameters += fmt::format("{}{} {:.2f} m", parameters.empty() ? "" : ", ", name, length_m);
 }
 
+void WorldDraft::say_time(const std::string& name, double time_s) {
+  parameters += fmt::format("{}{} {:.1f} s", parameters.empty() ? "" : ", ", name, time_s);
+}
+
 void WorldDraft::say_count(const std::string& name, int count) {
   parameters += fmt::format("{}{} {}", parameters.empty() ? "" : ", ", count, name);
 }

@@ -26,8 +26,9 @@ struct WorldDraft {
 
   /// Adds walls from each point to the next.
   void add_walls(const std::vector<Vec2>& points);
-  /// Adds ` name value m` to the parameters.
+  /// Adds `name value m` to the parameters.
   void say(const std::string& name, double length_m);
+  void say_time(const std::string& name, double time_s);
   void say_count(const std::string& name, int count);
 };
 

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/bench_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include "stages/all.hpp"
+
+namespace clew::bench {
+namespace {
+
+runtime::ConfigPath configs() {
+  return runtime::ConfigPath({std::string(CLEW_SOURCE_DIR) + "/configs"});
+}
+
+Suite small_suite() {
+  Suite suite;
+  suite.name = "small";
+  suite.graphs = {"krishna_kalra", "reactive"};
+  suite.worlds = {{"traps", {"u-trap"}}};
+  return suite;
+}
+
+core::Result<BenchPlan> plan(const Suite& suite, const BenchChanges& changes = {}) {
+  return plan_bench(suite, changes, configs(), stages::all());
+}
+
+TEST(BenchPlan, EverySuiteThatShipsHasAPlan) {
+  const auto names = configs().names("suites");
+
+  EXPECT_GE(names.size(), 3u);
+  for (const std::string& name : names) {
+    const auto suite = read_suite(*configs().find("suites", name), name);
+    ASSERT_TRUE(suite.ok()) << suite.error().text();
+    const auto planned = plan(*suite);
+    ASSERT_TRUE(planned.ok()) << name << ": " << planned.error().text();
+    EXPECT_GT(planned->runs(), 0u) << name;
+  }
+}
+
+TEST(BenchPlan, VariationsMakeEveryCombination) {
+  Suite suite = small_suite();
+  suite.graphs = {"krishna_kalra"};
+  BenchChanges changes;
+  changes.variations = {
+      {"recover.detector", {{"landmark_revisit"}, {"none"}}},
+      {"recover.escape", {{"obstacle_following"}, {"none", "obstacle_following"}}}};
+
+  const auto planned = plan(suite, changes);
+
+  ASSERT_TRUE(planned.ok()) << planned.error().text();
+  std::vector<std::string> labels;
+  for (const Variant& variant : planned->variants) labels.push_back(variant.label());
+  EXPECT_EQ(
+      labels,
+      (std::vector<std::string>{
+          "krishna_kalra [recover.detector=landmark_revisit recover.escape=obstacle_following]",
+          "krishna_kalra [recover.detector=landmark_revisit "
+          "recover.escape=none+obstacle_following]",
+          "krishna_kalra [recover.detector=none recover.escape=obstacle_following]",
+          "krishna_kalra [recover.detector=none recover.escape=none+obstacle_following]"}));
+  EXPECT_EQ(planned->variants[1].overrides.with.back(), "recover.escape=none,obstacle_following");
+}
+
+TEST(BenchPlan, ParametersAreVariedAsWell) {
+  Suite suite = small_suite();
+  BenchChanges changes;
+  changes.variations = {{"sense.range_m", {{"1.2"}, {"1.8"}}}};
+
+  const auto planned = plan(suite, changes);
+
+  ASSERT_TRUE(planned.ok()) << planned.error().text();
+  EXPECT_EQ(planned->variants.size(), 4u);
+  EXPECT_EQ(planned->variants[3].label(), "reactive [sense.range_m=1.8]");
+  EXPECT_EQ(planned->variants[3].overrides.set.back(), "sense.range_m=1.8");
+}
+
+TEST(BenchPlan, ChangesReplaceGraphsAndVariationsOfTheSuite) {
+  Suite suite = small_suite();
+  suite.variations = {{"sense.range_m", {{"1.2"}, {"1.5"}, {"1.8"}}}};
+  BenchChanges changes;
+  changes.graphs = {"reactive"};
+  changes.variations = {{"sense.range_m", {{"2"}}}};
+
+  const auto planned = plan(suite, changes);
+
+  ASSERT_TRUE(planned.ok()) << planned.error().text();
+  ASSERT_EQ(planned->variants.size(), 1u);
+  EXPECT_EQ(planned->variants[0].label(), "reactive [sense.range_m=2]");
+}
+
+TEST(BenchPlan, WhatDecidesTheResultsIsInTheConfiguration) {
+  const auto one = plan(small_suite());
+  Suite longer = small_suite();
+  longer.max_ticks = 100;
+  BenchChanges changes;
+  changes.set = {"sense.range_m=1.2"};
+  const auto other = plan(longer, changes);
+
+  ASSERT_TRUE(one.ok() && other.ok());
+  EXPECT_EQ(one->configuration.at("world u-trap"), other->configuration.at("world u-trap"));
+  EXPECT_NE(one->configuration.at("max_ticks"), other->configuration.at("max_ticks"));
+  EXPECT_NE(one->configuration.at("graph reactive"), other->configuration.at("graph reactive"));
+}
+
+struct Refusal {
+  std::string what;
+  Suite suite;
+  BenchChanges changes;
+  std::string message;
+};
+
+TEST(BenchPlan, RefusesWhatCannotBeRun) {
+  Suite unknown_graph = small_suite();
+  unknown_graph.graphs = {"raective"};
+  Suite unknown_world = small_suite();
+  unknown_world.worlds = {{"traps", {"u-trpa"}}};
+  Suite no_match = small_suite();
+  no_match.worlds = {{"traps", {"xyz*"}}};
+  Suite twice = small_suite();
+  twice.worlds = {{"a", {"u-trap"}}, {"b", {"u-*"}}};
+  BenchChanges no_stage;
+  no_stage.variations = {{"recovr.detector", {{"none"}}}};
+  BenchChanges same_value;
+  same_value.variations = {{"sense.range_m", {{"1.2"}, {"1.2"}}}};
+  BenchChanges out_of_range;
+  out_of_range.variations = {{"sense.range_m", {{"-1"}}}};
+  const std::vector<Refusal> refusals = {
+      {"graph", unknown_graph, {}, "did you mean 'reactive'?"},
+      {"world", unknown_world, {}, "did you mean 'u-trap'?"},
+      {"pattern", no_match, {}, "no world's name matches 'xyz*'"},
+      {"twice", twice, {}, "world 'u-trap' stands twice"},
+      {"stage", small_suite(), no_stage, "did you mean 'recover'?"},
+      {"value twice", small_suite(), same_value, "is asked for twice"},
+      {"range", small_suite(), out_of_range, "krishna_kalra [sense.range_m=-1]: range_m is -1"}};
+
+  for (const Refusal& refusal : refusals) {
+    const auto planned = plan(refusal.suite, refusal.changes);
+
+    ASSERT_FALSE(planned.ok()) << refusal.what;
+    EXPECT_NE(planned.error().text().find(refusal.message), std::string::npos)
+        << refusal.what << ": " << planned.error().text();
+  }
+}
+
+}  // namespace
+}  // namespace clew::bench

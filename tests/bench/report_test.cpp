@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bench/run_result.hpp"
+
+namespace clew::bench {
+namespace {
+
+/// Two variants in two worlds, a solvable and an unsolvable one.
+class ReportOfFourRuns : public testing::Test {
+ protected:
+  ReportOfFourRuns() {
+    plan_.suite = "test";
+    plan_.configuration["max_ticks"] = "100";
+    plan_.seeds = {1};
+    plan_.worlds = {{"open", "field", {}}, {"closed", "box", {}}};
+    plan_.variants = {{"good", {}, {}}, {"bad", {}, {}}};
+    results_.plan = &plan_;
+    results_.runs = {run("good", "field", "reached", true, true, 12.0),
+                     run("good", "box", "unreachable", false, true, 30.0),
+                     run("bad", "field", "reached", true, true, 15.0),
+                     run("bad", "box", "timeout", false, false, 50.0)};
+    results_.runs[0].detectors = {{"revisit", false, 3, 1, 1, {4.0}, {2.0}}};
+    results_.runs[0].captures = 2;
+    results_.runs[3].collisions = 2;
+  }
+
+  static RunResult run(const std::string& graph, const std::string& world,
+                       const std::string& outcome, bool solvable, bool success, double path_m) {
+    RunResult run;
+    run.key = {graph, "", world, 1};
+    run.family = world == "field" ? "open" : "closed";
+    run.outcome = outcome;
+    run.solvable = solvable;
+    run.success = success;
+    run.path_length_m = path_m;
+    if (solvable) run.shortest_path_m = 10.0;
+    run.ticks_per_s = 1000.0;
+    run.sim_time_s = 9.0;
+    return run;
+  }
+
+  BenchPlan plan_;
+  BenchResults results_;
+};
+
+TEST_F(ReportOfFourRuns, CountsSuccessApartForSolvableAndUnsolvable) {
+  const Table table = overall_table(results_);
+
+  ASSERT_EQ(table.rows.size(), 2u);
+  // Wilson intervals of 2 of 2, 1 of 1, 1 of 2 and 0 of 1.
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"good", "2/2 100 % [34, 100]",
+                                                     "1/1 100 % [21, 100]", "1/1 100 % [21, 100]",
+                                                     "0", "0", "0", "1.20, 1.20", "9, 9", "1000"}));
+  EXPECT_EQ(table.rows[1][1], "1/2 50 % [9, 91]");
+  EXPECT_EQ(table.rows[1][3], "0/1 0 % [0, 79]");
+  EXPECT_EQ(table.rows[1][4], "2");
+}
+
+TEST_F(ReportOfFourRuns, TellsFamiliesApart) {
+  const Table table = family_table(results_);
+
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"family", "good", "bad"}));
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.rows[1],
+            (std::vector<std::string>{"closed", "1/1 100 % [21, 100]", "0/1 0 % [0, 79]"}));
+}
+
+TEST_F(ReportOfFourRuns, TellsWhatDetectorsNoticed) {
+  const Table table = detector_table(results_);
+
+  ASSERT_EQ(table.rows.size(), 1u);
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"good", "revisit", "2", "1", "0", "1",
+                                                     "4.0, 4.0", "2.0, 2.0"}));
+}
+
+TEST_F(ReportOfFourRuns, ComparesPairs) {
+  const Table table = paired_table(results_);
+
+  // One pair differs, in favour of the first; 15 m over 12 m where both arrived.
+  ASSERT_EQ(table.rows.size(), 1u);
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"bad", "0", "1", "1", "1.250 of 1"}));
+}
+
+TEST_F(ReportOfFourRuns, HasARowForEveryRunInCsv) {
+  const std::string csv = to_csv(results_);
+
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+  EXPECT_NE(
+      csv.find("\nbad,,closed,box,1,timeout,false,false,0,9.0000,50.0000,,,2,0,0,,false,0,0\n"),
+      std::string::npos)
+      << csv;
+}
+
+TEST_F(ReportOfFourRuns, EscapesWhatMarkupWouldTake) {
+  plan_.about = "a < b | c & \"d\"";
+  const Report report = make_report(results_, {{"pictures/<1>.svg", "worst | of all"}});
+
+  EXPECT_NE(to_html(report).find("a &lt; b | c &amp; &quot;d&quot;"), std::string::npos);
+  EXPECT_NE(to_html(report).find("src=\"pictures/&lt;1&gt;.svg\""), std::string::npos);
+  Table table{"t", "", {"x"}, {{"a|b"}}};
+  EXPECT_EQ(to_markdown(table), "## t\n\n| x |\n|---|\n| a\\|b |\n");
+}
+
+TEST(Matrix, HasARowAndAColumnAVariation) {
+  BenchPlan plan;
+  plan.seeds = {1};
+  plan.worlds = {{"open", "field", {}}};
+  BenchResults results{&plan, {}};
+  for (const char* detector : {"a", "b"}) {
+    for (const char* escape : {"x", "y"}) {
+      plan.variants.push_back(
+          {"g", {{"recover.detector", detector}, {"recover.escape", escape}}, {}});
+      RunResult run;
+      run.success = std::string(detector) == "a" && std::string(escape) == "y";
+      results.runs.push_back(run);
+    }
+  }
+
+  const auto tables = matrix_tables(results);
+
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0].columns, (std::vector<std::string>{"", "x", "y"}));
+  EXPECT_EQ(tables[0].rows[0],
+            (std::vector<std::string>{"a", "0/1 0 % [0, 79]", "1/1 100 % [21, 100]"}));
+  EXPECT_EQ(tables[0].rows[1][2], "0/1 0 % [0, 79]");
+}
+
+TEST(RunResult, RefusesALineThatIsNone) {
+  const auto result = read_run_result(R"({"graph": "g"})");
+
+  ASSERT_FALSE(result.ok());
+  EXPECT_NE(result.error().text().find("is no line of results"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace clew::bench

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/suite.hpp"
+
+#include <gtest/gtest.h>
+
+namespace clew::bench {
+namespace {
+
+constexpr char kSuite[] = R"(format: clew-suite/1
+about: "For this test."
+graphs: [krishna_kalra, reactive]
+vary: {recover.escape: [none, [a, b]]}
+worlds: {traps: [u-trap, kk-*]}
+generated: {seed: 7, count: 3, families: [u, v]}
+seeds: [1, 2]
+max_ticks: 500
+)";
+
+core::Result<Suite> read(const std::string& text) {
+  return read_suite({"suite.yaml", text}, "test");
+}
+
+TEST(Suite, IsReadWhole) {
+  const auto suite = read(kSuite);
+
+  ASSERT_TRUE(suite.ok()) << suite.error().text();
+  EXPECT_EQ(suite->name, "test");
+  EXPECT_EQ(suite->graphs, (std::vector<std::string>{"krishna_kalra", "reactive"}));
+  ASSERT_EQ(suite->variations.size(), 1u);
+  EXPECT_EQ(suite->variations[0].path, "recover.escape");
+  EXPECT_EQ(suite->variations[0].values,
+            (std::vector<std::vector<std::string>>{{"none"}, {"a", "b"}}));
+  ASSERT_EQ(suite->worlds.size(), 1u);
+  EXPECT_EQ(suite->worlds[0].second, (std::vector<std::string>{"u-trap", "kk-*"}));
+  EXPECT_EQ(suite->generated.seed, 7u);
+  EXPECT_EQ(suite->generated.count, 3);
+  EXPECT_EQ(suite->generated.families, (std::vector<std::string>{"u", "v"}));
+  EXPECT_EQ(suite->seeds, (std::vector<std::uint64_t>{1, 2}));
+  EXPECT_EQ(suite->max_ticks, 500u);
+}
+
+TEST(Suite, GeneratesEveryFamilyIfNoneIsNamed) {
+  const auto suite = read("format: clew-suite/1\ngraphs: [reactive]\ngenerated: {count: 1}\n");
+
+  ASSERT_TRUE(suite.ok()) << suite.error().text();
+  EXPECT_EQ(suite->generated.families.size(), 16u);
+}
+
+struct Refusal {
+  std::string from;
+  std::string to;
+  std::string message;
+};
+
+class SuiteRefuses : public testing::TestWithParam<Refusal> {};
+
+TEST_P(SuiteRefuses, WithPlaceAndWhatIsAllowed) {
+  std::string text = kSuite;
+  text.replace(text.find(GetParam().from), GetParam().from.size(), GetParam().to);
+
+  const auto suite = read(text);
+
+  ASSERT_FALSE(suite.ok());
+  EXPECT_NE(suite.error().text().find(GetParam().message), std::string::npos)
+      << suite.error().text();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, SuiteRefuses,
+    testing::Values(
+        Refusal{"clew-suite/1", "clew-suite/2", "suite.yaml:1"},
+        Refusal{
+            "graphs:", "grpahs:", "suite.yaml:3:1: unknown key 'grpahs' (did you mean 'graphs'?)"},
+        Refusal{"graphs: [krishna_kalra, reactive]\n", "", "graphs"},
+        Refusal{"[krishna_kalra, reactive]", "[]", "suite.yaml:3:9: the list is empty"},
+        Refusal{"[krishna_kalra, reactive]", "[reactive, reactive]", "'reactive' stands twice"},
+        Refusal{"count: 3", "count: 0", "suite.yaml:6:29: found '0'; allowed: 1 to 1000"},
+        Refusal{"count: 3", "cuont: 3", "did you mean 'count'?"},
+        Refusal{"families: [u, v]", "families: [u, sprial]",
+                "unknown family 'sprial' (did you mean 'spiral'?)"},
+        Refusal{"[1, 2]", "[1, 1]", "seed 1 stands twice"},
+        Refusal{"[1, 2]", "[-1]", "allowed: 0 to"},
+        Refusal{"max_ticks: 500", "max_ticks: many", "suite.yaml:8:12"},
+        Refusal{
+            "worlds: {traps: [u-trap, kk-*]}\ngenerated: {seed: 7, count: 3, families: [u, v]}\n",
+            "", "no worlds"},
+        Refusal{"[none, [a, b]]", "[]", "suite.yaml:4"}));
+
+TEST(Variation, IsReadFromTheCommandLine) {
+  const auto variation = read_variation("recover.escape=a,b,a+b");
+
+  ASSERT_TRUE(variation.ok());
+  EXPECT_EQ(variation->path, "recover.escape");
+  EXPECT_EQ(variation->values, (std::vector<std::vector<std::string>>{{"a"}, {"b"}, {"a", "b"}}));
+}
+
+TEST(Variation, NeedsAPathAndValues) {
+  for (const char* text : {"recover.escape", "=a", "recover.escape=", "recover.escape=a,,b"}) {
+    const auto variation = read_variation(text);
+
+    ASSERT_FALSE(variation.ok()) << text;
+    EXPECT_NE(variation.error().text().find("--vary"), std::string::npos) << text;
+  }
+}
+
+}  // namespace
+}  // namespace clew::bench

@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: Apache-2.0
+"""clew bench: the same results with any number of workers, killed and gone on with or not."""
+import json
+import pathlib
+import signal
+import tempfile
+import unittest
+
+from clew_command import Run, processes_of_session, start, wait_until, write_file
+
+SUITE = """format: clew-suite/1
+graphs: [krishna_kalra, reactive]
+worlds: {shipped: [u-trap, open-field, unsolvable-box, moving-crossing]}
+generated: {seed: 3, count: 2, families: [u, spiral, clutter, closing-door]}
+seeds: [1, 2]
+max_ticks: 2000
+"""
+RUNS = 2 * (4 + 4 * 2) * 2
+TIMING = ("wall_s", "ticks_per_s")
+
+
+def results(directory):
+    """The lines of results, in any order, without what a clock measured."""
+    lines = (pathlib.Path(directory) / "results.jsonl").read_text().splitlines()[1:]
+    runs = [json.loads(line) for line in lines]
+    return sorted(json.dumps({key: value for key, value in run.items() if key not in TIMING})
+                  for run in runs)
+
+
+class Bench(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.suite = write_file(SUITE)
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.one = pathlib.Path(cls.scratch.name) / "one"
+        cls.first = Run(["bench", cls.suite, "--jobs", "1", "--out", cls.one, "--json"])
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def out(self, name):
+        """A directory of this test's own."""
+        return pathlib.Path(self.scratch.name) / name
+
+    def test_prints_every_run_in_order(self):
+        self.assertEqual(self.first.status, 0, self.first.err)
+        runs = [json.loads(line) for line in self.first.out.splitlines()]
+
+        self.assertEqual(len(runs), RUNS)
+        self.assertEqual([run["seed"] for run in runs[:4]], [1, 2, 1, 2])
+        self.assertEqual(runs[0]["graph"], "krishna_kalra")
+        self.assertEqual(runs[-1]["graph"], "reactive")
+        for run in runs:
+            for key in ("graph", "world", "family", "outcome", "ticks", "path_length_m",
+                        "shortest_path_m", "traps_detected", "collisions", "hash", "success",
+                        "captures", "detectors"):
+                self.assertIn(key, run)
+        by_key = {(run["graph"], run["world"], run["seed"]): run for run in runs}
+        trapped = by_key["reactive", "u-trap", 1]
+        self.assertEqual((trapped["outcome"], trapped["success"], trapped["captures"],
+                          trapped["held_at_end"]), ("timeout", False, 1, True))
+        noticed = by_key["krishna_kalra", "u-trap", 1]
+        self.assertEqual(noticed["detectors"][0]["noticed"], 1)
+        self.assertTrue(by_key["krishna_kalra", "unsolvable-box", 1]["success"])
+        self.assertIsNone(by_key["reactive", "moving-crossing", 1]["captures"])
+
+    def test_is_what_run_reports(self):
+        first = json.loads(self.first.out.splitlines()[0])
+
+        run = Run(["run", first["graph"], "--world", first["world"], "--layout", "composed",
+                   "--max-ticks", 2000, "--json"]).report
+
+        for key, value in run.items():
+            if key not in TIMING:
+                self.assertEqual(first[key], value, key)
+
+    def test_a_generated_world_can_be_run_from_its_file(self):
+        of_bench = [json.loads(line) for line in self.first.out.splitlines()]
+        [wanted] = [run for run in of_bench if run["world"] == "spiral-s3-02"
+                    and run["graph"] == "krishna_kalra" and run["seed"] == 1]
+
+        run = Run(["run", "krishna_kalra", "--world", self.one / "worlds/spiral-s3-02.yaml",
+                   "--layout", "composed", "--max-ticks", 2000, "--json"]).report
+
+        self.assertEqual(run["path_length_m"], wanted["path_length_m"])
+
+    def test_the_report_has_tables_and_pictures(self):
+        report = (self.one / "report.md").read_text()
+        page = (self.one / "report.html").read_text()
+
+        self.assertIn("| spiral |", report)
+        self.assertIn("Compared with krishna_kalra", report)
+        pictures = list((self.one / "pictures").iterdir())
+        self.assertEqual(sorted(path.suffix for path in pictures), [".svg", ".svg"])
+        for picture in pictures:
+            self.assertIn(f"pictures/{picture.name}", page)
+            self.assertTrue(picture.read_text().rstrip().endswith("</svg>"))
+        csv = (self.one / "results.csv").read_text().splitlines()
+        self.assertEqual(len(csv), RUNS + 1)
+
+    def test_more_workers_give_the_same(self):
+        for jobs in (2, 7):
+            run = Run(["bench", self.suite, "--jobs", jobs, "--out", self.out(f"jobs{jobs}")])
+
+            self.assertEqual(run.status, 0, run.err)
+            self.assertEqual(results(self.out(f"jobs{jobs}")), results(self.one))
+
+    def test_a_killed_bench_is_gone_on_with_and_leaves_no_worker(self):
+        out = self.out("killed")
+        file = out / "results.jsonl"
+        for wanted in (5, 20):
+            process = start(["bench", self.suite, "--jobs", "2", "--out", out],
+                            start_new_session=True)
+            reached = wait_until(lambda count=wanted: file.exists()
+                                 and file.read_bytes().count(b"\n") > count)
+            process.send_signal(signal.SIGKILL)
+            process.communicate()
+            self.assertTrue(reached)
+            self.assertTrue(wait_until(lambda pid=process.pid: not processes_of_session(pid)))
+        # As the kill of a machine would leave it.
+        with open(file, "ab") as stream:
+            stream.write(b'{"graph":"krishna_kal')
+
+        done = Run(["bench", self.suite, "--out", out, "--json"])
+
+        self.assertEqual(done.status, 0, done.err)
+        self.assertEqual(results(out), results(self.one))
+        self.assertEqual((out / "results.csv").read_text(), (self.one / "results.csv").read_text())
+
+    def test_an_interrupted_bench_says_how_to_go_on(self):
+        out = self.out("interrupted")
+        process = start(["bench", self.suite, "--out", out])
+        wait_until(lambda: (out / "results.jsonl").exists()
+                   and (out / "results.jsonl").read_bytes().count(b"\n") > 3)
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate()
+
+        self.assertEqual(process.returncode, 130)
+        self.assertIn("goes on from", err)
+
+    def test_another_configuration_is_refused_by_name(self):
+        for arguments, text in ((["--graph", "reactive"], "graph krishna_kalra"),
+                                (["--set", "sense.range_m=1.2"], "graph krishna_kalra"),
+                                (["--vary", "sense.range_m=1.2,1.5"], "graph krishna_kalra")):
+            run = Run(["bench", self.suite, "--out", self.one, *arguments])
+
+            self.assertEqual(run.status, 2)
+            self.assertIn(text, run.err)
+            self.assertIn("--force", run.err)
+        self.assertEqual(len(results(self.one)), RUNS)
+
+    def test_variations_make_a_matrix(self):
+        out = self.out("matrix")
+
+        run = Run(["bench", self.suite, "--graph", "krishna_kalra", "--out", out, "--vary",
+                   "recover.detector=landmark_revisit,none", "--vary",
+                   "recover.escape=obstacle_following,none"])
+
+        self.assertEqual(run.status, 0, run.err)
+        self.assertIn("| landmark_revisit | ", (out / "report.md").read_text())
+        self.assertEqual(len(results(out)), RUNS * 2)
+
+    def test_writes_worlds_and_pictures(self):
+        out = self.out("worlds")
+
+        run = Run(["bench", self.suite, "--write-worlds", out])
+
+        self.assertEqual(run.status, 0, run.err)
+        names = sorted(path.name for path in out.iterdir())
+        self.assertEqual(len(names), 2 * 4 * 2)
+        self.assertIn("closing-door-s3-01.svg", names)
+        self.assertEqual((out / "u-s3-01.yaml").read_text(),
+                         (self.one / "worlds/u-s3-01.yaml").read_text())
+
+    def test_bad_input(self):
+        for arguments, text in [
+                (["smkoe"], "did you mean 'smoke'?"),
+                ([write_file(SUITE.replace("graphs:", "grpahs:"))], "did you mean 'graphs'?"),
+                ([self.suite, "--graph", "raective"], "did you mean 'reactive'?"),
+                ([self.suite, "--vary", "recover.detector"], "PATH=VALUE"),
+                ([self.suite, "--vary", "recover.detector=revisit"], "landmark_revisit"),
+                ([self.suite, "--jobs", "0"], "--jobs"),
+                ([self.suite, "--out", "/proc/bench"], "/proc/bench"),
+                ([], "suite")]:
+            with self.subTest(arguments=arguments):
+                run = Run(["bench", *arguments])
+
+                self.assertEqual(run.status, 2, run.err)
+                self.assertIn(text, run.err)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/report.hpp"
+
+#include <fmt/format.h>
+
+namespace clew::bench {
+namespace {
+
+constexpr char kStyle[] =
+    "body{font:14px sans-serif;margin:2em;max-width:100em}table{border-collapse:collapse}"
+    "td,th{border:1px solid #ccc;padding:3px 8px;text-align:left}th{background:#eee}"
+    "figure{display:inline-block;margin:1em;width:30em;vertical-align:top}img{width:100%}";
+
+std::string replaced(const std::string& text, const char* characters,
+                     const std::vector<std::string>& replacements) {
+  const std::string special = characters;
+  std::string out;
+  for (const char c : text) {
+    const std::size_t index = special.find(c);
+    out += index == std::string::npos ? std::string(1, c) : replacements[index];
+  }
+  return out;
+}
+
+std::string markdown_cell(const std::string& text) { return replaced(text, "|", {"\\|"}); }
+
+std::string html_text(const std::string& text) {
+  return replaced(text, "&<>\"", {"&amp;", "&lt;", "&gt;", "&quot;"});
+}
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  return '"' + replaced(text, "\"", {"\"\""}) + '"';
+}
+
+std::string markdown_row(const std::vector<std::string>& cells) {
+  std::string text = "|";
+  for (const std::string& cell : cells) text += ' ' + markdown_cell(cell) + " |";
+  return text + '\n';
+}
+
+std::string html_row(const std::vector<std::string>& cells, const char* tag) {
+  std::string text = "<tr>";
+  for (const std::string& cell : cells) text += fmt::format("<{0}>{1}</{0}>", tag, html_text(cell));
+  return text + "</tr>\n";
+}
+
+std::string html_table(const Table& table) {
+  std::string text = "<h2>" + html_text(table.title) + "</h2>\n";
+  if (!table.note.empty()) text += "<p>" + html_text(table.note) + "</p>\n";
+  text += "<table>\n" + html_row(table.columns, "th");
+  for (const auto& row : table.rows) text += html_row(row, "td");
+  return text + "</table>\n";
+}
+
+std::string number_or_nothing(const std::optional<double>& value) {
+  return value ? fmt::format("{:.4f}", *value) : "";
+}
+
+}  // namespace
+
+Report make_report(const BenchResults& results, std::vector<Picture> pictures) {
+  const BenchPlan& plan = *results.plan;
+  Report report;
+  report.title = fmt::format("Suite {}: {} runs", plan.suite, results.runs.size());
+  report.about = fmt::format("{}{}{} worlds, {} seeds, at most {} ticks.", plan.about,
+                             plan.about.empty() ? "" : " ", plan.worlds.size(), plan.seeds.size(),
+                             plan.configuration.at("max_ticks"));
+  report.tables.push_back(overall_table(results));
+  for (Table& table : matrix_tables(results)) report.tables.push_back(std::move(table));
+  report.tables.push_back(family_table(results));
+  report.tables.push_back(detector_table(results));
+  if (plan.variants.size() > 1) report.tables.push_back(paired_table(results));
+  report.pictures = std::move(pictures);
+  return report;
+}
+
+std::string to_markdown(const Table& table) {
+  std::string text = "## " + table.title + '\n';
+  if (!table.note.empty()) text += table.note + '\n';
+  text += '\n' + markdown_row(table.columns) + '|';
+  for (std::size_t i = 0; i < table.columns.size(); ++i) text += "---|";
+  text += '\n';
+  for (const auto& row : table.rows) text += markdown_row(row);
+  return text;
+}
+
+std::string to_markdown(const Report& report) {
+  std::string text = "# " + report.title + '\n' + report.about + '\n';
+  for (const Table& table : report.tables) text += '\n' + to_markdown(table);
+  if (!report.pictures.empty()) text += "\n## Worst runs\n";
+  for (const Picture& picture : report.pictures) {
+    text += fmt::format("\n{0}\n\n![{0}]({1})\n", picture.caption, picture.file);
+  }
+  return text;
+}
+
+std::string to_html(const Report& report) {
+  std::string text = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
+                     html_text(report.title) + "</title><style>" + kStyle +
+                     "</style></head><body>\n<h1>" + html_text(report.title) + "</h1>\n<p>" +
+                     html_text(report.about) + "</p>\n";
+  for (const Table& table : report.tables) text += html_table(table);
+  if (!report.pictures.empty()) text += "<h2>Worst runs</h2>\n";
+  for (const Picture& picture : report.pictures) {
+    text += fmt::format(
+        "<figure><a href=\"{0}\"><img src=\"{0}\" alt=\"\"></a><figcaption>{1}</figcaption>"
+        "</figure>\n",
+        html_text(picture.file), html_text(picture.caption));
+  }
+  return text + "</body></html>\n";
+}
+
+std::string to_csv(const BenchResults& results) {
+  std::string text =
+      "graph,variant,family,world,seed,outcome,success,solvable,ticks,sim_time_s,path_length_m,"
+      "shortest_path_m,path_ratio,collisions,hit_by,safety_stops,captures,held_at_end,alarms,"
+      "false_alarms\n";
+  for (const RunResult& run : results.runs) {
+    std::uint32_t alarms = 0;
+    std::uint32_t false_alarms = 0;
+    for (const auto& detector : run.detectors) {
+      if (detector.shadow) continue;
+      alarms += detector.alarms;
+      false_alarms += detector.false_alarms;
+    }
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{}\n",
+                        csv_cell(run.key.graph), csv_cell(run.key.variant), csv_cell(run.family),
+                        csv_cell(run.key.world), run.key.seed, run.outcome, run.success,
+                        run.solvable ? fmt::format("{}", *run.solvable) : "", run.ticks,
+                        run.sim_time_s, run.path_length_m, number_or_nothing(run.shortest_path_m),
+                        number_or_nothing(run.path_ratio()), run.collisions, run.hit_by,
+                        run.safety_stops, run.captures ? fmt::format("{}", *run.captures) : "",
+                        run.held_at_end, alarms, false_alarms);
+  }
+  return text;
+}
+
+}  // namespace clew::bench

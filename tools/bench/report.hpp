@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/summary.hpp"
+
+namespace clew::bench {
+
+/// A picture of a run, beside the report.
+struct Picture {
+  std::string file;  ///< relative to the report
+  std::string caption;
+};
+
+/// What a report says, in order.
+struct Report {
+  std::string title;
+  std::string about;
+  std::vector<Table> tables;
+  std::vector<Picture> pictures;
+};
+
+/// The report of a finished bench.
+Report make_report(const BenchResults& results, std::vector<Picture> pictures);
+
+std::string to_markdown(const Table& table);
+std::string to_markdown(const Report& report);
+/// A page that needs nothing but the pictures beside it.
+std::string to_html(const Report& report);
+/// A line a run, with a header.
+std::string to_csv(const BenchResults& results);
+
+}  // namespace clew::bench

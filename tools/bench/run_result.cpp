@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/run_result.hpp"
+
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+namespace clew::bench {
+namespace {
+
+using nlohmann::json;
+
+template <typename T>
+std::optional<T> optional_at(const json& object, const char* key) {
+  const json& value = object.at(key);
+  return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
+}
+
+RunResult::Detector read_detector(const json& object) {
+  RunResult::Detector detector;
+  detector.rule = object.at("rule").get<std::string>();
+  detector.shadow = object.at("shadow").get<bool>();
+  detector.alarms = object.at("alarms").get<std::uint32_t>();
+  if (!object.contains("false_alarms")) return detector;
+  detector.false_alarms = object.at("false_alarms").get<std::uint32_t>();
+  detector.noticed = object.at("noticed").get<std::uint32_t>();
+  detector.delays_s = object.at("delays_s").get<std::vector<double>>();
+  detector.delays_m = object.at("delays_m").get<std::vector<double>>();
+  return detector;
+}
+
+RunResult read(const json& object) {
+  RunResult run;
+  run.key = {object.at("graph").get<std::string>(), object.at("variant").get<std::string>(),
+             object.at("world").get<std::string>(), object.at("seed").get<std::uint64_t>()};
+  run.family = object.at("family").get<std::string>();
+  run.outcome = object.at("outcome").get<std::string>();
+  run.success = object.at("success").get<bool>();
+  run.solvable = optional_at<bool>(object, "solvable");
+  run.ticks = object.at("ticks").get<std::uint64_t>();
+  run.sim_time_s = object.at("sim_time_s").get<double>();
+  run.path_length_m = object.at("path_length_m").get<double>();
+  run.shortest_path_m = optional_at<double>(object, "shortest_path_m");
+  run.collisions = object.at("collisions").get<std::uint32_t>();
+  run.hit_by = object.at("hit_by").get<std::uint32_t>();
+  run.safety_stops = object.at("safety_stops").get<std::uint32_t>();
+  run.ticks_per_s = object.at("ticks_per_s").get<double>();
+  run.captures = optional_at<std::uint32_t>(object, "captures");
+  run.held_at_end = optional_at<bool>(object, "held_at_end").value_or(false);
+  for (const json& detector : object.at("detectors")) {
+    run.detectors.push_back(read_detector(detector));
+  }
+  return run;
+}
+
+}  // namespace
+
+bool RunKey::operator<(const RunKey& other) const {
+  return std::tie(graph, variant, world, seed) <
+         std::tie(other.graph, other.variant, other.world, other.seed);
+}
+
+std::optional<double> RunResult::path_ratio() const {
+  if (!reached() || !shortest_path_m || *shortest_path_m <= 0.0) return std::nullopt;
+  return path_length_m / *shortest_path_m;
+}
+
+core::Result<RunResult> read_run_result(const std::string& line) {
+  try {
+    return read(json::parse(line));
+  } catch (const json::exception& error) {
+    return core::Error{std::string("is no line of results: ") + error.what(), {}, 0, 0};
+  }
+}
+
+}  // namespace clew::bench

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+
+namespace clew::bench {
+
+/// What identifies a run of a bench.
+struct RunKey {
+  std::string graph;
+  std::string variant;  ///< Variant::text
+  std::string world;
+  std::uint64_t seed = 0;
+
+  bool operator<(const RunKey& other) const;
+};
+
+/// What a report needs of a run's line.
+struct RunResult {
+  RunKey key;
+  std::string family;
+  std::string outcome;
+  bool success = false;
+  std::optional<bool> solvable;
+  std::uint64_t ticks = 0;
+  double sim_time_s = 0.0;
+  double path_length_m = 0.0;
+  std::optional<double> shortest_path_m;
+  std::uint32_t collisions = 0;
+  std::uint32_t hit_by = 0;
+  std::uint32_t safety_stops = 0;
+  double ticks_per_s = 0.0;
+
+  /// None without a truth about traps.
+  std::optional<std::uint32_t> captures;
+  bool held_at_end = false;
+  struct Detector {
+    std::string rule;
+    bool shadow = false;
+    std::uint32_t alarms = 0;
+    std::uint32_t false_alarms = 0;
+    std::uint32_t noticed = 0;
+    std::vector<double> delays_s;
+    std::vector<double> delays_m;
+  };
+  std::vector<Detector> detectors;
+
+  bool reached() const { return outcome == "reached"; }
+  /// Path over shortest path; none where either is missing or the target was not reached.
+  std::optional<double> path_ratio() const;
+};
+
+/// Reads a line of results; refused is one that is not what WorldBench::run writes.
+core::Result<RunResult> read_run_result(const std::string& line);
+
+}  // namespace clew::bench

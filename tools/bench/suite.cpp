@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/suite.hpp"
+
+#include <sstream>
+
+#include "core/nearest_name.hpp"
+#include "core/yaml_fields.hpp"
+#include "trap_worlds/families.hpp"
+
+namespace clew::bench {
+namespace {
+
+using core::Error;
+using core::Result;
+using core::YamlKind;
+using core::YamlNode;
+
+constexpr char kFormat[] = "clew-suite/1";
+constexpr std::int64_t kMostWorlds = 1000;  // of a family
+constexpr std::int64_t kMostCount = std::int64_t{1} << 53;
+
+/// A list of texts, at least one, none twice.
+Result<std::vector<std::string>> read_texts(const YamlNode& node) {
+  const auto items = node.items();
+  if (!items.ok()) return items.error();
+  if (items->empty()) return node.error("the list is empty; expected at least one item");
+  std::vector<std::string> texts;
+  for (const YamlNode& item : *items) {
+    const auto text = item.string();
+    if (!text.ok()) return text.error();
+    for (const std::string& other : texts) {
+      if (other == *text) return item.error("'" + *text + "' stands twice in the list");
+    }
+    texts.push_back(*text);
+  }
+  return texts;
+}
+
+Result<std::int64_t> read_count(const YamlNode& node, std::int64_t least, std::int64_t most) {
+  const auto value = node.integer();
+  if (!value.ok()) return value.error();
+  if (*value >= least && *value <= most) return *value;
+  return node.error("found " + node.found() + "; allowed: " + std::to_string(least) + " to " +
+                    std::to_string(most));
+}
+
+/// A value of a variation: a word, or a list of words.
+Result<std::vector<std::string>> read_value(const YamlNode& node) {
+  if (node.kind() == YamlKind::kList) return read_texts(node);
+  auto text = node.string();
+  if (!text.ok()) return text.error();
+  return std::vector<std::string>{std::move(text).value()};
+}
+
+Result<void> read_variations(const YamlNode& node, Suite& suite) {
+  const auto entries = node.entries();
+  if (!entries.ok()) return entries.error();
+  for (const auto& entry : *entries) {
+    Variation variation{entry.key, {}};
+    const auto items = entry.value.items();
+    if (!items.ok()) return items.error();
+    if (items->empty()) return entry.value.error("the list is empty; expected at least one value");
+    for (const YamlNode& item : *items) {
+      auto value = read_value(item);
+      if (!value.ok()) return value.error();
+      variation.values.push_back(std::move(value).value());
+    }
+    suite.variations.push_back(std::move(variation));
+  }
+  return {};
+}
+
+Result<void> read_worlds(const YamlNode& node, Suite& suite) {
+  const auto entries = node.entries();
+  if (!entries.ok()) return entries.error();
+  for (const auto& entry : *entries) {
+    auto names = read_texts(entry.value);
+    if (!names.ok()) return names.error();
+    suite.worlds.emplace_back(entry.key, std::move(names).value());
+  }
+  return {};
+}
+
+Result<void> read_generated(const YamlNode& node, GeneratedWorlds& generated) {
+  CLEW_RETURN_IF_ERROR(node.check_keys({"seed", "count", "families"}));
+  const auto count_node = node.at("count");
+  if (!count_node.ok()) return count_node.error();
+  const auto count = read_count(*count_node, 1, kMostWorlds);
+  if (!count.ok()) return count.error();
+  generated.count = static_cast<int>(*count);
+  if (const auto seed_node = node.find("seed")) {
+    const auto seed = read_count(*seed_node, 0, kMostCount);
+    if (!seed.ok()) return seed.error();
+    generated.seed = static_cast<std::uint64_t>(*seed);
+  }
+  std::vector<std::string> known;
+  for (const auto& family : trap_worlds::families()) known.push_back(family.name);
+  const auto families_node = node.find("families");
+  if (!families_node) {
+    generated.families = known;
+    return {};
+  }
+  auto families = read_texts(*families_node);
+  if (!families.ok()) return families.error();
+  const auto items = *families_node->items();
+  for (std::size_t i = 0; i < families->size(); ++i) {
+    const std::string& name = (*families)[i];
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    return items[i].error(core::unknown_name("family", name, known));
+  }
+  generated.families = std::move(families).value();
+  return {};
+}
+
+Result<void> read_numbers(const YamlNode& root, Suite& suite) {
+  if (const auto node = root.find("max_ticks")) {
+    const auto value = read_count(*node, 1, kMostCount);
+    if (!value.ok()) return value.error();
+    suite.max_ticks = static_cast<std::uint64_t>(*value);
+  }
+  const auto node = root.find("seeds");
+  if (!node) return {};
+  const auto items = node->items();
+  if (!items.ok()) return items.error();
+  if (items->empty()) return node->error("the list is empty; expected at least one seed");
+  suite.seeds.clear();
+  for (const YamlNode& item : *items) {
+    const auto seed = read_count(item, 0, kMostCount);
+    if (!seed.ok()) return seed.error();
+    const auto value = static_cast<std::uint64_t>(*seed);
+    if (std::find(suite.seeds.begin(), suite.seeds.end(), value) != suite.seeds.end()) {
+      return item.error("seed " + std::to_string(value) + " stands twice in the list");
+    }
+    suite.seeds.push_back(value);
+  }
+  return {};
+}
+
+Result<void> read_about(const YamlNode& root, Suite& suite) {
+  const auto node = root.find("about");
+  if (!node) return {};
+  auto text = node->string();
+  if (!text.ok()) return text.error();
+  suite.about = std::move(text).value();
+  return {};
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, separator);) words.push_back(word);
+  return words;
+}
+
+}  // namespace
+
+Result<Suite> read_suite(const core::Resource& file, const std::string& name) {
+  const auto root = YamlNode::parse(file.text, file.file);
+  if (!root.ok()) return root.error();
+  CLEW_RETURN_IF_ERROR(core::check_format(*root, kFormat));
+  CLEW_RETURN_IF_ERROR(root->check_keys(
+      {"format", "about", "graphs", "vary", "worlds", "generated", "seeds", "max_ticks"}));
+  Suite suite;
+  suite.name = name;
+  CLEW_RETURN_IF_ERROR(read_about(*root, suite));
+  const auto graphs_node = root->at("graphs");
+  if (!graphs_node.ok()) return graphs_node.error();
+  auto graphs = read_texts(*graphs_node);
+  if (!graphs.ok()) return graphs.error();
+  suite.graphs = std::move(graphs).value();
+  if (const auto node = root->find("vary")) CLEW_RETURN_IF_ERROR(read_variations(*node, suite));
+  if (const auto node = root->find("worlds")) CLEW_RETURN_IF_ERROR(read_worlds(*node, suite));
+  if (const auto node = root->find("generated")) {
+    CLEW_RETURN_IF_ERROR(read_generated(*node, suite.generated));
+  }
+  CLEW_RETURN_IF_ERROR(read_numbers(*root, suite));
+  if (suite.worlds.empty() && suite.generated.count == 0) {
+    return root->error("no worlds; expected 'worlds', 'generated' or both");
+  }
+  return suite;
+}
+
+Result<Variation> read_variation(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+    return Error{"expected PATH=VALUE,VALUE,..., found '" + text + "'", "--vary", 0, 0};
+  }
+  Variation variation{text.substr(0, equals), {}};
+  for (const std::string& value : split(text.substr(equals + 1), ',')) {
+    variation.values.push_back(split(value, '+'));
+    if (value.empty()) return Error{"an empty value in '" + text + "'", "--vary", 0, 0};
+  }
+  return variation;
+}
+
+}  // namespace clew::bench

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/resources.hpp"
+#include "core/result.hpp"
+
+namespace clew::bench {
+
+/// Something of a graph that is given several values in turn: a behaviour (`recover.detector`) or a
+/// parameter (`sense.range_m`). A value is a list of words; more than one where the choice is a
+/// list itself, as the fallback order of `recover.escape`.
+struct Variation {
+  std::string path;
+  std::vector<std::vector<std::string>> values;
+};
+
+/// Worlds of trap_worlds: `count` of each family.
+struct GeneratedWorlds {
+  std::uint64_t seed = 1;
+  int count = 0;
+  std::vector<std::string> families;
+};
+
+/// What a suite file says. Names of graphs and worlds are as written.
+struct Suite {
+  std::string name;
+  std::string about;
+  std::vector<std::string> graphs;
+  std::vector<Variation> variations;
+  /// Family and its worlds' names, in order; a name may end in `*`.
+  std::vector<std::pair<std::string, std::vector<std::string>>> worlds;
+  GeneratedWorlds generated;
+  std::vector<std::uint64_t> seeds = {1};
+  std::uint64_t max_ticks = 6000;
+};
+
+/// Reads a suite file, `clew-suite/1`. Refused, with the place and what is allowed: unknown or
+/// duplicate keys, unknown families, nothing to run, wrong types, numbers out of range.
+core::Result<Suite> read_suite(const core::Resource& file, const std::string& name);
+
+/// Reads `PATH=VALUE,VALUE,...` of --vary, where a value `a+b` is the list of a and b.
+core::Result<Variation> read_variation(const std::string& text);
+
+}  // namespace clew::bench

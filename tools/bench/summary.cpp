@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "bench/statistics.hpp"
+
+namespace clew::bench {
+namespace {
+
+using Runs = std::vector<const RunResult*>;
+
+template <typename Condition>
+std::size_t count(const Runs& runs, const Condition& condition) {
+  return static_cast<std::size_t>(std::count_if(
+      runs.begin(), runs.end(), [&](const RunResult* run) { return condition(*run); }));
+}
+
+template <typename Value>
+std::uint64_t sum(const Runs& runs, const Value& value) {
+  std::uint64_t total = 0;
+  for (const RunResult* run : runs) total += value(*run);
+  return total;
+}
+
+template <typename Condition>
+Runs those(const Runs& runs, const Condition& condition) {
+  Runs chosen;
+  for (const RunResult* run : runs) {
+    if (condition(*run)) chosen.push_back(run);
+  }
+  return chosen;
+}
+
+std::string successes(const Runs& runs) {
+  return runs.empty() ? ""
+                      : share_text(count(runs, [](auto& run) { return run.success; }), runs.size());
+}
+
+bool is_solvable(const RunResult& run) { return run.solvable.value_or(true); }
+
+/// Median and 90 % quantile; empty without values.
+std::string quantiles(const std::vector<double>& values, const char* format) {
+  if (values.empty()) return "";
+  const auto text = [&](double share) {
+    return fmt::format(fmt::runtime(format), quantile(values, share));
+  };
+  return text(0.5) + ", " + text(0.9);
+}
+
+std::vector<double> path_ratios(const Runs& runs) {
+  std::vector<double> ratios;
+  for (const RunResult* run : runs) {
+    if (const auto ratio = run->path_ratio()) ratios.push_back(*ratio);
+  }
+  return ratios;
+}
+
+/// What all detectors of one name did in a variant's runs.
+struct DetectorTotal {
+  std::size_t alarms = 0;
+  std::size_t false_alarms = 0;
+  std::size_t noticed = 0;
+  std::size_t captures = 0;
+  std::size_t missed = 0;  ///< runs that ended in a trap without an alarm
+  std::vector<double> delays_s;
+  std::vector<double> delays_m;
+};
+
+using DetectorTotals = std::map<std::pair<bool, std::string>, DetectorTotal>;
+
+DetectorTotals detector_totals(const Runs& runs) {
+  DetectorTotals totals;
+  for (const RunResult* run : runs) {
+    if (!run->captures) continue;
+    for (const RunResult::Detector& detector : run->detectors) {
+      DetectorTotal& total = totals[{detector.shadow, detector.rule}];
+      total.alarms += detector.alarms;
+      total.false_alarms += detector.false_alarms;
+      total.noticed += detector.noticed;
+      total.captures += *run->captures;
+      total.missed += run->held_at_end && detector.noticed < *run->captures ? 1 : 0;
+      const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
+        all.insert(all.end(), more.begin(), more.end());
+      };
+      append(total.delays_s, detector.delays_s);
+      append(total.delays_m, detector.delays_m);
+    }
+  }
+  return totals;
+}
+
+Table matrix_of(const std::string& graph, const BenchResults& results) {
+  const BenchPlan& plan = *results.plan;
+  Table table;
+  std::map<std::string, std::size_t> row_of;
+  std::map<std::string, std::size_t> column_of;
+  for (std::size_t i = 0; i < plan.variants.size(); ++i) {
+    const Variant& variant = plan.variants[i];
+    if (variant.graph != graph) continue;
+    if (table.columns.empty()) {
+      table.title = graph + ": " + variant.values[0].first + " x " + variant.values[1].first;
+      table.columns = {""};
+    }
+    const auto [row, new_row] = row_of.emplace(variant.values[0].second, table.rows.size());
+    if (new_row) table.rows.push_back({variant.values[0].second});
+    const auto [column, new_column] =
+        column_of.emplace(variant.values[1].second, table.columns.size());
+    if (new_column) table.columns.push_back(variant.values[1].second);
+    table.rows[row->second].resize(std::max(table.rows[row->second].size(), column->second + 1));
+    const Runs solvable = those(results.of_variant(i), is_solvable);
+    table.rows[row->second][column->second] = successes(solvable);
+  }
+  table.note = "Solvable worlds in which the target was reached, with 95 % intervals (Wilson).";
+  return table;
+}
+
+}  // namespace
+
+std::vector<const RunResult*> BenchResults::of_variant(std::size_t variant) const {
+  std::vector<const RunResult*> chosen;
+  const std::size_t each = plan->worlds.size() * plan->seeds.size();
+  for (std::size_t i = variant * each; i < (variant + 1) * each; ++i) chosen.push_back(&runs[i]);
+  return chosen;
+}
+
+std::string share_text(std::size_t successes, std::size_t trials) {
+  const Interval interval = wilson_interval(successes, trials);
+  const double share =
+      trials == 0 ? 0.0 : static_cast<double>(successes) / static_cast<double>(trials);
+  return fmt::format("{}/{} {:.0f} % [{:.0f}, {:.0f}]", successes, trials, 100.0 * share,
+                     100.0 * interval.low, 100.0 * interval.high);
+}
+
+Table overall_table(const BenchResults& results) {
+  Table table;
+  table.title = "All worlds";
+  table.note =
+      "Success: the target reached, or called unreachable where it is. Shares with 95 % intervals "
+      "(Wilson). Path: over the shortest path, of runs that reached the target, median and 90 % "
+      "quantile. Time is simulated, of successful runs.";
+  table.columns = {"graph",      "success",       "solvable: reached", "unsolvable: told",
+                   "collisions", "hit by moving", "safety stops",      "path / shortest",
+                   "time s",     "ticks/s"};
+  for (std::size_t i = 0; i < results.plan->variants.size(); ++i) {
+    const Runs runs = results.of_variant(i);
+    std::vector<double> times_s;
+    std::vector<double> speeds;
+    for (const RunResult* run : runs) {
+      if (run->success) times_s.push_back(run->sim_time_s);
+      speeds.push_back(run->ticks_per_s);
+    }
+    table.rows.push_back({results.plan->variants[i].label(), successes(runs),
+                          successes(those(runs, is_solvable)),
+                          successes(those(runs, [](auto& run) { return !is_solvable(run); })),
+                          std::to_string(sum(runs, [](auto& run) { return run.collisions; })),
+                          std::to_string(sum(runs, [](auto& run) { return run.hit_by; })),
+                          std::to_string(sum(runs, [](auto& run) { return run.safety_stops; })),
+                          quantiles(path_ratios(runs), "{:.2f}"), quantiles(times_s, "{:.0f}"),
+                          fmt::format("{:.0f}", quantile(speeds, 0.5))});
+  }
+  return table;
+}
+
+Table family_table(const BenchResults& results) {
+  Table table;
+  table.title = "Success by family";
+  table.columns = {"family"};
+  std::vector<std::string> families;
+  for (const BenchWorld& world : results.plan->worlds) {
+    if (std::find(families.begin(), families.end(), world.family) != families.end()) continue;
+    families.push_back(world.family);
+    table.rows.push_back({world.family});
+  }
+  for (std::size_t i = 0; i < results.plan->variants.size(); ++i) {
+    table.columns.push_back(results.plan->variants[i].label());
+    const Runs runs = results.of_variant(i);
+    for (std::size_t row = 0; row < families.size(); ++row) {
+      table.rows[row].push_back(
+          successes(those(runs, [&](auto& run) { return run.family == families[row]; })));
+    }
+  }
+  return table;
+}
+
+Table detector_table(const BenchResults& results) {
+  Table table;
+  table.title = "Detectors";
+  table.note =
+      "A trap captures the robot from entering its region until the robot is nearer to the target "
+      "than the trap's minimum. Noticed: captures with an alarm; not every capture is a loop, many "
+      "the controller leaves by itself. Missed: runs that ended captured and without an alarm in "
+      "some capture. False: alarms neither captured nor in a circle (the robot's body where it "
+      "stood more "
+      "than 1 m of travel before). Delay: from the capture to its first "
+      "alarm, median and 90 % quantile.";
+  table.columns = {"graph",  "detector",     "captures", "noticed",
+                   "missed", "false alarms", "delay s",  "delay m"};
+  for (std::size_t i = 0; i < results.plan->variants.size(); ++i) {
+    for (const auto& [name, total] : detector_totals(results.of_variant(i))) {
+      table.rows.push_back(
+          {results.plan->variants[i].label(), name.second + (name.first ? " (shadow)" : ""),
+           std::to_string(total.captures), std::to_string(total.noticed),
+           std::to_string(total.missed), std::to_string(total.false_alarms),
+           quantiles(total.delays_s, "{:.1f}"), quantiles(total.delays_m, "{:.1f}")});
+    }
+  }
+  return table;
+}
+
+std::vector<Table> matrix_tables(const BenchResults& results) {
+  const auto& variants = results.plan->variants;
+  if (variants.empty() || variants.front().values.size() != 2) return {};
+  std::vector<Table> tables;
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    if (i == 0 || variants[i].graph != variants[i - 1].graph) {
+      tables.push_back(matrix_of(variants[i].graph, results));
+    }
+  }
+  return tables;
+}
+
+Table paired_table(const BenchResults& results) {
+  const auto& variants = results.plan->variants;
+  Table table;
+  if (variants.size() < 2) return table;
+  table.title = "Compared with " + variants.front().label();
+  table.note =
+      "In the same worlds with the same seeds. p: McNemar's test, exact, two-sided. Path: over "
+      "that "
+      "of the first, where both reached the target; median with its 95 % interval (order "
+      "statistics).";
+  table.columns = {"graph", "only this succeeds", "only the first succeeds", "p", "path over path"};
+  const Runs first = results.of_variant(0);
+  for (std::size_t i = 1; i < variants.size(); ++i) {
+    const Runs runs = results.of_variant(i);
+    std::size_t only_this = 0;
+    std::size_t only_first = 0;
+    std::vector<double> ratios;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      only_this += runs[k]->success && !first[k]->success ? 1 : 0;
+      only_first += first[k]->success && !runs[k]->success ? 1 : 0;
+      const bool both = runs[k]->reached() && first[k]->reached();
+      if (both && first[k]->path_length_m > 0.0) {
+        ratios.push_back(runs[k]->path_length_m / first[k]->path_length_m);
+      }
+    }
+    std::string ratio;
+    if (!ratios.empty()) ratio = fmt::format("{:.3f}", quantile(ratios, 0.5));
+    if (const auto interval = median_interval(ratios)) {
+      ratio += fmt::format(" [{:.3f}, {:.3f}]", interval->low, interval->high);
+    }
+    if (!ratios.empty()) ratio += fmt::format(" of {}", ratios.size());
+    table.rows.push_back({variants[i].label(), std::to_string(only_this),
+                          std::to_string(only_first),
+                          fmt::format("{:.3g}", mcnemar_p(only_this, only_first)), ratio});
+  }
+  return table;
+}
+
+}  // namespace clew::bench

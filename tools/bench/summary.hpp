@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/bench_plan.hpp"
+#include "bench/run_result.hpp"
+
+namespace clew::bench {
+
+/// A table of a report, cells as text.
+struct Table {
+  std::string title;
+  std::string note;  ///< how to read it; may be empty
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// All results of a bench, in its order: by variant, then world, then seed.
+struct BenchResults {
+  const BenchPlan* plan = nullptr;
+  std::vector<RunResult> runs;
+
+  /// The runs of a variant, in the order of worlds and seeds.
+  std::vector<const RunResult*> of_variant(std::size_t variant) const;
+};
+
+/// A share with its Wilson interval: `11/12 92 % [65, 99]`.
+std::string share_text(std::size_t successes, std::size_t trials);
+
+/// A row a variant, over all worlds: success, collisions, path lengths, time.
+Table overall_table(const BenchResults& results);
+
+/// A row a family, a column a variant: success.
+Table family_table(const BenchResults& results);
+
+/// A row a variant and detector, in command or in shadow: traps noticed, delays, false alarms.
+Table detector_table(const BenchResults& results);
+
+/// A table a graph, if exactly two things are varied: success in solvable worlds over both.
+std::vector<Table> matrix_tables(const BenchResults& results);
+
+/// Each variant against the first one in the same worlds with the same seeds; empty with a single
+/// variant.
+Table paired_table(const BenchResults& results);
+
+}  // namespace clew::bench

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/world_bench.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "clew/run_output.hpp"
+#include "process/composed_run.hpp"
+#include "process/recording_sink.hpp"
+#include "world/world.hpp"
+
+namespace clew::bench {
+namespace {
+
+using core::Result;
+using nlohmann::ordered_json;
+
+std::vector<DetectorScore> detectors_of(const runtime::Graph& graph) {
+  std::vector<DetectorScore> detectors;
+  const runtime::GraphStage* recover = graph.find("recover");
+  if (recover == nullptr) return detectors;
+  const auto add = [&](const char* part, bool shadow) {
+    const auto choices = recover->config.parts.find(part);
+    if (choices == recover->config.parts.end()) return;
+    for (const auto& choice : choices->second) {
+      if (choice.name != "none") detectors.push_back({choice.name, shadow, 0, 0, 0, {}, {}});
+    }
+  };
+  add("detector", false);
+  add("shadow", true);
+  return detectors;
+}
+
+ordered_json to_json(const TrapJudge& judge) {
+  ordered_json detectors = ordered_json::array();
+  for (const DetectorScore& score : judge.scores()) {
+    ordered_json one = {{"rule", score.rule}, {"shadow", score.shadow}, {"alarms", score.alarms}};
+    if (judge.has_truth()) {
+      one["false_alarms"] = score.false_alarms;
+      one["noticed"] = score.noticed;
+      one["delays_s"] = score.delays_s;
+      one["delays_m"] = score.delays_m;
+    }
+    detectors.push_back(std::move(one));
+  }
+  return detectors;
+}
+
+/// Whether the run ended as it should: at the target, or with `unreachable` where it is.
+bool is_success(const std::string& outcome, const world::World& world) {
+  return outcome == (world.solvable().value_or(true) ? "reached" : "unreachable");
+}
+
+}  // namespace
+
+Result<runtime::RunPlan> WorldBench::prepare(const Variant& variant, std::uint64_t seed) const {
+  runtime::GraphOverrides overrides = variant.overrides;
+  overrides.world = world_.name;
+  overrides.seed = seed;
+  return runtime::prepare_run(variant.graph, overrides, source_, stages_);
+}
+
+const terrain::TrapMap* WorldBench::traps(const runtime::RunPlan& run) {
+  if (!grid_) {
+    surveyed_ = run.setup.world;
+    const auto settled_s = terrain::settled_time_s(*surveyed_);
+    if (!settled_s) return nullptr;
+    grid_ = std::make_unique<terrain::ClearanceGrid>(*surveyed_, *settled_s);
+  }
+  // Minima shallower than the robot is wide are none.
+  const double radius_m = run.setup.behaviour.robot.radius_m;
+  return &traps_by_radius_.try_emplace(radius_m, *grid_, radius_m, 2.0 * radius_m).first->second;
+}
+
+Result<std::optional<std::string>> WorldBench::run(const Variant& variant, std::uint64_t seed) {
+  const auto run = prepare(variant, seed);
+  if (!run.ok()) return run.error();
+  const world::World& world = *run->setup.world;
+  TrapJudge judge(traps(*run), run->setup.behaviour.robot.radius_m, detectors_of(run->graph));
+  const auto report = bridge::run_composed(*run, bridge::ComposedLayout{}, &judge, {});
+  if (!report.ok()) return report.error();
+  if (report->interrupted_by != 0) return std::optional<std::string>();
+
+  ordered_json line;
+  line["graph"] = variant.graph;
+  line["variant"] = variant.text();
+  line["world"] = world_.name;
+  line["family"] = world_.family;
+  const auto as_run =
+      ordered_json::parse(tools::report_json(*report, *run, {"composed", "inprocess", ""}));
+  line.update(as_run);
+  line["success"] = is_success(as_run["outcome"], world);
+  line["solvable"] = world.solvable() ? ordered_json(*world.solvable()) : ordered_json(nullptr);
+  line["depth_ranges"] =
+      source_.depth_ranges() ? ordered_json(*source_.depth_ranges()) : ordered_json(nullptr);
+  line["captures"] = judge.has_truth() ? ordered_json(judge.captures()) : ordered_json(nullptr);
+  line["held_at_end"] = judge.has_truth() ? ordered_json(judge.is_held()) : ordered_json(nullptr);
+  line["detectors"] = to_json(judge);
+  return std::optional<std::string>(line.dump());
+}
+
+Result<void> WorldBench::record(const Variant& variant, std::uint64_t seed,
+                                const std::string& path) {
+  const auto run = prepare(variant, seed);
+  if (!run.ok()) return run.error();
+  auto recording = bridge::RecordingSink::create(*run, path, true);
+  if (!recording.ok()) return recording.error();
+  const auto report = bridge::run_composed(*run, bridge::ComposedLayout{}, recording->get(), {});
+  if (!report.ok()) return report.error();
+  return (*recording)->close();
+}
+
+}  // namespace clew::bench

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/bench_plan.hpp"
+#include "bench/trap_judge.hpp"
+#include "runtime/run_plan.hpp"
+#include "terrain/clearance_grid.hpp"
+#include "terrain/trap_map.hpp"
+
+namespace clew::bench {
+
+/// The runs of a bench in one of its worlds. What is computed of the world, is computed once.
+class WorldBench {
+ public:
+  WorldBench(const BenchPlan& plan, std::size_t world, const runtime::ConfigPath& configs,
+             const std::vector<runtime::StageInfo>& stages)
+      : plan_(plan), world_(plan.worlds[world]), source_(configs, world_), stages_(stages) {}
+
+  /// Runs a variant, composed, and tells of it as one line of JSON: what `clew run --json` prints,
+  /// with `graph`, `variant`, `world`, `family`, `success`, `solvable`, `depth_ranges` and what the
+  /// judge of traps says. None if the run was interrupted by a signal.
+  core::Result<std::optional<std::string>> run(const Variant& variant, std::uint64_t seed);
+
+  /// A generated world's file; empty for another.
+  const std::string& generated_text() const { return source_.generated_text(); }
+
+  /// Runs it again with a recording.
+  core::Result<void> record(const Variant& variant, std::uint64_t seed, const std::string& path);
+
+ private:
+  core::Result<runtime::RunPlan> prepare(const Variant& variant, std::uint64_t seed) const;
+  /// The traps for a robot of this radius; none where something moves for ever.
+  const terrain::TrapMap* traps(const runtime::RunPlan& run);
+
+  const BenchPlan& plan_;
+  const BenchWorld& world_;
+  WorldSource source_;
+  const std::vector<runtime::StageInfo>& stages_;
+  std::shared_ptr<const world::World> surveyed_;  ///< what the grid refers to
+  std::unique_ptr<terrain::ClearanceGrid> grid_;
+  std::map<double, terrain::TrapMap> traps_by_radius_;
+};
+
+}  // namespace clew::bench

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "bench/bench.hpp"
+#include "clew/commands.hpp"
+#include "clew/version.hpp"
+#include "core/hash128.hpp"
+#include "stages/all.hpp"
+
+namespace clew::tools {
+namespace {
+
+using core::Result;
+using Clock = std::chrono::steady_clock;
+
+/// What of the program the results depend on: all of it.
+Result<std::string> program_text() {
+  std::FILE* file = std::fopen("/proc/self/exe", "rb");
+  if (file == nullptr) return core::Error{"cannot be read", "/proc/self/exe", 0, 0};
+  std::string bytes;
+  char buffer[1 << 16];
+  for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file)) > 0;) {
+    bytes.append(buffer, got);
+  }
+  std::fclose(file);
+  return fmt::format("{} (build {})", CLEW_VERSION, core::hash128(bytes).hex());
+}
+
+Result<bench::BenchPlan> make_plan(const BenchCommandOptions& options,
+                                   const runtime::ConfigPath& configs) {
+  const auto file = configs.find("suites", options.suite);
+  if (!file.ok()) return file.error();
+  const auto suite = bench::read_suite(*file, options.suite);
+  if (!suite.ok()) return suite.error();
+  bench::BenchChanges changes;
+  changes.graphs = options.graphs;
+  changes.with = options.with;
+  changes.set = options.set;
+  for (const std::string& text : options.vary) {
+    auto variation = bench::read_variation(text);
+    if (!variation.ok()) return variation.error();
+    changes.variations.push_back(std::move(variation).value());
+  }
+  auto plan = bench::plan_bench(*suite, changes, configs, stages::all());
+  if (!plan.ok()) return plan.error();
+  const auto program = program_text();
+  if (!program.ok()) return program.error();
+  plan->configuration["clew"] = *program;
+  return plan;
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+/// A line on the terminal, now and then; nothing in a pipe.
+std::function<void(std::size_t, std::size_t, std::size_t)> terminal_progress() {
+  if (::isatty(STDERR_FILENO) == 0) return {};
+  const auto started_at = Clock::now();
+  return [started_at, shown_at = started_at](std::size_t found, std::size_t done,
+                                             std::size_t total) mutable {
+    const auto now = Clock::now();
+    if (now - shown_at < std::chrono::milliseconds(100)) return;
+    shown_at = now;
+    const double each_s =
+        std::chrono::duration<double>(now - started_at).count() / static_cast<double>(done - found);
+    std::fprintf(stderr, "\r\033[K%zu of %zu runs, %s left", done, total,
+                 duration_text(each_s * static_cast<double>(total - done)).c_str());
+  };
+}
+
+void clear_progress() {
+  if (::isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
+}
+
+int write_worlds_of(const bench::BenchPlan& plan, const std::string& directory) {
+  const auto count = bench::write_worlds(plan, directory);
+  if (!count.ok()) return complain(count.error());
+  fmt::print("{} worlds and their pictures in {}\n", *count, directory);
+  return kExitGood;
+}
+
+/// The suite's name without folder and ending.
+std::string default_directory(const std::string& suite) {
+  std::string name = suite.substr(suite.rfind('/') == std::string::npos ? 0 : suite.rfind('/') + 1);
+  if (name.size() > 5 && name.compare(name.size() - 5, 5, ".yaml") == 0) {
+    name.resize(name.size() - 5);
+  }
+  return "out/bench/" + name;
+}
+
+}  // namespace
+
+int bench_command(const BenchCommandOptions& options) {
+  const auto configs = runtime::ConfigPath::from_environment();
+  const auto plan = make_plan(options, configs);
+  if (!plan.ok()) return complain(plan.error());
+  if (!options.write_worlds.empty()) return write_worlds_of(*plan, options.write_worlds);
+
+  bench::BenchOptions bench;
+  bench.directory = options.out.empty() ? default_directory(options.suite) : options.out;
+  bench.jobs = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
+  bench.restart = options.force;
+  bench.progress = terminal_progress();
+  const auto end = bench::run_bench(*plan, configs, stages::all(), bench);
+  clear_progress();
+  if (!end.ok()) return complain(end.error());
+  if (end->interrupted_by != 0) {
+    std::fprintf(stderr, "clew: interrupted; the same command goes on from %s\n",
+                 bench.directory.c_str());
+    return kExitInterrupted;
+  }
+  if (options.json) {
+    for (const std::string& line : end->lines) std::puts(line.c_str());
+    return kExitGood;
+  }
+  fmt::print("{}\n{}/report.html, report.md, results.csv, results.jsonl\n",
+             bench::to_markdown(end->report.tables.front()), bench.directory);
+  return kExitGood;
+}
+
+}  // namespace clew::tools
