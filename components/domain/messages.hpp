@@ -137,6 +137,11 @@ struct VirtualObstacle {
   double y_max_m = 0.0;
 };
 
+template <typename Visitor>
+void visit_fields(Visitor& visit, VirtualObstacle& o) {
+  visit(o.x_min_m, o.y_min_m, o.x_max_m, o.y_max_m);
+}
+
 inline constexpr std::size_t kMaxVirtualObstacles = 16;
 inline constexpr std::size_t kMaxTextLength = 96;
 inline constexpr std::size_t kMaxNameLength = 48;

@@ -26,13 +26,7 @@ Side obstacle_side(const Situation& situation) {
 
 core::Result<std::unique_ptr<ObstacleFollowing>> ObstacleFollowing::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
-  if (setup.scan.beam_count != WallFollower::kBeams) {
-    return core::Error{"obstacle_following needs scans of seven beams; '" + setup.scan.sensor +
-                           "' gives " + std::to_string(setup.scan.beam_count),
-                       {},
-                       0,
-                       0};
-  }
+  CLEW_RETURN_IF_ERROR(SevenCones::check(setup.scan, "obstacle_following"));
   const auto resource = setup.resources.find("rulebases", parameters.rules);
   if (!resource.ok()) return resource.error();
   const auto rules = WallRules::parse(*resource);
@@ -44,9 +38,17 @@ ObstacleFollowing::ObstacleFollowing(const Parameters& parameters, const WallRul
     : parameters_(parameters),
       follower_(rules),
       close_follower_(rules.scaled(parameters.close_share)),
+      eyes_(parameters.range_m),
       circuit_(parameters.same_place_m) {}
 
-void ObstacleFollowing::begin(const Situation& situation, const TrapEvidence&) {
+/// The situation as seven cones see it.
+Situation ObstacleFollowing::as_seen(const Situation& situation) {
+  return {situation.tick,     situation.odometry,    eyes_.see(situation.scan),
+          situation.landmark, situation.target_odom, situation.pursued_odom};
+}
+
+void ObstacleFollowing::begin(const Situation& all, const TrapEvidence&) {
+  const Situation situation = as_seen(all);
   const double last_leave_m = state_.last_leave_m;
   state_ = {};
   state_.last_leave_m = last_leave_m;
@@ -60,7 +62,8 @@ void ObstacleFollowing::begin(const Situation& situation, const TrapEvidence&) {
   }
 }
 
-EscapeStatus ObstacleFollowing::step(const Situation& situation, domain::Guidance& guidance) {
+EscapeStatus ObstacleFollowing::step(const Situation& all, domain::Guidance& guidance) {
+  const Situation situation = as_seen(all);
   EscapeStatus status = EscapeStatus::kActive;
   if (state_.phase == Phase::kSeek) status = seek(situation);
   if (state_.phase == Phase::kFollow) status = follow(situation, guidance);
@@ -89,6 +92,7 @@ void ObstacleFollowing::begin_following(const Situation& situation) {
   circuit_.begin(situation.pose(), situation.odometry.travel_m, situation.target_odom);
   if (state_.separated) return;  // the second circuit leaves by the same distance
   state_.followed = true;
+  boundary_.hit(situation);
   state_.leave_below_m = std::min(state_.last_leave_m, situation.target_distance_m()) -
                          parameters_.nearer_ratio * situation.scan.range_max_m;
 }
@@ -96,7 +100,7 @@ void ObstacleFollowing::begin_following(const Situation& situation) {
 /// Step 1: the controller is in charge.
 EscapeStatus ObstacleFollowing::seek(const Situation& situation) {
   const double travel_m = situation.odometry.travel_m;
-  const bool ends = state_.followed && parameters_.leave == LeavingRule::kNearer;
+  const bool ends = state_.followed && parameters_.leave != LeavingRule::kPaper;
   if (!follower_.sees_obstacle(situation.scan)) {
     const bool open = travel_m - state_.in_view_travel_m > parameters_.open_m;
     return ends && open ? EscapeStatus::kEnded : EscapeStatus::kActive;
@@ -133,12 +137,15 @@ void ObstacleFollowing::turn_about(const Situation& situation, domain::Guidance&
 EscapeStatus ObstacleFollowing::follow(const Situation& situation, domain::Guidance& guidance) {
   const double travel_m = situation.odometry.travel_m;
   if (!follower().at_break(situation.scan, state_.wall)) state_.wall_travel_m = travel_m;
-  if (travel_m - state_.wall_travel_m > parameters_.lost_wall_m) return EscapeStatus::kFailed;
-
+  if (travel_m - state_.wall_travel_m > parameters_.lost_wall_m) {
+    guidance.why = "no wall to follow";
+    return EscapeStatus::kFailed;
+  }
   const bool clear = way_is_clear(situation);
   if (may_leave(situation, clear)) {
     state_.separated = false;
     state_.last_leave_m = situation.target_distance_m();
+    boundary_.leave();
     state_.in_view_travel_m = travel_m;
     enter(Phase::kSeek, situation);
     return EscapeStatus::kActive;
@@ -146,7 +153,7 @@ EscapeStatus ObstacleFollowing::follow(const Situation& situation, domain::Guida
   const auto result =
       circuit_.add(situation.pose(), travel_m, situation.target_odom, clear, state_.wall);
   if (result) {
-    const EscapeStatus status = come_round(*result, situation);
+    const EscapeStatus status = come_round(*result, situation, guidance);
     if (status != EscapeStatus::kActive || state_.phase != Phase::kFollow) return status;
   }
   guidance.has_override = true;
@@ -156,14 +163,19 @@ EscapeStatus ObstacleFollowing::follow(const Situation& situation, domain::Guida
 }
 
 /// A circuit has closed.
-EscapeStatus ObstacleFollowing::come_round(CircuitResult result, const Situation& situation) {
+EscapeStatus ObstacleFollowing::come_round(CircuitResult result, const Situation& situation,
+                                           domain::Guidance& guidance) {
   if (result == CircuitResult::kSeparates) {
-    if (state_.separated) return EscapeStatus::kUnreachable;
+    if (state_.separated) {
+      guidance.why = "a wall all round, on both sides";
+      return EscapeStatus::kUnreachable;
+    }
     state_.separated = true;
     begin_turning_about(situation);
     return EscapeStatus::kActive;
   }
   if (state_.came_round || !std::isfinite(circuit_.nearest_clear_m())) {
+    guidance.why = "came round without a place to leave";
     return EscapeStatus::kFailed;
   }
   state_.came_round = true;
@@ -172,20 +184,26 @@ EscapeStatus ObstacleFollowing::come_round(CircuitResult result, const Situation
   return EscapeStatus::kActive;
 }
 
-/// Whether all beams around the target's direction are clear, as far as the target or clear_ratio.
-bool ObstacleFollowing::way_is_clear(const Situation& situation) const {
+/// The least reading around the target's direction; 0 if that is not in view.
+double ObstacleFollowing::free_toward_target_m(const Situation& situation) const {
   const domain::Scan& scan = situation.scan;
   const double target_rad = situation.target_bearing_rad();
-  const double need_m =
-      std::min(parameters_.clear_ratio * scan.range_max_m, situation.target_distance_m());
+  double free_m = scan.range_max_m;
   bool seen = false;
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
     const double off_rad = std::fabs(core::wrap_angle_rad(scan.bearing_rad(i) - target_rad));
     if (off_rad > 1.5 * scan.beam_width_rad) continue;
     if (off_rad <= 0.5 * scan.beam_width_rad) seen = true;
-    if (scan.ranges_m[i] < need_m) return false;
+    free_m = std::min(free_m, scan.ranges_m[i]);
   }
-  return seen;
+  return seen ? free_m : 0.0;
+}
+
+/// Whether the way toward the target is clear, as far as that or clear_ratio.
+bool ObstacleFollowing::way_is_clear(const Situation& situation) const {
+  return free_toward_target_m(situation) >=
+         std::min(parameters_.clear_ratio * situation.scan.range_max_m,
+                  situation.target_distance_m());
 }
 
 bool ObstacleFollowing::may_leave(const Situation& situation, bool clear) const {
@@ -193,18 +211,24 @@ bool ObstacleFollowing::may_leave(const Situation& situation, bool clear) const 
     return follower().at_break(situation.scan, state_.wall) &&
            side_of(situation.target_bearing_rad()) == state_.wall;
   }
-  return clear && situation.target_distance_m() < state_.leave_below_m;
+  if (parameters_.leave == LeavingRule::kNearer || state_.came_round) {
+    return clear && situation.target_distance_m() < state_.leave_below_m;
+  }
+  return boundary_.may_leave(parameters_.leave, situation, free_toward_target_m(situation), clear,
+                             parameters_.nearer_ratio * situation.scan.range_max_m);
 }
 
 void ObstacleFollowing::save(core::StateWriter& writer) const {
   State state = state_;
   state.circuit = circuit_.state();
+  state.boundary = boundary_.state();
   writer(state);
 }
 
 void ObstacleFollowing::load(core::StateReader& reader) {
   reader(state_);
   circuit_.state() = state_.circuit;
+  boundary_.state() = state_.boundary;
 }
 
 }  // namespace clew::recover

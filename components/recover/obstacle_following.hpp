@@ -8,17 +8,18 @@
 #include "core/angle.hpp"
 #include "core/result.hpp"
 #include "domain/setup.hpp"
+#include "recover/boundary_memory.hpp"
 #include "recover/circuit.hpp"
 #include "recover/escape.hpp"
+#include "recover/seven_cones.hpp"
 #include "recover/wall_follower.hpp"
 
 namespace clew::recover {
 
-enum class LeavingRule : std::uint8_t { kNearer, kPaper };
-
 struct ObstacleFollowingParameters {
   std::string rules = "obstacle_following";
   LeavingRule leave = LeavingRule::kNearer;
+  double range_m = 1.5;
   double nearer_ratio = 0.2;
   double clear_ratio = 0.8;
   double first_seek_m = 6.0;
@@ -33,8 +34,16 @@ struct ObstacleFollowingParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, ObstacleFollowingParameters& p) {
   visit.file("rules", p.rules, "rulebases", "rule base that follows the obstacle");
-  visit.choice("leave", p.leave, {{"nearer", LeavingRule::kNearer}, {"paper", LeavingRule::kPaper}},
-               "leave where nearer to the target and clear, or at breaks as the paper says");
+  visit.choice("leave", p.leave,
+               {{"nearer", LeavingRule::kNearer},
+                {"paper", LeavingRule::kPaper},
+                {"collinear", LeavingRule::kCollinear},
+                {"bug2", LeavingRule::kBug2},
+                {"distbug", LeavingRule::kDistBug},
+                {"tangentbug", LeavingRule::kTangentBug}},
+               "leave where nearer and clear, at breaks as the paper says, or by another's rule");
+  visit.number("range_m", p.range_m, "m", {0.1, 20.0},
+               "sees no farther than this; distances scale with it");
   visit.number("nearer_ratio", p.nearer_ratio, "1", {0.0, 10.0},
                "leave: nearer than where following began, by this share of the range");
   visit.number("clear_ratio", p.clear_ratio, "1", {0.0, 1.0},
@@ -74,7 +83,8 @@ void visit_parameters(Visitor& visit, ObstacleFollowingParameters& p) {
 /// *Leaving:* by the paper, at the first break with the target on the wall's side, and the steps
 /// are repeated until the robot is at the target. *Deviation,* and the default: where the robot is
 /// nearer to the target than where it began to follow, and the way toward it is clear; and the
-/// escape ends when no obstacle has been in view for open_m after that.
+/// escape ends when no obstacle has been in view for open_m after that. Others' rules are those of
+/// BoundaryMemory; under them, too, the escape ends in the open.
 ///
 /// *Unreachable* (not in the paper) takes two closed circuits, one on each side, which both show
 /// that the obstacle lies all round between robot and target; the second follows closer, to find
@@ -100,14 +110,16 @@ class ObstacleFollowing final : public Escape {
     bool came_round = false;  ///< a circuit has closed that does not separate
     bool separated = false;   ///< a circuit on the other side has shown it
     Circuit::State circuit;
+    BoundaryMemory::State boundary;
   };
 
-  /// Refuses scans that are not of seven beams, and a rule base that is not well formed.
+  /// Refuses scans without a beam in each of seven cones, and a rule base that is not well formed.
   static core::Result<std::unique_ptr<ObstacleFollowing>> create(
       const Parameters& parameters, const domain::BehaviourSetup& setup);
 
   ObstacleFollowing(const Parameters& parameters, const WallRules& rules);
 
+  void watch(const Situation& situation) override { boundary_.watch(as_seen(situation)); }
   void begin(const Situation& situation, const TrapEvidence& evidence) override;
   EscapeStatus step(const Situation& situation, domain::Guidance& guidance) override;
   void save(core::StateWriter& writer) const override;
@@ -118,26 +130,32 @@ class ObstacleFollowing final : public Escape {
   void begin_turning_about(const Situation& situation);
   void begin_following(const Situation& situation);
 
+  Situation as_seen(const Situation& situation);
   EscapeStatus seek(const Situation& situation);
   void turn_about(const Situation& situation, domain::Guidance& guidance);
   EscapeStatus follow(const Situation& situation, domain::Guidance& guidance);
-  EscapeStatus come_round(CircuitResult result, const Situation& situation);
+  EscapeStatus come_round(CircuitResult result, const Situation& situation,
+                          domain::Guidance& guidance);
 
   const WallFollower& follower() const { return state_.separated ? close_follower_ : follower_; }
+  double free_toward_target_m(const Situation& situation) const;
   bool way_is_clear(const Situation& situation) const;
   bool may_leave(const Situation& situation, bool clear) const;
 
   Parameters parameters_;
   WallFollower follower_;
   WallFollower close_follower_;
+  SevenCones eyes_;
   Circuit circuit_;
-  State state_;  // but for the circuit, which keeps its own
+  BoundaryMemory boundary_;
+  State state_;  // but for the circuit and the boundary, which keep their own
 };
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, ObstacleFollowing::State& s) {
   visit(s.phase, s.wall, s.followed, s.phase_travel_m, s.in_view_travel_m, s.wall_travel_m,
-        s.turn_left_rad, s.leave_below_m, s.last_leave_m, s.came_round, s.separated, s.circuit);
+        s.turn_left_rad, s.leave_below_m, s.last_leave_m, s.came_round, s.separated, s.circuit,
+        s.boundary);
 }
 
 }  // namespace clew::recover

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recover/registry.hpp"
 
+#include "recover/fixed_sequence.hpp"
 #include "recover/heading_reversal.hpp"
 #include "recover/landmark_revisit.hpp"
+#include "recover/local_minimum_planner.hpp"
 #include "recover/no_progress.hpp"
 #include "recover/no_recovery.hpp"
 #include "recover/no_safe_region.hpp"
 #include "recover/obstacle_following.hpp"
 #include "recover/oscillation.hpp"
 #include "recover/position_revisit.hpp"
+#include "recover/virtual_obstacle.hpp"
 
 namespace clew::recover {
 
@@ -43,6 +46,13 @@ const runtime::Registry<Escape>& escapes() {
           "obstacle_following",
           "the four cases of the distant memory's action space (Krishna & Kalra 2000, section "
           "4.3)"),
+      runtime::registration<Escape, LocalMinimumPlanner>(
+          "local_minimum_planner", "a stack of virtual targets (Nakhaeinia et al. 2015)"),
+      runtime::registration<Escape, VirtualObstacleEscape>(
+          "virtual_obstacle",
+          "fills the trap with virtual obstacles, and a stack of goals (Pin & Bender 1996)"),
+      runtime::registration<Escape, FixedSequence>(
+          "fixed_sequence", "clear, spin, wait, back up by turns (Nav2's default behaviour tree)"),
       runtime::registration<Escape, NoEscape>("none", "lets the robot go on seeking"),
   };
   return registry;

@@ -321,16 +321,16 @@ TEST(ObstacleFollowing, GoesOnAsBeforeAfterSaveAndLoad) {
   EXPECT_EQ(other_travel_m, travel_m);
 }
 
-TEST(ObstacleFollowing, RefusesASensorThatHasNotSevenBeams) {
+TEST(ObstacleFollowing, RefusesASensorThatLooksElsewhere) {
   domain::BehaviourSetup setup;
-  setup.scan.sensor = "lidar";
-  setup.scan.beam_count = 360;
+  setup.scan = {"bumper_eye", 3, radians(-10.0), radians(10.0), 0.0, 1.0};
 
   const auto made = ObstacleFollowing::create({}, setup);
 
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().message,
-            "obstacle_following needs scans of seven beams; 'lidar' gives 360");
+            "obstacle_following needs a beam in each of seven sectors of 15 deg, from 45 deg to "
+            "-45 deg; 'bumper_eye' has none in the one at 45 deg");
 }
 
 }  // namespace

@@ -75,15 +75,18 @@ void Mission::load(const Saved& saved) {
 }
 
 std::string Mission::digest() const {
+  std::string all;
+  for (const domain::Topic topic : domain::kAllTopics) all += digest_of(topic);
+  return all;
+}
+
+std::string Mission::digest_of(domain::Topic topic) const {
   core::HashChain chain;
-  for (const domain::Topic topic : domain::kAllTopics) {
-    domain::visit_topic(topic, [&](auto constant) {
-      using Message = domain::MessageOf<decltype(constant)::value>;
-      const Message& message = std::get<Message>(messages_);
-      chain.add(message.stamp.tick, message.stamp.sequence,
-                bridge::Codec<Message>().encode(message));
-    });
-  }
+  domain::visit_topic(topic, [&](auto constant) {
+    using Message = domain::MessageOf<decltype(constant)::value>;
+    const Message& message = std::get<Message>(messages_);
+    chain.add(message.stamp.tick, message.stamp.sequence, bridge::Codec<Message>().encode(message));
+  });
   return chain.value().hex();
 }
 

@@ -37,11 +37,16 @@ class Mission {
   /// The truth at the start of the last tick.
   const domain::State& state() const { return std::get<domain::State>(messages_); }
 
+  /// All samples of the last tick.
+  const domain::Messages& messages() const { return messages_; }
+
   Saved save() const;
   void load(const Saved& saved);
 
   /// A hash of all samples of the last tick.
   std::string digest() const;
+  /// A hash of one topic's sample of the last tick.
+  std::string digest_of(domain::Topic topic) const;
 
  private:
   runtime::RunPlan plan_;
