@@ -101,6 +101,8 @@ DataWriterQos fastdds_writer_qos(const EndpointSpec& spec) {
   qos.publish_mode().kind = SYNCHRONOUS_PUBLISH_MODE;
   // By default 3 s, for which a sample written just before a match may be missing.
   qos.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0.02L);
+  qos.reliable_writer_qos().disable_heartbeat_piggyback = true;
+  qos.reliable_writer_qos().times.nackSupressionDuration = Duration_t(0.02L);
   qos.representation().m_value.push_back(XCDR_DATA_REPRESENTATION);
   return qos;
 }

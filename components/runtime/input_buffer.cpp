@@ -8,10 +8,27 @@ namespace clew::runtime {
 InputBuffer::InputBuffer(const NodePorts& ports, std::size_t depth)
     : inputs_(ports.inputs), delayed_(ports.delayed_inputs), slots_(depth) {}
 
+InputBuffer::Slot& InputBuffer::slot_of(std::uint64_t tick) {
+  std::unique_ptr<Slot>& slot = slots_[tick % slots_.size()];
+  if (slot == nullptr) {
+    if (spare_.empty()) spare_.push_back(std::make_unique<Slot>());
+    slot = std::move(spare_.back());
+    spare_.pop_back();
+  }
+  return *slot;
+}
+
+void InputBuffer::release(std::uint64_t tick) {
+  std::unique_ptr<Slot>& slot = slots_[tick % slots_.size()];
+  if (slot == nullptr) return;
+  slot->present.reset();
+  spare_.push_back(std::move(slot));
+}
+
 void InputBuffer::restart_at(std::uint64_t tick) {
   for (std::uint64_t t = next_tick_; t < next_tick_ + slots_.size(); ++t) {
     const bool stays = t >= tick && t - tick < slots_.size();
-    if (!stays) slots_[t % slots_.size()].present.reset();
+    if (!stays) release(t);
   }
   next_tick_ = tick;
 }
@@ -21,20 +38,22 @@ TopicSet InputBuffer::needed(std::uint64_t tick) const {
 }
 
 bool InputBuffer::ready() const {
-  return slots_[next_tick_ % slots_.size()].present == needed(next_tick_);
+  const std::unique_ptr<Slot>& slot = slots_[next_tick_ % slots_.size()];
+  return (slot != nullptr ? slot->present : TopicSet()) == needed(next_tick_);
 }
 
 TopicSet InputBuffer::take(domain::Messages& messages) {
-  Slot& slot = slots_[next_tick_ % slots_.size()];
+  Slot& slot = slot_of(next_tick_);
+  const TopicSet present = slot.present;
   for (Topic topic : domain::kAllTopics) {
-    if (!slot.present[static_cast<std::size_t>(topic)]) continue;
+    if (!present[static_cast<std::size_t>(topic)]) continue;
     domain::visit_topic(topic, [&](auto constant) {
       constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
       std::swap(std::get<kIndex>(messages), std::get<kIndex>(slot.messages));
     });
   }
-  ++next_tick_;
-  return std::exchange(slot.present, {});
+  release(next_tick_++);
+  return present;
 }
 
 }  // namespace clew::runtime

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "runtime/node.hpp"
@@ -9,7 +10,8 @@
 namespace clew::runtime {
 
 /// Collects the samples of a node's wired inputs, in whatever order they come, until a tick has all
-/// of them. Holds at most `depth` ticks ahead of the next one.
+/// of them. Holds at most `depth` ticks ahead of the next one. The few slots that are in use at a
+/// time are used again and again, so that they stay in the processor's cache.
 class InputBuffer {
  public:
   enum class Offer : std::uint8_t {
@@ -33,7 +35,7 @@ class InputBuffer {
     if (tick < message.stamp.tick) return Offer::kAhead;  // beyond the last number
     if (tick < next_tick_) return Offer::kKnown;
     if (tick - next_tick_ >= slots_.size()) return Offer::kAhead;
-    Slot& slot = slots_[tick % slots_.size()];
+    Slot& slot = slot_of(tick);
     if (slot.present[kIndex]) return Offer::kKnown;
     std::swap(std::get<kIndex>(slot.messages), message);
     slot.present.set(kIndex);
@@ -52,11 +54,14 @@ class InputBuffer {
     domain::Messages messages;
     TopicSet present;
   };
+  Slot& slot_of(std::uint64_t tick);
+  void release(std::uint64_t tick);
   TopicSet needed(std::uint64_t tick) const;
 
   TopicSet inputs_;
   TopicSet delayed_;
-  std::vector<Slot> slots_;  // by tick modulo their number
+  std::vector<std::unique_ptr<Slot>> slots_;  // by tick modulo their number; null: nothing is there
+  std::vector<std::unique_ptr<Slot>> spare_;
   std::uint64_t next_tick_ = 0;
 };
 
