@@ -24,6 +24,8 @@ using eprosima::fastrtps::rtps::Locator_t;
 
 namespace {
 
+const Duration_t kHeartbeatPeriod(0.02L);
+
 Locator_t loopback_locator(std::uint32_t port) {
   Locator_t locator;
   locator.kind = LOCATOR_KIND_UDPv4;
@@ -99,10 +101,15 @@ DataWriterQos fastdds_writer_qos(const EndpointSpec& spec) {
   qos.resource_limits().allocated_samples = 0;
   // Asynchronous sending is 2 to 10 times slower a tick.
   qos.publish_mode().kind = SYNCHRONOUS_PUBLISH_MODE;
+  auto& reliable = qos.reliable_writer_qos();
   // By default 3 s, for which a sample written just before a match may be missing.
-  qos.reliable_writer_qos().times.heartbeatPeriod = Duration_t(0.02L);
-  qos.reliable_writer_qos().disable_heartbeat_piggyback = true;
-  qos.reliable_writer_qos().times.nackSupressionDuration = Duration_t(0.02L);
+  reliable.times.heartbeatPeriod = kHeartbeatPeriod;
+  // A full history, which ours is from tick n on, would ask for an acknowledgement with every
+  // sample.
+  reliable.disable_heartbeat_piggyback = true;
+  // By default 0 s, with which a timer thread is woken for every sample and reader. What is lost is
+  // asked for after a heartbeat anyway.
+  reliable.times.nackSupressionDuration = kHeartbeatPeriod;
   qos.representation().m_value.push_back(XCDR_DATA_REPRESENTATION);
   return qos;
 }

@@ -186,7 +186,7 @@ void NodeHost::step() {
   const runtime::TopicSet present = buffer_.take(messages_);
   if (account_inputs_) account(present);
   node_.step(tick, present, messages_);
-  for (Topic topic : node_.ports().output_order) publish(topic);
+  publish();
   const auto& truth = journal_.tally().truth;
   const bool ended = truth && truth->outcome != domain::Outcome::kRunning;
   if (ended) stopped_ = true;
@@ -233,14 +233,23 @@ void NodeHost::account(const runtime::TopicSet& present) {
   }
 }
 
-void NodeHost::publish(Topic topic) {
-  domain::visit_topic(topic, [&](auto constant) {
-    constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-    const auto& message = std::get<kIndex>(messages_);
-    const std::string_view cdr = std::get<kIndex>(codecs_).encode(message);
-    write(outputs_[kIndex], topic, cdr);
-    journal_.add(message, cdr);
-  });
+// The next component waits for the samples and nobody for the account of them.
+void NodeHost::publish() {
+  const auto& outputs = node_.ports().output_order;
+  std::array<std::string_view, domain::kTopicCount> encoded;
+  for (Topic topic : outputs) {
+    domain::visit_topic(topic, [&](auto constant) {
+      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      encoded[kIndex] = std::get<kIndex>(codecs_).encode(std::get<kIndex>(messages_));
+    });
+    write(outputs_[index_of(topic)], topic, encoded[index_of(topic)]);
+  }
+  for (Topic topic : outputs) {
+    domain::visit_topic(topic, [&](auto constant) {
+      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      journal_.add(std::get<kIndex>(messages_), encoded[kIndex]);
+    });
+  }
 }
 
 void NodeHost::write(Output& output, Topic topic, std::string_view cdr) {

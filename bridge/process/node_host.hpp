@@ -86,7 +86,7 @@ class NodeHost {
   bool may_step(Time now) const;
   void step();
   void account(const runtime::TopicSet& present);
-  void publish(runtime::Topic topic);
+  void publish();
   void write(Output& output, runtime::Topic topic, std::string_view cdr);
   void report();
   void save_checkpoint();
