@@ -85,7 +85,9 @@ TEST(BenchPlan, ChangesReplaceGraphsAndVariationsOfTheSuite) {
 
   ASSERT_TRUE(planned.ok()) << planned.error().text();
   ASSERT_EQ(planned->variants.size(), 1u);
-  EXPECT_EQ(planned->variants[0].label(), "reactive [sense.range_m=2]");
+  // A single value tells no two variants apart.
+  EXPECT_EQ(planned->variants[0].label(), "reactive");
+  EXPECT_EQ(planned->variants[0].overrides.set.back(), "sense.range_m=2");
 }
 
 TEST(BenchPlan, WhatDecidesTheResultsIsInTheConfiguration) {
@@ -123,7 +125,7 @@ TEST(BenchPlan, RefusesWhatCannotBeRun) {
   BenchChanges same_value;
   same_value.variations = {{"sense.range_m", {{"1.2"}, {"1.2"}}}};
   BenchChanges out_of_range;
-  out_of_range.variations = {{"sense.range_m", {{"-1"}}}};
+  out_of_range.variations = {{"sense.range_m", {{"1.5"}, {"-1"}}}};
   const std::vector<Refusal> refusals = {
       {"graph", unknown_graph, {}, "did you mean 'reactive'?"},
       {"world", unknown_world, {}, "did you mean 'u-trap'?"},

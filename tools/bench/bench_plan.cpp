@@ -36,7 +36,7 @@ bool names_a_behaviour(const std::string& path, const std::vector<StageInfo>& st
 
 void apply(const Variation& variation, const std::vector<std::string>& value, bool is_behaviour,
            Variant& variant) {
-  variant.values.emplace_back(variation.path, joined(value, "+"));
+  if (variation.values.size() > 1) variant.values.emplace_back(variation.path, joined(value, "+"));
   if (is_behaviour) {
     variant.overrides.with.push_back(variation.path + '=' + joined(value, ","));
   } else {

@@ -27,7 +27,8 @@ struct BenchChanges {
 /// A graph with certain values of what is varied: a row of the report.
 struct Variant {
   std::string graph;
-  /// Path and value of each variation, in order.
+  /// Path and value of each variation, in order; one with a single value tells no two apart and is
+  /// left out.
   std::vector<std::pair<std::string, std::string>> values;
   runtime::GraphOverrides overrides;
 

@@ -7,7 +7,7 @@ namespace clew::trap_worlds {
 namespace {
 
 constexpr double kRobotWidth_m = 0.3;
-constexpr double kFastest_mps = 0.5;  // of the drives that ship
+constexpr double kFastest_mps = 0.8;  // of the drives that ship
 
 }  // namespace
 
@@ -96,10 +96,10 @@ WorldDraft draw_closing_door(Dice& dice, double depth_m) {
   draft.add_walls({{left_m, 0.0}, {-1.4, 0.0}});
   draft.add_walls({{1.4, 0.0}, {far_door_m, 0.0}});
   draft.add_walls({{far_door_m + door_m, 0.0}, {right_m, 0.0}});
-  draft.start = {dice.between(-0.3, 0.3), -side_m - dice.between(2.5, 3.5)};
-  // A round leaf behind the wall comes before the door and then into it, in the robot's sight, but
-  // so early that no robot drives into it that does not see it.
-  const double closed_s = -draft.start.y() / kFastest_mps - dice.between(1.0, 3.0);
+  draft.start = {dice.between(-0.3, 0.3), -side_m - dice.between(3.5, 4.5)};
+  // A round leaf behind the wall comes before the door and then into it, before any robot can be
+  // there: to be run over is no trap.
+  const double closed_s = -draft.start.y() / kFastest_mps - dice.between(0.5, 1.5);
   draft.say_time("closed after", closed_s);
   const double leaf_m = half_m - 0.05;
   const double aside_m = half_m + leaf_m + 0.1;

@@ -43,10 +43,10 @@ WorldDraft draw_look_alike(Dice& dice, double depth_m) {
 WorldDraft draw_clutter(Dice& dice, double depth_m) {
   WorldDraft draft;
   const double size_m = 6.0 + depth_m;
-  const double gap_m = dice.between(0.9, 1.3);
+  const double gap_m = dice.between(0.6, 1.0);
   draft.start = {0.0, 0.0};
   draft.target = {dice.between(-1.0, 1.0), size_m};
-  const int tries = static_cast<int>(12.0 * size_m);
+  const int tries = static_cast<int>(40.0 * size_m);
   for (int i = 0; i < tries; ++i) {
     const world::World::Circle circle{
         {dice.between(-0.5, 0.5) * size_m, dice.between(0.0, 1.0) * size_m},
@@ -55,7 +55,7 @@ WorldDraft draw_clutter(Dice& dice, double depth_m) {
       return core::length(p - circle.centre) < circle.radius_m + room_m;
     };
     const bool taken =
-        is_near(draft.start, 0.8) || is_near(draft.target, 0.8) ||
+        is_near(draft.start, 0.6) || is_near(draft.target, 0.6) ||
         std::any_of(draft.circles.begin(), draft.circles.end(), [&](const auto& other) {
           return is_near(other.centre, other.radius_m + gap_m);
         });
