@@ -215,7 +215,8 @@ bool parse(std::string_view content, MetadataIndex& record) {
 bool parse(std::string_view content, DataEnd& record) {
   Cursor in(content);
   record.data_section_crc = in.integer<std::uint32_t>();
-  return in.ok();
+  // Later versions of the format never extend it, and no CRC protects its length.
+  return in.ok() && in.at_end();
 }
 
 std::uint64_t announced_content_bytes(std::string_view bytes) {

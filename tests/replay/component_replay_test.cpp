@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "../recording/scratch_directory.hpp"
+#include "every_behaviour.hpp"
 #include "process/recording_sink.hpp"
 #include "recorded_run.hpp"
 #include "recording_draft.hpp"
@@ -35,41 +36,11 @@ std::string refused(const RunRecording& recording, const runtime::RunPlan& plan,
   return report.ok() ? "accepted" : report.error().text();
 }
 
-/// One behaviour of one part of one stage.
-struct Behaviour {
-  std::string stage;
-  std::string part;
-  std::string name;
-};
-
-std::vector<Behaviour> all_behaviours() {
-  std::vector<Behaviour> all;
-  for (const runtime::StageInfo& stage : stages::all()) {
-    for (const runtime::PartInfo& part : stage.parts) {
-      for (const runtime::VariantInfo& variant : part.variants) {
-        all.push_back({stage.name, part.name, variant.name});
-      }
-    }
-  }
-  return all;
-}
-
-/// The first shipped graph in which the behaviour fits the others, with it.
-std::optional<runtime::RunPlan> plan_with(const Behaviour& behaviour) {
-  const auto overrides =
-      changes({behaviour.stage + '.' + behaviour.part + '=' + behaviour.name}, {}, kTicks);
-  for (const std::string& graph : shipped_configs().names("graphs")) {
-    auto plan = runtime::prepare_run(graph, overrides, shipped_configs(), stages::all());
-    if (plan.ok()) return std::move(plan).value();
-  }
-  return std::nullopt;
-}
-
 class ReplayOfBehaviour : public testing::TestWithParam<Behaviour> {};
 
 TEST_P(ReplayOfBehaviour, IsIdenticalToItsOwnRecording) {
   const ScratchDirectory scratch;
-  const auto plan = plan_with(GetParam());
+  const auto plan = plan_with(GetParam(), kTicks);
   ASSERT_TRUE(plan.has_value()) << "no shipped graph fits";
   record_run(*plan, scratch.file("run.mcap"));
   const RunRecording recording = open_recording(scratch.file("run.mcap"));

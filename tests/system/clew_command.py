@@ -10,6 +10,7 @@ import time
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 CLEW = os.environ.get("CLEW_COMMAND", str(SOURCE / "build" / "clew"))
 DEBUG_CLEW = os.environ.get("CLEW_DEBUG_COMMAND", str(SOURCE / "build-debug" / "clew"))
+ASAN_CLEW = os.environ.get("CLEW_ASAN_COMMAND", str(SOURCE / "build-asan" / "clew"))
 THIRD_PARTY = pathlib.Path(os.environ.get("CLEW_THIRD_PARTY", SOURCE / "build/tests/third_party"))
 SOAK = os.environ.get("CLEW_SOAK") == "1"
 TIMEOUT_S = 120

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Recordings on the command line: what info, diff, replay and branches print, and how they end."""
 import pathlib
+import re
 import shutil
 import tempfile
 import unittest
 
-from clew_command import THIRD_PARTY, Run, run_graph, write_file
+from clew_command import (ASAN_CLEW, DEBUG_CLEW, SOAK, SOURCE, THIRD_PARTY, Run, run_graph,
+                          write_file)
 
 CHANGE = ["--set", "control.guard_turn_deg=20"]  # matters in the comb, from tick 50 on
+
+OTHER_BUILDS = [DEBUG_CLEW, ASAN_CLEW] if SOAK else [DEBUG_CLEW]
 
 
 class Recordings(unittest.TestCase):
@@ -229,6 +233,39 @@ class Replay(Recordings):
         self.assertIn("control is a component of someone else's", run.err)
         self.refused(["replay", recording, "--component", "control"], "someone else's")
         self.refused(["replay", recording, "--branch", "5"], "cannot be composed")
+
+
+class Builds(unittest.TestCase):
+    """A recording of the Release build is what every other build does."""
+
+    def test_replay_every_behaviour_identically(self):
+        behaviours = registered_behaviours()
+        graphs = [path.stem for path in sorted((SOURCE / "configs/graphs").glob("*.yaml"))]
+        self.assertGreaterEqual(len(behaviours), 10)
+        with tempfile.TemporaryDirectory() as directory:
+            for choice in behaviours:
+                with self.subTest(behaviour=choice):
+                    recording = pathlib.Path(directory) / f"{choice}.mcap"
+                    fitting = next(graph for graph in graphs if recorded(graph, choice, recording))
+                    for command in OTHER_BUILDS:
+                        replay = Run(["replay", recording, "--json"], command=command)
+
+                        self.assertEqual(replay.status, 0, fitting + replay.err + replay.out)
+                        self.assertTrue(replay.report["identical"])
+
+
+def registered_behaviours():
+    """All that `clew list` knows, as --with takes them: `recover.detector=none`."""
+    listed = "".join(Run(["list", stage]).out
+                     for stage in ("drive", "sense", "classify", "recover", "control"))
+    return [f"{part}={name}" for part, name in re.findall(r"^  (\w+\.\w+) (\w+): ", listed, re.M)]
+
+
+def recorded(graph, choice, recording):
+    """Whether a graph runs with a behaviour, and is recorded."""
+    run = Run(["run", graph, "--layout", "composed", "--max-ticks", "150", "--with", choice,
+               "--record", recording])
+    return run.status != 2
 
 
 class Branch(Recordings):

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "every_behaviour.hpp"
+
+#include <utility>
+
+#include "recorded_run.hpp"
+#include "stages/all.hpp"
+
+namespace clew::replay_test {
+
+std::vector<Behaviour> all_behaviours() {
+  std::vector<Behaviour> all;
+  for (const runtime::StageInfo& stage : stages::all()) {
+    for (const runtime::PartInfo& part : stage.parts) {
+      for (const runtime::VariantInfo& variant : part.variants) {
+        all.push_back({stage.name, part.name, variant.name});
+      }
+    }
+  }
+  return all;
+}
+
+std::optional<runtime::RunPlan> plan_with(const Behaviour& behaviour, std::uint64_t max_ticks) {
+  const auto overrides =
+      changes({behaviour.stage + '.' + behaviour.part + '=' + behaviour.name}, {}, max_ticks);
+  for (const std::string& graph : shipped_configs().names("graphs")) {
+    auto plan = runtime::prepare_run(graph, overrides, shipped_configs(), stages::all());
+    if (plan.ok()) return std::move(plan).value();
+  }
+  return std::nullopt;
+}
+
+}  // namespace clew::replay_test

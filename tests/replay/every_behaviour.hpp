@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/run_plan.hpp"
+
+namespace clew::replay_test {
+
+/// One behaviour of one part of one stage.
+struct Behaviour {
+  std::string stage;
+  std::string part;
+  std::string name;
+};
+
+/// All that are registered, as `clew list` shows them.
+std::vector<Behaviour> all_behaviours();
+
+/// The first shipped graph in which the behaviour fits the others, with it, for `max_ticks`.
+std::optional<runtime::RunPlan> plan_with(const Behaviour& behaviour, std::uint64_t max_ticks);
+
+}  // namespace clew::replay_test
