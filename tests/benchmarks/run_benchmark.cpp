@@ -31,8 +31,8 @@ constexpr Layout kProcesses[] = {
     {"mixed",
      " --middleware sense=fastdds --middleware recover=fastdds --middleware drive=fastdds"}};
 
-nlohmann::json run(const std::string& options) {
-  const std::string command = "'" CLEW_COMMAND "' run krishna_kalra --json" + options;
+nlohmann::json run(const std::string& graph, const std::string& options) {
+  const std::string command = "'" CLEW_COMMAND "' run " + graph + " --json" + options;
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   std::string text;
   for (int c; pipe && (c = std::fgetc(pipe.get())) != EOF;) text += static_cast<char>(c);
@@ -40,9 +40,10 @@ nlohmann::json run(const std::string& options) {
 }
 
 // Time is that between the first tick and the last, as the run reports it.
-void ticks(benchmark::State& state, const std::string& options, int max_ticks) {
+void ticks(benchmark::State& state, const std::string& graph, const std::string& options,
+           int max_ticks) {
   for (auto _ : state) {
-    const auto report = run(options + " --max-ticks " + std::to_string(max_ticks));
+    const auto report = run(graph, options + " --max-ticks " + std::to_string(max_ticks));
     if (!report.is_object() || report["ticks_per_s"] <= 0.0) {
       state.SkipWithError("the run failed");
       break;
@@ -55,7 +56,7 @@ void ticks(benchmark::State& state, const std::string& options, int max_ticks) {
 // From start to end of a run of one tick: what a user waits before the robot moves.
 void start(benchmark::State& state, const std::string& options) {
   for (auto _ : state) {
-    const auto report = run(options + " --max-ticks 1");
+    const auto report = run("krishna_kalra", options + " --max-ticks 1");
     if (!report.is_object()) {
       state.SkipWithError("the run failed");
       break;
@@ -64,8 +65,9 @@ void start(benchmark::State& state, const std::string& options) {
   }
 }
 
-void register_ticks(const std::string& name, const std::string& options, int max_ticks) {
-  benchmark::RegisterBenchmark(name.c_str(), ticks, options, max_ticks)
+void register_ticks(const std::string& name, const std::string& options, int max_ticks,
+                    const std::string& graph = "krishna_kalra") {
+  benchmark::RegisterBenchmark(name.c_str(), ticks, graph, options, max_ticks)
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond);
 }
@@ -79,8 +81,10 @@ int main(int argc, char** argv) {
   register_ticks("ticks/composed/u-trap", std::string(kComposed.options) + " --world u-trap",
                  20000);
   register_ticks("ticks/composed/endless", kComposed.options + endless, 20000);
-  register_ticks("ticks/composed/endless/no-hash", kComposed.options + endless + " --no-hash",
-                 20000);
+  for (const char* graph : {"krishna_kalra", "nakhaeinia", "pin_bender"}) {
+    register_ticks(std::string("ticks/composed/endless/no-hash/") + graph,
+                   kComposed.options + endless + " --no-hash", 20000, graph);
+  }
   for (const Layout& layout : kProcesses) {
     const std::string name = layout.name;
     register_ticks("ticks/" + name + "/pinned", layout.options + endless + kPinned, 10000);

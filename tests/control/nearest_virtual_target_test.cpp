@@ -85,8 +85,8 @@ TEST(NearestVirtualTarget, KeepsItsGapWhereTwoAreAsGood) {
   auto kept = controller();
   kept.step(at(0, 0, 0), scan_with(10.0, -30.0, 0.85), {5, 0});  // goes for the left
   auto fresh = controller();
-  // Now the right side is a little shorter: at 2 m depth, 5 degrees are 2 m (cos - cos) < 0.1 m.
-  const domain::Scan almost_even = scan_with(17.0, -15.0, 0.85);
+  // Now the right side is a little shorter: by less than 0.05 m.
+  const domain::Scan almost_even = scan_with(16.0, -15.0, 0.85);
 
   EXPECT_GT(kept.step(at(0, 0, 0), almost_even, {5, 0}).turn_rate_radps, 0.0);
   EXPECT_LT(fresh.step(at(0, 0, 0), almost_even, {5, 0}).turn_rate_radps, 0.0);
@@ -147,7 +147,7 @@ TEST(NearestVirtualTarget, GoesOnAsBeforeAfterSaveAndLoad) {
   restored.load(reader);
 
   EXPECT_TRUE(reader.complete());
-  EXPECT_GT(restored.step(at(0, 0, 0), scan_with(17.0, -15.0, 0.85), {5, 0}).turn_rate_radps, 0.0);
+  EXPECT_GT(restored.step(at(0, 0, 0), scan_with(16.0, -15.0, 0.85), {5, 0}).turn_rate_radps, 0.0);
 }
 
 TEST(NearestVirtualTarget, RefusesASensorThatShowsNoGaps) {
