@@ -60,13 +60,16 @@ class Bookkeeper : public runtime::SampleObserver {
         cdr = std::get<kIndex>(codecs_).encode(message);
       }
       journal_.add(message, cdr);
-      if (recording_ == nullptr || !failure_.empty()) return;
+      if (recording_ == nullptr) return;
       const auto added = recording_->add({topic, message.stamp.tick, message.stamp.sequence, cdr});
-      if (!added.ok()) failure_ = added.error().text();
+      if (added.ok()) return;
+      failure_ = "the recording failed: " + added.error().text();
+      recording_ = nullptr;
     });
   }
 
   const Journal& journal() const { return journal_; }
+  /// Why the recording was given up; empty if it was not.
   const std::string& failure() const { return failure_; }
 
  private:
@@ -105,10 +108,13 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart
   auto displayed_at = first_tick_at;
   clock.start(first_tick_at, start.next_tick);
   const RunTally& tally = bookkeeper.journal().tally();
-  do {
+  const auto goes_on = [&] {
+    return !tally.truth || tally.truth->outcome == domain::Outcome::kRunning;
+  };
+  while (goes_on() && report.aborted.empty()) {
     if (!clock.is_free()) std::this_thread::sleep_until(clock.due(executor.next_tick()));
     executor.step();
-    report.aborted = bookkeeper.failure();
+    if (layout.on_record_error == OnRecordError::kStop) report.aborted = bookkeeper.failure();
     if (asked_to_end != 0) {
       report.interrupted_by = asked_to_end;
       report.aborted = "interrupted by signal " + std::to_string(report.interrupted_by) + " (" +
@@ -120,13 +126,13 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart
       display(tally, static_cast<double>(executor.next_tick() - start.next_tick) /
                          seconds_since(first_tick_at));
     }
-  } while (tally.truth->outcome == domain::Outcome::kRunning && report.aborted.empty());
+  }
 
   report.tally = tally;
   report.wall_s = seconds_since(start.started_at);
   const double ticking_s = seconds_since(first_tick_at);
   if (ticking_s > 0.0) {
-    report.ticks_per_s = static_cast<double>(tally.truth->tick - start.next_tick) / ticking_s;
+    report.ticks_per_s = static_cast<double>(executor.next_tick() - start.next_tick) / ticking_s;
   }
   if (layout.hash && report.aborted.empty()) report.hash = run_hash(bookkeeper.journal().chains());
   return report;

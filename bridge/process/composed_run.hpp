@@ -9,7 +9,7 @@
 #include "process/journal.hpp"
 #include "process/link.hpp"
 #include "process/run_report.hpp"
-#include "process/supervisor.hpp"
+#include "process/sample_sink.hpp"
 #include "runtime/run_plan.hpp"
 
 namespace clew::bridge {
@@ -19,6 +19,7 @@ struct ComposedLayout {
   Pace pace = Pace::kLockstep;
   double pace_factor = 1.0;
   bool hash = true;
+  OnRecordError on_record_error = OnRecordError::kStop;
 };
 
 /// A run that is under way: what has been is not run again.

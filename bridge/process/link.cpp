@@ -3,9 +3,11 @@
 
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/uio.h>
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
@@ -16,6 +18,16 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 5;  // type, then the payload's length
 constexpr std::uint32_t kMaxPayloadBytes = 1u << 30;
+
+using Header = std::array<char, kHeaderBytes>;
+
+Header header_of(FrameType type, std::string_view payload) {
+  Header header;
+  const auto size = static_cast<std::uint32_t>(payload.size());
+  header[0] = static_cast<char>(type);
+  std::memcpy(header.data() + 1, &size, sizeof size);
+  return header;
+}
 
 // An address without a file: it vanishes with its socket, and each network namespace has its own.
 struct Address {
@@ -59,11 +71,33 @@ core::Result<int> Link::connect(int domain, std::chrono::steady_clock::time_poin
   }
 }
 
+std::size_t Link::frame_bytes(std::string_view payload) { return kHeaderBytes + payload.size(); }
+
+std::optional<std::size_t> Link::send_some(FrameType type, std::string_view payload,
+                                           std::size_t offset) {
+  const Header header = header_of(type, payload);
+  const std::lock_guard<std::mutex> lock(sending_);
+  while (offset < frame_bytes(payload)) {
+    const std::size_t of_payload = offset < kHeaderBytes ? 0 : offset - kHeaderBytes;
+    iovec parts[2] = {
+        {}, {const_cast<char*>(payload.data()) + of_payload, payload.size() - of_payload}};
+    if (offset < kHeaderBytes) {
+      parts[0] = {const_cast<char*>(header.data()) + offset, kHeaderBytes - offset};
+    }
+    msghdr message{};
+    message.msg_iov = parts;
+    message.msg_iovlen = 2;
+    const ssize_t sent = ::sendmsg(socket_, &message, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return offset;
+    if (sent < 0) return std::nullopt;
+    offset += static_cast<std::size_t>(sent);
+  }
+  return offset;
+}
+
 bool Link::send_bytes(FrameType type, std::string_view payload) {
-  char header[kHeaderBytes];
-  const auto size = static_cast<std::uint32_t>(payload.size());
-  header[0] = static_cast<char>(type);
-  std::memcpy(header + 1, &size, sizeof size);
+  const Header header = header_of(type, payload);
   const std::lock_guard<std::mutex> lock(sending_);
   const auto send_all = [&](const char* data, std::size_t left, int more) {
     while (left > 0) {
@@ -75,7 +109,7 @@ bool Link::send_bytes(FrameType type, std::string_view payload) {
     }
     return true;
   };
-  return send_all(header, sizeof header, payload.empty() ? 0 : MSG_MORE) &&
+  return send_all(header.data(), header.size(), payload.empty() ? 0 : MSG_MORE) &&
          send_all(payload.data(), payload.size(), 0);
 }
 

@@ -33,11 +33,17 @@ enum class FrameType : std::uint8_t {
   kFinished,
   kNotice,  ///< a line for the log
   kFatal,   ///< the component cannot go on
+  // from the recorder
+  kDurable,   ///< ticks below this one outlive the recorder
+  kRecorded,  ///< the recording has ended, and how it went
   // from the supervisor
   kAssignment,
   kGo,
   kCredit,
-  kFinish
+  kFinish,
+  // to the recorder, besides kSamples
+  kRecord,       ///< what to record
+  kRecordingEnd  ///< all samples were sent
 };
 
 struct Hello {
@@ -183,6 +189,13 @@ class Link {
     writer(message);
     return send_bytes(type, writer.bytes());
   }
+
+  /// Sends, without waiting, what goes of a frame's bytes from `offset` on, its head counted in.
+  /// Returns where to go on; beyond the last byte, frame_bytes(payload), if all went. None when the
+  /// other end is gone. Nothing else may be sent before the frame is whole.
+  std::optional<std::size_t> send_some(FrameType type, std::string_view payload,
+                                       std::size_t offset);
+  static std::size_t frame_bytes(std::string_view payload);
 
   /// Reads what is there, without waiting. False when the other end is gone.
   bool receive();

@@ -170,7 +170,10 @@ void NodeHost::refuse(const std::string& topic, const core::Error& error) {
 
 bool NodeHost::may_step(Time now) const {
   if (stopped_) return false;
-  if (!starts_ticks()) return buffer_.ready();
+  if (!starts_ticks()) {
+    // Who only keeps account in real time goes on without what was lost; the recording tells.
+    return buffer_.ready() || (account_inputs_ && !lockstep_ && buffer_.rest_is_lost());
+  }
   if (!started_ || buffer_.next_tick() >= allowed_until_) return false;
   if (clock_.is_free()) return buffer_.ready();
   if (now < clock_.due(buffer_.next_tick())) return false;

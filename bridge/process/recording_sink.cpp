@@ -6,10 +6,7 @@
 #include "convert/codec.hpp"
 
 namespace clew::bridge {
-
-core::Result<std::unique_ptr<RecordingSink>> RecordingSink::create(const runtime::RunPlan& plan,
-                                                                   const std::string& path,
-                                                                   bool overwrite) {
+RunDescription describe_run(const runtime::RunPlan& plan) {
   RunDescription description;
   description.tick_s = plan.graph.tick_s;
   description.seed = plan.graph.seed;
@@ -19,11 +16,31 @@ core::Result<std::unique_ptr<RecordingSink>> RecordingSink::create(const runtime
   for (domain::Topic topic : domain::kAllTopics) {
     if (plan.graph.writer_of(topic) != nullptr) description.schemas[topic] = idl_text(topic);
   }
-  RecorderOptions options;
-  options.overwrite = overwrite;
-  auto recorder = RunRecorder::create(path, description, options);
+  return description;
+}
+
+core::Result<std::unique_ptr<RecordingSink>> RecordingSink::create(const runtime::RunPlan& plan,
+                                                                   const std::string& path,
+                                                                   bool overwrite) {
+  auto recorder = RunRecorder::create(path, describe_run(plan), overwrite);
   if (!recorder.ok()) return recorder.error();
   return std::unique_ptr<RecordingSink>(new RecordingSink(std::move(recorder).value()));
+}
+
+core::Result<std::unique_ptr<RecordingSink>> RecordingSink::go_on(const RecordingOrder& order,
+                                                                  std::uint64_t least_ticks) {
+  auto recorder = RunRecorder::go_on(order.path, order.description, least_ticks);
+  if (!recorder.ok()) return recorder.error();
+  return std::unique_ptr<RecordingSink>(new RecordingSink(std::move(recorder).value()));
+}
+
+RecordingAccount RecordingSink::close(bool sealed) {
+  RecordingAccount account;
+  const auto closed = sealed ? recorder_.seal() : recorder_.finish();
+  if (!closed.ok()) account.failure = closed.error().text();
+  account.losses = recorder_.losses().texts();
+  account.lost_samples = recorder_.losses().samples();
+  return account;
 }
 
 }  // namespace clew::bridge

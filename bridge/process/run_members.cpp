@@ -52,6 +52,12 @@ bool ended_by(std::vector<Member>& members, std::chrono::steady_clock::time_poin
 
 }  // namespace
 
+void Member::begin(const ProcessStart& start) {
+  progress.ticks = start.next_tick;
+  const auto checkpoint = start.checkpoints.find(stage);
+  if (checkpoint != start.checkpoints.end()) checkpoints.push_back(checkpoint->second);
+}
+
 void Member::keep(Checkpoint checkpoint) {
   if (!checkpoints.empty() && checkpoint.tick <= checkpoints.back().tick) return;
   checkpoints.push_back(std::move(checkpoint));

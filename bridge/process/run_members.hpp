@@ -37,6 +37,8 @@ struct Member {
   std::uint32_t restarts = 0;
   std::uint32_t deaths_in_place = 0;  ///< in a row without a tick more than the one before
 
+  /// Takes its place in a run that begins there.
+  void begin(const ProcessStart& start);
   /// Notes a newer checkpoint.
   void keep(Checkpoint checkpoint);
   /// The checkpoint at `tick`, if it is kept.

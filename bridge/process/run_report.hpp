@@ -5,11 +5,30 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/hash128.hpp"
 #include "process/run_tally.hpp"
 
 namespace clew::bridge {
+
+/// How the recording of a run went.
+struct RecordingAccount {
+  std::string failure;              ///< why it was not finished; empty if it was
+  std::vector<std::string> losses;  ///< what it lacks, a phrase each
+  std::uint64_t lost_samples = 0;
+};
+
+template <typename V>
+void visit_fields(V& v, RecordingAccount& a) {
+  v(a.failure, a.losses, a.lost_samples);
+}
+
+/// What becomes of a run whose recording fails, or lacks samples.
+enum class OnRecordError : std::uint8_t {
+  kStop,     ///< it is aborted
+  kContinue  ///< it goes on, and ends as if it had not been recorded
+};
 
 /// How a run went, in whatever layout.
 struct RunReport {
@@ -17,11 +36,15 @@ struct RunReport {
   std::optional<core::Hash128> hash;
   std::uint32_t restarts = 0;
   std::uint64_t refused_samples = 0;
-  double wall_s = 0.0;       ///< from start to end
-  double ticks_per_s = 0.0;  ///< from the first tick to the last
-  std::string aborted;       ///< why the run ended without an outcome; empty if it has one
-  int interrupted_by = 0;    ///< the signal that ended the run, if one did
+  double wall_s = 0.0;                        ///< from start to end
+  double ticks_per_s = 0.0;                   ///< from the first tick to the last
+  std::optional<RecordingAccount> recording;  ///< none: it was not recorded
+  std::string aborted;     ///< why the run ended without an outcome; empty if it has one
+  int interrupted_by = 0;  ///< the signal that ended the run, if one did
 };
+
+/// What is wrong with a recording, as the end of the sentence `clew: `; empty if nothing is.
+std::string complaint(const RecordingAccount& account);
 
 /// Called now and then while a run goes on.
 using ProgressDisplay = std::function<void(const RunTally&, double ticks_per_s)>;

@@ -2,10 +2,8 @@
 #include "process/supervisor.hpp"
 
 #include <poll.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -13,7 +11,9 @@
 
 #include "process/domain_hold.hpp"
 #include "process/foreign_observer.hpp"
+#include "process/muster.hpp"
 #include "process/reception.hpp"
+#include "process/recorder_keeper.hpp"
 #include "process/restarts.hpp"
 #include "process/run_members.hpp"
 #include "process/signal_queue.hpp"
@@ -29,32 +29,31 @@ using core::Result;
 using runtime::GraphStage;
 using std::chrono::milliseconds;
 
-constexpr std::uint32_t kHistoryDepth = 512;
-// How far the stage that starts ticks may be ahead of the slowest member and of the recording.
-constexpr std::uint32_t kLead = kHistoryDepth / 4;
 constexpr auto kPollPeriod = milliseconds(20);
 constexpr auto kDisplayPeriod = milliseconds(100);
 // No tick for so long means that a component is stuck.
 constexpr auto kStallTimeout = std::chrono::seconds(10);
-// A person at a debugger may take his time.
-constexpr auto kPatience = std::chrono::hours(1);
-constexpr double kPatientLease_s = 3600.0;
 
 class Supervisor {
  public:
   Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout, DomainHold hold,
-             SampleSink* recording, const ProgressDisplay& display)
+             const std::optional<RecordingOrder>& recording, const ProgressDisplay& display,
+             const ProcessStart& start)
       : plan_(plan),
         layout_(layout),
         hold_(std::move(hold)),
         reception_(hold_),
-        recording_(recording),
         display_(display),
         members_(list_members(plan, layout)),
+        muster_(plan, layout, hold_.domain(), recording.has_value()),
         restarts_(members_, plan.graph),
         started_at_(Clock::now()),
-        patient_(!layout.external.empty() || !layout.prefix.empty()) {
-    run_id_ = std::to_string(::getpid()) + '-' + std::to_string(hold_.domain());
+        credit_(start.next_tick + kLead) {
+    for (Member& member : members_) member.begin(start);
+    if (recording) {
+      path_ = recording->path;
+      recorder_.emplace(*recording, muster_.recorder_command(), layout.pace == Pace::kRealtime);
+    }
   }
 
   RunReport run() {
@@ -68,9 +67,11 @@ class Supervisor {
       for (auto& [link, hello] : reception_.arrivals()) welcome(std::move(link), hello);
       for (Member& member : members_) serve(member);
       if (observer_) observe();
+      if (recorder_) serve_recorder();
       watch();
     }
     end_processes(members_, all_finished_);
+    if (recorder_) finish_recording();
     return finish_report();
   }
 
@@ -86,63 +87,40 @@ class Supervisor {
   // ---- start ----
 
   void start_members() {
-    for (Member& member : members_) {
-      if (member.external) {
-        log("waiting for " + member.stage + "; start it with: clew component " + plan_.graph.name +
-            ' ' + member.stage + " --domain " + std::to_string(hold_.domain()));
-        continue;
-      }
-      start_child(member);
+    if (recorder_) {
+      const auto started = recorder_->start(started_at_);
+      if (!started.ok()) return abort(started.error().text());
     }
-    auto observer = ForeignObserver::create(plan_, assignment_for("observer", layout_.middleware));
+    for (Member& member : members_) {
+      member.external ? log(muster_.how_to_start(member)) : start_child(member);
+    }
+    auto observer =
+        ForeignObserver::create(plan_, muster_.assignment_for("observer", layout_.middleware));
     if (!observer.ok()) return abort(observer.error().text());
     observer_ = std::move(observer).value();
   }
 
   void start_child(Member& member) {
-    auto child = ChildProcess::start(
-        command_of(member, *plan_.graph.find(member.stage), layout_, hold_.domain(), run_id_));
-    if (!child.ok()) return abort(member.stage + ": " + child.error().text());
-    member.child = std::move(child).value();
-    member.down = false;
-  }
-
-  Assignment assignment_for(const std::string& stage, const std::string& middleware) const {
-    Assignment assignment;
-    assignment.run_id = run_id_;
-    assignment.middleware = middleware;
-    assignment.domain = hold_.domain();
-    if (patient_) assignment.lease_s = kPatientLease_s;
-    assignment.spool = recording_ != nullptr;
-    assignment.history_depth = kHistoryDepth;
-    assignment.lead = kLead;
-    fill_assignment(plan_, layout_, stage, assignment);
-    return assignment;
+    const auto started = muster_.start(member);
+    if (!started.ok()) abort(started.error().text());
   }
 
   void welcome(std::unique_ptr<Link> link, const Hello& hello) {
-    const auto member =
-        std::find_if(members_.begin(), members_.end(), [&](const Member& candidate) {
-          return candidate.stage == hello.stage && !candidate.foreign;
-        });
-    if (member == members_.end() || member->link != nullptr) {
+    if (recorder_ && hello.stage == kRecorderName) {
+      return recorder_->welcome(std::move(link), Clock::now());
+    }
+    const auto admitted = muster_.admit(hello, members_);
+    if (!admitted.ok()) {
+      link->send(FrameType::kNotice, Text{admitted.error().text()});
+      return abort(admitted.error().text());
+    }
+    Member* member = *admitted;
+    if (member == nullptr) {
       link->send(FrameType::kNotice, Text{"this run has no place for a component " + hello.stage});
       return;
     }
-    if (hello.idl_fingerprint != idl_fingerprint()) {
-      const std::string what = hello.stage + " (process " + std::to_string(hello.process_id) +
-                               ") was built from other IDL files: its fingerprint is " +
-                               hello.idl_fingerprint + ", that of the run is " +
-                               std::string(idl_fingerprint());
-      link->send(FrameType::kNotice, Text{what});
-      return abort(what);
-    }
-    const GraphStage& stage = *plan_.graph.find(hello.stage);
-    Assignment assignment = assignment_for(hello.stage, middleware_of(stage, layout_));
-    if (gone_) {
-      assignment.resumes = true;
-      if (!member->checkpoints.empty()) assignment.checkpoint = member->checkpoints.back();
-    }
+    Assignment assignment = muster_.assignment_for(*member);
+    assignment.resumes = gone_;
     link->send(FrameType::kAssignment, assignment);
     if (member->starts_ticks) link->send(FrameType::kCredit, Tick{credit_});
     if (last_tick_) link->send(FrameType::kFinish, Tick{*last_tick_});
@@ -158,13 +136,16 @@ class Supervisor {
     for (const Member& member : members_) {
       if (member.link) descriptors.push_back({member.link->socket(), POLLIN, 0});
     }
+    if (recorder_) {
+      if (const auto descriptor = recorder_->descriptor()) descriptors.push_back(*descriptor);
+    }
     ::poll(descriptors.data(), descriptors.size(), static_cast<int>(kPollPeriod.count()));
   }
 
   void serve(Member& member) {
     if (member.link) {
       const bool open = member.link->receive();
-      while (auto frame = member.link->next()) handle(member, *frame);
+      while (auto frame = member.link->next()) handle(member, *std::move(frame));
       if (!open) lose(member);
     } else if (member.child && !member.down && member.child->reap()) {
       lose(member);
@@ -195,7 +176,7 @@ class Supervisor {
     ++report_.restarts;
   }
 
-  void handle(Member& member, const Frame& frame) {
+  void handle(Member& member, Frame frame) {
     member.heard_at = Clock::now();
     switch (frame.type) {
       case FrameType::kCheckpoint:
@@ -211,7 +192,8 @@ class Supervisor {
         if (const auto progress = frame.as<Progress>()) note_progress(member, *progress);
         break;
       case FrameType::kSamples:
-        record(frame.payload);
+        // Its progress was reported before: all of this is older.
+        if (recorder_) recorder_->add(std::move(frame.payload), member.progress.ticks);
         break;
       case FrameType::kFinished:
         member.finished = frame.as<Finished>();
@@ -241,24 +223,24 @@ class Supervisor {
     }
   }
 
-  void record(const std::string& spool) {
-    if (recording_ == nullptr) return;
-    const bool whole = for_each_spooled(spool, [this](const SpooledSample& sample) {
-      // A component that was restarted writes again what it wrote after its checkpoint.
-      std::uint64_t& next = recorded_[static_cast<std::size_t>(sample.topic)];
-      if (sample.tick < next) return;
-      next = sample.tick + 1;
-      const auto added = recording_->add(sample);
-      if (!added.ok()) abort(added.error().text());
-    });
-    if (!whole) abort("a component sent a damaged spool");
-  }
-
   void observe() {
     observer_->poll();
     for (const std::string& line : observer_->take_notices()) log(line);
     if (const auto fatal = observer_->fatal()) abort(*fatal);
-    record(observer_->take_spooled());
+    std::string spool = observer_->take_spooled();
+    if (recorder_) recorder_->add(std::move(spool), observer_->ticks());
+  }
+
+  void serve_recorder() {
+    recorder_->serve(Clock::now());
+    for (const std::string& line : recorder_->take_lines()) log(line);
+    // Nothing can go on before it has read again what was there.
+    if (!recorder_->ready()) stalled_since_ = Clock::now();
+    if (!recorder_->account() || told_of_recording_) return;
+    told_of_recording_ = true;
+    const std::string what = complaint(*recorder_->account());
+    if (what.empty()) return;
+    layout_.on_record_error == OnRecordError::kStop ? abort(what) : log(what);
   }
 
   void watch() {
@@ -266,16 +248,13 @@ class Supervisor {
     if (!gone_) {
       if (everybody_ready()) {
         go(now);
-      } else if (now - started_at_ > start_timeout()) {
-        abort(
-            "not everybody was there within " +
-            std::to_string(static_cast<int>(plan_.graph.start_timeout_s)) + " s:" +
-            missing_text(members_, observer_ ? observer_->missing() : std::vector<std::string>{}));
+      } else if (now - started_at_ > muster_.start_timeout()) {
+        abort_start();
       }
-    } else if (!last_tick_ && now - stalled_since_ > stall_timeout()) {
+    } else if (now - stalled_since_ > stall_timeout()) {
       abort("no tick was completed for 10 s; ticks done:" + ticks_text(members_));
     }
-    if (!patient_) {
+    if (!muster_.patient()) {
       for (const std::string& line : restarts_.kill_frozen(now)) log(line);
     }
     for (Member* member : restarts_.due(now)) start_child(*member);
@@ -287,13 +266,17 @@ class Supervisor {
     }
   }
 
-  Clock::duration start_timeout() const {
-    if (patient_) return kPatience;
-    return std::chrono::duration_cast<Clock::duration>(
-        std::chrono::duration<double>(plan_.graph.start_timeout_s));
+  void abort_start() {
+    std::vector<std::string> missing;
+    if (observer_) missing = observer_->missing();
+    if (recorder_ && !recorder_->ready()) missing.push_back("the recorder has not reported");
+    abort("not everybody was there within " +
+          std::to_string(static_cast<int>(plan_.graph.start_timeout_s)) +
+          " s:" + missing_text(members_, missing));
   }
+
   Clock::duration stall_timeout() const {
-    if (patient_) return kPatience;
+    if (muster_.patient()) return muster_.start_timeout();
     const double tick_s =
         layout_.pace == Pace::kLockstep ? 0.0 : plan_.graph.tick_s / layout_.pace_factor;
     return kStallTimeout +
@@ -303,7 +286,7 @@ class Supervisor {
   bool everybody_ready() const {
     return std::all_of(members_.begin(), members_.end(),
                        [](const Member& m) { return m.foreign || m.ready; }) &&
-           (!observer_ || observer_->ready());
+           (!observer_ || observer_->ready()) && (!recorder_ || recorder_->ready());
   }
   bool everybody_finished() const {
     return std::all_of(members_.begin(), members_.end(),
@@ -319,16 +302,16 @@ class Supervisor {
     }
   }
 
-  // The stage that starts ticks does not run away from the slowest member and the recording, so
-  // that histories hold what anybody may need.
+  // The stage that starts ticks does not run away from the slowest member, so that histories hold
+  // what anybody may need, nor from the recorder.
   void give_credit() {
     std::uint64_t done = UINT64_MAX;
     for (const Member& member : members_) {
       if (!member.foreign) done = std::min(done, member.progress.ticks);
     }
     if (observer_) done = std::min(done, observer_->ticks());
-    if (recording_ != nullptr) done = std::min(done, recording_->complete_ticks());
-    const std::uint64_t credit = done + kLead;
+    std::uint64_t credit = done + kLead;
+    if (recorder_) credit = std::min(credit, recorder_->credit());
     if (credit < credit_ + kLead / 4) return;
     credit_ = credit;
     for (Member& member : members_) {
@@ -337,6 +320,22 @@ class Supervisor {
   }
 
   // ---- end ----
+
+  // It may still die and come back. A second signal ends the patience with it.
+  void finish_recording() {
+    recorder_->end();
+    while (!recorder_->account() && signals_.take() == 0) {
+      wait_for_something();
+      for (auto& [link, hello] : reception_.arrivals()) welcome(std::move(link), hello);
+      serve_recorder();
+    }
+    report_.recording =
+        recorder_->account().value_or(RecordingAccount{"the recorder did not end in time", {}, 0});
+    report_.restarts += recorder_->restarts();
+    if (!report_.recording->failure.empty()) return;
+    const auto named = mcap::OutputFile::give_name(path_);
+    if (!named.ok()) report_.recording->failure = named.error().text();
+  }
 
   RunTally tally() const {
     RunTally total = total_tally(members_);
@@ -366,21 +365,21 @@ class Supervisor {
   const ProcessLayout& layout_;
   DomainHold hold_;
   Reception reception_;
-  SampleSink* recording_;
   const ProgressDisplay& display_;
   SignalQueue signals_;
   std::vector<Member> members_;
+  Muster muster_;
   Restarts restarts_;
+  std::optional<RecorderKeeper> recorder_;
+  std::string path_;  ///< of the recording
+  bool told_of_recording_ = false;
   std::unique_ptr<ForeignObserver> observer_;
-  std::string run_id_;
   RunReport report_;
   const Clock::time_point started_at_;
-  const bool patient_;
-  std::array<std::uint64_t, domain::kTopicCount> recorded_{};  // the next tick of each topic
   TickRate rate_;
   bool gone_ = false;
   bool all_finished_ = false;
-  std::uint64_t credit_ = kLead;
+  std::uint64_t credit_;
   std::optional<std::uint64_t> last_tick_;
   Clock::time_point stalled_since_{};
   Clock::time_point displayed_at_{};
@@ -389,10 +388,11 @@ class Supervisor {
 }  // namespace
 
 Result<RunReport> run_processes(const runtime::RunPlan& plan, const ProcessLayout& layout,
-                                SampleSink* recording, const ProgressDisplay& display) {
+                                const std::optional<RecordingOrder>& recording,
+                                const ProgressDisplay& display, const ProcessStart& start) {
   auto hold = DomainHold::take(layout.domain);
   if (!hold.ok()) return hold.error();
-  return Supervisor(plan, layout, std::move(hold).value(), recording, display).run();
+  return Supervisor(plan, layout, std::move(hold).value(), recording, display, start).run();
 }
 
 }  // namespace clew::bridge

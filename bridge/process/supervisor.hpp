@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,8 +9,8 @@
 #include <vector>
 
 #include "core/result.hpp"
-#include "process/journal.hpp"
 #include "process/link.hpp"
+#include "process/recording_sink.hpp"
 #include "process/run_report.hpp"
 #include "runtime/run_plan.hpp"
 
@@ -26,25 +25,24 @@ struct ProcessLayout {
   Pace pace = Pace::kLockstep;
   double pace_factor = 1.0;
   bool hash = true;
+  OnRecordError on_record_error = OnRecordError::kStop;
   std::set<std::string> external;             ///< stages that a person starts
   std::map<std::string, std::string> prefix;  ///< by stage: `gdb --args`
 };
 
-/// Receives what the components write, in order within each topic, and says up to which tick all
-/// of it is safe.
-class SampleSink {
- public:
-  virtual ~SampleSink() = default;
-  /// Takes a sample; an error ends the run.
-  virtual core::Result<void> add(const SpooledSample& sample) = 0;
-  /// Ticks below this one are complete.
-  virtual std::uint64_t complete_ticks() const = 0;
+/// Where a run begins that is under way: every component has stepped all ticks before.
+struct ProcessStart {
+  std::uint64_t next_tick = 0;
+  std::map<std::string, Checkpoint> checkpoints;  ///< by stage, at `next_tick`; none at tick 0
 };
 
 /// Runs a plan as one process a stage, joined by DDS, until it has an outcome, a component dies, or
 /// SIGINT or SIGTERM arrives; then no process is left. Errors are those that come before anything
-/// is started; what goes wrong later is in the report. `recording` and `display` may be null.
+/// is started; what goes wrong later is in the report. The recording, if there is to be one, is
+/// made by one more process; its file must be reserved. `display` may be null.
 core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const ProcessLayout& layout,
-                                      SampleSink* recording, const ProgressDisplay& display);
+                                      const std::optional<RecordingOrder>& recording,
+                                      const ProgressDisplay& display,
+                                      const ProcessStart& start = {});
 
 }  // namespace clew::bridge

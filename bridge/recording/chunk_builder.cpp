@@ -16,8 +16,8 @@ void ChunkBuilder::add(const Message& message) {
   append(records_, message);
 }
 
-ChunkIndex ChunkBuilder::close(Compression compression, std::uint64_t file_position,
-                               std::string& out) {
+ChunkIndex ChunkBuilder::pack(Compression compression, std::uint64_t file_position,
+                              std::string& out) {
   if (compression != Compression::kNone) {
     compress(compression, records_, packed_);
     if (packed_.size() >= records_.size()) compression = Compression::kNone;
@@ -46,7 +46,6 @@ ChunkIndex ChunkBuilder::close(Compression compression, std::uint64_t file_posit
     append(out, message_index);
   }
   index.message_index_bytes = out.size() - out_start - index.chunk_bytes;
-  clear();
   return index;
 }
 

@@ -24,13 +24,13 @@ class ChunkBuilder {
   std::uint64_t start_time_ns() const { return start_time_ns_; }
 
   /// Appends the Chunk record and its MessageIndex records to `out`, which will stand at
-  /// `file_position`, empties itself and returns the chunk's index. Records that do not shrink are
-  /// stored as they are.
-  ChunkIndex close(Compression compression, std::uint64_t file_position, std::string& out);
-
- private:
+  /// `file_position`, and returns the chunk's index. Records that do not shrink are stored as they
+  /// are.
+  ChunkIndex pack(Compression compression, std::uint64_t file_position, std::string& out);
+  /// Empties itself, for the next chunk.
   void clear();
 
+ private:
   std::string records_;
   std::string packed_;                             ///< kept for its memory
   std::map<std::uint16_t, MessageIndex> indexes_;  ///< entries empty: no message in this chunk

@@ -28,7 +28,11 @@ core::Result<McapWriter> McapWriter::create(const std::string& path, bool overwr
                                             WriterOptions options) {
   auto file = OutputFile::create(path, overwrite);
   if (!file) return file.error();
-  McapWriter writer(std::move(file).value(), std::move(options));
+  return create(std::move(file).value(), std::move(options));
+}
+
+core::Result<McapWriter> McapWriter::create(OutputFile file, WriterOptions options) {
+  McapWriter writer(std::move(file), std::move(options));
   writer.record_ = kMagic;
   append(writer.record_, Header{writer.options_.profile, writer.options_.library});
   CLEW_RETURN_IF_ERROR(writer.append_to_data_section(writer.record_));
@@ -36,7 +40,7 @@ core::Result<McapWriter> McapWriter::create(const std::string& path, bool overwr
 }
 
 McapWriter::McapWriter(OutputFile file, WriterOptions options)
-    : file_(std::move(file)), options_(std::move(options)) {}
+    : file_(std::move(file)), options_(std::move(options)), chunk_indexes_(file_.path()) {}
 
 core::Result<void> McapWriter::append_to_data_section(std::string_view bytes) {
   data_section_crc_ = crc32(bytes, data_section_crc_);
@@ -111,41 +115,72 @@ core::Result<void> McapWriter::write(const Metadata& metadata) {
 core::Result<void> McapWriter::flush() {
   if (chunk_.empty()) return {};
   record_.clear();
-  chunk_indexes_.push_back(chunk_.close(options_.compression, file_.position(), record_));
+  const ChunkIndex index = chunk_.pack(options_.compression, file_.position(), record_);
+  chunk_.clear();
   ++statistics_.chunk_count;
-  return append_to_data_section(record_);
+  CLEW_RETURN_IF_ERROR(append_to_data_section(record_));
+  record_.clear();
+  append(record_, index);
+  return chunk_indexes_.append(record_);
 }
 
-std::string McapWriter::summary(std::uint64_t start) const {
-  std::string out;
-  std::vector<SummaryOffset> offsets;
-  append_group(out, start, Opcode::kSchema, schemas_, offsets);
-  append_group(out, start, Opcode::kChannel, channels_, offsets);
-  append_group(out, start, Opcode::kStatistics, std::vector<Statistics>{statistics_}, offsets);
-  append_group(out, start, Opcode::kChunkIndex, chunk_indexes_, offsets);
-  append_group(out, start, Opcode::kAttachmentIndex, attachment_indexes_, offsets);
-  append_group(out, start, Opcode::kMetadataIndex, metadata_indexes_, offsets);
+core::Result<void> McapWriter::write_ahead() {
+  if (!chunk_.has_messages()) return {};
+  record_.clear();
+  chunk_.pack(options_.compression, file_.position(), record_);
+  return file_.write_ahead(record_);
+}
+
+core::Result<void> McapWriter::append_to_summary(std::string_view bytes) {
+  summary_crc_ = crc32(bytes, summary_crc_);
+  return file_.append(bytes);
+}
+
+core::Result<void> McapWriter::append_ending() {
+  CLEW_RETURN_IF_ERROR(flush());
+  std::string part;
+  append(part, DataEnd{data_section_crc_});
+  CLEW_RETURN_IF_ERROR(file_.append(part));
 
   Footer footer;
-  footer.summary_start = start;
-  footer.summary_offset_start = start + out.size();
-  for (const auto& offset : offsets) append(out, offset);
+  footer.summary_start = file_.position();
+  std::vector<SummaryOffset> offsets;
+  part.clear();
+  append_group(part, file_.position(), Opcode::kSchema, schemas_, offsets);
+  append_group(part, file_.position(), Opcode::kChannel, channels_, offsets);
+  append_group(part, file_.position(), Opcode::kStatistics, std::vector<Statistics>{statistics_},
+               offsets);
+  CLEW_RETURN_IF_ERROR(append_to_summary(part));
+  if (chunk_indexes_.size() > 0) {
+    offsets.push_back({Opcode::kChunkIndex, file_.position(), chunk_indexes_.size()});
+  }
+  CLEW_RETURN_IF_ERROR(
+      chunk_indexes_.read([this](std::string_view bytes) { return append_to_summary(bytes); }));
+  part.clear();
+  append_group(part, file_.position(), Opcode::kAttachmentIndex, attachment_indexes_, offsets);
+  append_group(part, file_.position(), Opcode::kMetadataIndex, metadata_indexes_, offsets);
+  footer.summary_offset_start = file_.position() + part.size();
+  for (const auto& offset : offsets) append(part, offset);
+  CLEW_RETURN_IF_ERROR(append_to_summary(part));
+
   // The CRC covers the summary and the footer up to the CRC itself, its last field.
-  std::string unsigned_footer;
-  append(unsigned_footer, footer);
-  unsigned_footer.resize(unsigned_footer.size() - sizeof footer.summary_crc);
-  footer.summary_crc = crc32(unsigned_footer, crc32(out));
-  append(out, footer);
-  out += kMagic;
-  return out;
+  part.clear();
+  append(part, footer);
+  part.resize(part.size() - sizeof footer.summary_crc);
+  footer.summary_crc = crc32(part, summary_crc_);
+  part.clear();
+  append(part, footer);
+  part += kMagic;
+  return file_.append(part);
+}
+
+core::Result<void> McapWriter::seal() {
+  CLEW_RETURN_IF_ERROR(append_ending());
+  return file_.seal();
 }
 
 core::Result<void> McapWriter::finish() {
-  CLEW_RETURN_IF_ERROR(flush());
-  std::string closing;
-  append(closing, DataEnd{data_section_crc_});
-  closing += summary(file_.position() + closing.size());
-  CLEW_RETURN_IF_ERROR(file_.append(closing));
+  CLEW_RETURN_IF_ERROR(append_ending());
   return file_.publish();
 }
 

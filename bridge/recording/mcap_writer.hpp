@@ -12,6 +12,7 @@
 #include "recording/compression.hpp"
 #include "recording/mcap_records.hpp"
 #include "recording/output_file.hpp"
+#include "recording/spill_buffer.hpp"
 
 namespace clew::bridge::mcap {
 
@@ -32,6 +33,8 @@ class McapWriter {
  public:
   static core::Result<McapWriter> create(const std::string& path, bool overwrite,
                                          WriterOptions options);
+  /// Writes into `file`, from its beginning.
+  static core::Result<McapWriter> create(OutputFile file, WriterOptions options);
 
   /// Declares a schema and returns its id, from 1.
   std::uint16_t add_schema(std::string name, std::string encoding, std::string data);
@@ -48,25 +51,38 @@ class McapWriter {
   /// Closes the open chunk, if there is anything in it, and hands it to the operating system.
   core::Result<void> flush();
 
-  /// Closes the chunk, writes the summary and gives the file its name. Nothing may follow.
+  /// Leaves the open chunk in the file as it is now, in case of a crash; the file is the same once
+  /// the chunk is closed.
+  core::Result<void> write_ahead();
+  /// Chunks closed so far.
+  std::uint64_t chunk_count() const { return statistics_.chunk_count; }
+  /// OutputFile::keep.
+  void keep(bool keep) { file_.keep(keep); }
+
+  /// Closes the chunk, writes the summary and closes the file, which keeps its temporary name.
+  /// Nothing may follow.
+  core::Result<void> seal();
+  /// The same, and gives the file its name.
   core::Result<void> finish();
 
  private:
   McapWriter(OutputFile file, WriterOptions options);
   core::Result<void> append_to_data_section(std::string_view bytes);
+  core::Result<void> append_ending();
   bool belongs_to_next_chunk(const Message& message) const;
-  std::string summary(std::uint64_t start) const;
+  core::Result<void> append_to_summary(std::string_view bytes);
 
   OutputFile file_;
   WriterOptions options_;
   std::uint32_t data_section_crc_ = 0;
+  std::uint32_t summary_crc_ = 0;
   ChunkBuilder chunk_;
   std::string record_;  ///< of the moment, kept for its memory
 
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;
   Statistics statistics_;
-  std::vector<ChunkIndex> chunk_indexes_;
+  SpillBuffer chunk_indexes_;  ///< encoded
   std::vector<AttachmentIndex> attachment_indexes_;
   std::vector<MetadataIndex> metadata_indexes_;
 };

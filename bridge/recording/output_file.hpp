@@ -9,13 +9,19 @@
 
 namespace clew::bridge::mcap {
 
-/// A file that gets its name only when it is whole: it grows as `<path>.tmp~` and is renamed by
-/// publish(). A path that names a device or a pipe is written to directly. Destroyed before
+/// A file that gets its name only when it is whole: it grows as `<path>.tmp~`, which publish()
+/// renames. A path that names a device or a pipe is written to directly. Destroyed before
 /// publish(), or after an error, it leaves what was written under the temporary name.
 class OutputFile {
  public:
-  /// Refused: a path or a temporary name that exists, unless `overwrite`; a directory; a place that
-  /// cannot be written to.
+  /// Makes the file, empty, under its temporary name. Refused: a path or a temporary name that
+  /// exists, unless `overwrite`; a directory; a place that cannot be written to; a file that
+  /// another process is writing.
+  static core::Result<void> reserve(const std::string& path, bool overwrite);
+  /// Opens what stands under the temporary name, at its beginning: the first append() replaces all
+  /// of it, unless keep() says otherwise. Refused: a file that another process is writing.
+  static core::Result<OutputFile> go_on(const std::string& path);
+  /// reserve() and go_on().
   static core::Result<OutputFile> create(const std::string& path, bool overwrite);
 
   OutputFile(OutputFile&& other) noexcept;
@@ -23,25 +29,46 @@ class OutputFile {
   ~OutputFile();
 
   /// Appends all of `bytes`. After an error every further call gives the same error and writes
-  /// nothing.
+  /// nothing. An error too: the file was removed meanwhile.
   core::Result<void> append(std::string_view bytes);
+  /// Puts `bytes` behind the end, where the next append() writes over them: until then a crash
+  /// leaves them. Does nothing on a device.
+  core::Result<void> write_ahead(std::string_view bytes);
+  /// While it keeps, append() writes nothing: it only demands that the bytes stand there already.
+  void keep(bool keep) { keeps_ = keep; }
 
-  /// Closes the file and gives it its name. Survives the death of the process, not a power cut: the
+  /// Cuts off what stands behind the end and closes the file, which keeps its temporary name.
+  core::Result<void> seal();
+  /// seal(), and gives the file its name. Survives the death of the process, not a power cut: the
   /// disk is not waited for.
   core::Result<void> publish();
+  /// Gives a sealed file its name.
+  static core::Result<void> give_name(const std::string& path);
 
+  /// Where a file grows until it is whole; the path itself for a device.
+  static std::string temporary_name(const std::string& path);
+
+  /// The name that it gets when it is whole.
+  const std::string& path() const { return path_; }
   /// Bytes appended so far.
   std::uint64_t position() const { return position_; }
 
  private:
-  OutputFile(std::string path, std::string written_path, int descriptor);
+  OutputFile(std::string path, int descriptor, bool is_device, std::uint64_t file_bytes);
+  core::Result<void> demand(std::string_view bytes);
+  core::Result<void> write_at_end(std::string_view bytes);
+  core::Result<void> check_still_there();
   core::Result<void> fail(const std::string& what, int error_number);
   void close();
 
   std::string path_;
   std::string written_path_;  ///< the temporary name, or path_ itself for a device
   int descriptor_ = -1;
+  bool is_device_ = false;
+  bool keeps_ = false;
   std::uint64_t position_ = 0;
+  std::uint64_t file_bytes_ = 0;  ///< the file's size
+  std::string there_;             ///< kept for its memory
   core::Result<void> state_;
 };
 

@@ -85,6 +85,9 @@ mcap::Metadata to_metadata(const RunDescription& description) {
   metadata.entries["tick_s"] = text_of(description.tick_s);
   metadata.entries["seed"] = std::to_string(description.seed);
   metadata.entries["idl_fingerprint"] = description.idl_fingerprint;
+  if (description.compression != mcap::Compression::kNone) {
+    metadata.entries["compression"] = mcap::compression_name(description.compression);
+  }
   for (const auto& [name, version] : description.versions) {
     metadata.entries[std::string(kVersionPrefix) + name] = version;
   }
@@ -97,6 +100,7 @@ mcap::Metadata to_metadata(const RunEnd& end) {
   metadata.name = kEndName;
   metadata.entries["ticks"] = std::to_string(end.ticks);
   metadata.entries["hash"] = end.hash.hex();
+  if (end.lost_samples > 0) metadata.entries["lost_samples"] = std::to_string(end.lost_samples);
   metadata.entries[kDigestKey] = digest(metadata.entries);
   return metadata;
 }
@@ -112,9 +116,12 @@ core::Result<RunDescription> description_from_metadata(const mcap::Metadata& met
   const auto seed = number_from<std::uint64_t>(entry(metadata, "seed"), 10);
   if (!tick_s) return refused(metadata, "has no 'tick_s' between 1e-6 and 1e6");
   if (!seed) return refused(metadata, "has no number 'seed'");
+  const auto compression = mcap::compression_from_name(entry(metadata, "compression"));
+  if (!compression) return refused(metadata, "has an unknown 'compression'");
   RunDescription description;
   description.tick_s = *tick_s;
   description.seed = *seed;
+  description.compression = *compression;
   description.idl_fingerprint = entry(metadata, "idl_fingerprint");
   for (const auto& [key, value] : metadata.entries) {
     if (key.compare(0, kVersionPrefix.size(), kVersionPrefix) == 0) {
@@ -130,7 +137,10 @@ core::Result<RunEnd> end_from_metadata(const mcap::Metadata& metadata) {
   const auto hash = hash_from(entry(metadata, "hash"));
   if (!ticks) return refused(metadata, "has no number 'ticks'");
   if (!hash) return refused(metadata, "has no 'hash' of 32 hexadecimal digits");
-  return RunEnd{*ticks, *hash};
+  const std::string_view lost = entry(metadata, "lost_samples");
+  const auto lost_samples = number_from<std::uint64_t>(lost.empty() ? "0" : lost, 10);
+  if (!lost_samples) return refused(metadata, "has no number 'lost_samples'");
+  return RunEnd{*ticks, *hash, *lost_samples};
 }
 
 std::uint64_t tick_to_ns(std::uint64_t tick, double tick_s) {

@@ -9,6 +9,7 @@
 #include "core/hash128.hpp"
 #include "core/result.hpp"
 #include "domain/topics.hpp"
+#include "recording/compression.hpp"
 #include "recording/mcap_records.hpp"
 
 namespace clew::bridge {
@@ -23,12 +24,20 @@ struct RunDescription {
   /// The texts that the run was made of, by name: `graph.yaml`, `world.yaml`, `robot.yaml`, ...
   std::map<std::string, std::string> bundle;
   std::map<domain::Topic, std::string> schemas;  ///< IDL text by topic: every topic of the run
+  /// How this file's chunks are packed; the one thing here that is of the file and not of the run.
+  mcap::Compression compression = mcap::Compression::kNone;
 };
+
+template <typename V>
+void visit_fields(V& v, RunDescription& d) {
+  v(d.tick_s, d.seed, d.versions, d.idl_fingerprint, d.bundle, d.schemas, d.compression);
+}
 
 /// How a recording ended: written by its recorder after the last sample.
 struct RunEnd {
-  std::uint64_t ticks = 0;  ///< for which every topic has a sample
-  core::Hash128 hash;       ///< run_hash of all topics
+  std::uint64_t ticks = 0;         ///< for which every topic has a sample
+  core::Hash128 hash;              ///< run_hash of all topics
+  std::uint64_t lost_samples = 0;  ///< that writers should have written and the recording lacks
 };
 
 /// The metadata records that carry them (bundle and schemas have records of their own). Metadata

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "recording/run_hash.hpp"
+#include "recording/run_recording.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -21,16 +22,56 @@ std::string library_of(const RunDescription& description) {
   return version == description.versions.end() ? "clew" : "clew " + version->second;
 }
 
+/// Whether a file holds at least one sample of a run that can be kept. A file that is no recording,
+/// since its recorder did not come so far, holds none.
+core::Result<bool> holds_samples(const std::string& file) {
+  const auto recording = RunRecording::open(file);
+  if (!recording) return false;
+  const auto sample = recording->samples().next();
+  if (!sample) return sample.error();
+  return sample->has_value();
+}
+
 }  // namespace
 
 core::Result<RunRecorder> RunRecorder::create(const std::string& path,
-                                              const RunDescription& description,
-                                              const RecorderOptions& options) {
+                                              const RunDescription& description, bool overwrite) {
+  auto file = mcap::OutputFile::create(path, overwrite);
+  if (!file) return file.error();
+  return start(std::move(file).value(), description);
+}
+
+core::Result<RunRecorder> RunRecorder::go_on(const std::string& path,
+                                             const RunDescription& description,
+                                             std::uint64_t least_ticks) {
+  const std::string there = mcap::OutputFile::temporary_name(path);
+  auto file = mcap::OutputFile::go_on(path);
+  if (!file) return file.error();
+  const auto holds = holds_samples(there);
+  if (!holds) return holds.error();
+  if (*holds) file->keep(true);
+  auto recorder = start(std::move(file).value(), description);
+  if (!recorder) return recorder.error();
+  if (*holds) CLEW_RETURN_IF_ERROR(recorder->keep(there));
+  std::uint64_t kept_ticks = 0;
+  for (const RecordedTopic& topic : recorder->topics_) {
+    kept_ticks = std::max(kept_ticks, topic.next_tick);
+  }
+  if (kept_ticks < least_ticks) {
+    return core::Error{"holds " + std::to_string(kept_ticks) + " ticks of the " +
+                           std::to_string(least_ticks) + " that were written to it",
+                       there, 0, 0};
+  }
+  return recorder;
+}
+
+core::Result<RunRecorder> RunRecorder::start(mcap::OutputFile file,
+                                             const RunDescription& description) {
   mcap::WriterOptions writer_options;
   writer_options.library = library_of(description);
-  writer_options.compression = options.compression;
+  writer_options.compression = description.compression;
   writer_options.chunk_span_ns = kChunkSpanNs;
-  auto writer = mcap::McapWriter::create(path, options.overwrite, writer_options);
+  auto writer = mcap::McapWriter::create(std::move(file), writer_options);
   if (!writer) return writer.error();
   CLEW_RETURN_IF_ERROR(writer->write(to_metadata(description)));
   for (const auto& [name, text] : description.bundle) {
@@ -39,6 +80,23 @@ core::Result<RunRecorder> RunRecorder::create(const std::string& path,
   RunRecorder recorder(std::move(writer).value(), description.tick_s);
   recorder.declare_topics(description.schemas);
   return recorder;
+}
+
+// What is there is written once more, by a writer that only compares: so all its state is that of
+// the recorder that was cut off.
+core::Result<void> RunRecorder::keep(const std::string& file) {
+  const auto recording = RunRecording::open(file);
+  if (!recording) return recording.error();
+  SampleStream stream = recording->samples();
+  for (;;) {
+    const auto sample = stream.next();
+    if (!sample) return sample.error();
+    if (!*sample) break;
+    const RecordedSample& found = **sample;
+    CLEW_RETURN_IF_ERROR(add(found.topic, found.tick, found.sequence, found.cdr));
+  }
+  writer_.keep(false);
+  return {};
 }
 
 RunRecorder::RunRecorder(mcap::McapWriter writer, double tick_s)
@@ -58,38 +116,32 @@ void RunRecorder::declare_topics(const std::map<domain::Topic, std::string>& sch
   }
 }
 
-core::Result<void> RunRecorder::check(const RecordedTopic& recorded, std::uint64_t tick,
-                                      std::uint64_t sequence) const {
-  if (recorded.last_tick && tick != *recorded.last_tick + 1) {
-    return refused(recorded.topic, "tick " + std::to_string(tick) + " follows tick " +
-                                       std::to_string(*recorded.last_tick));
-  }
-  if (!recorded.last_tick && first_tick_ && tick != *first_tick_) {
-    return refused(recorded.topic, "begins at tick " + std::to_string(tick) +
-                                       ", the recording at tick " + std::to_string(*first_tick_));
-  }
-  if (sequence > std::numeric_limits<std::uint32_t>::max()) {
-    return refused(recorded.topic,
-                   "sequence " + std::to_string(sequence) + " does not fit in 32 bits");
-  }
-  if (recorded.waiting.size() >= kMaxWaitingTicks) {
-    return refused(recorded.topic,
-                   "is " + std::to_string(kMaxWaitingTicks) + " ticks ahead of another topic");
-  }
-  return {};
-}
-
 core::Result<void> RunRecorder::add(domain::Topic topic, std::uint64_t tick, std::uint64_t sequence,
                                     std::string_view cdr) {
   const int place = places_[static_cast<std::size_t>(topic)];
   if (place < 0) return refused(topic, "is not part of this recording");
   RecordedTopic& recorded = topics_[static_cast<std::size_t>(place)];
-  CLEW_RETURN_IF_ERROR(check(recorded, tick, sequence));
-  if (!first_tick_) first_tick_ = tick;
-  recorded.last_tick = tick;
+  if (tick < recorded.next_tick || (next_tick_ && tick < *next_tick_)) return {};
+  if (sequence > std::numeric_limits<std::uint32_t>::max()) {
+    return refused(topic, "sequence " + std::to_string(sequence) + " does not fit in 32 bits");
+  }
+  note_sequence(recorded, tick, sequence);
+  recorded.next_tick = tick + 1;
   recorded.waiting.push({tick, sequence, cdr});
-  while (every_topic_waits()) CLEW_RETURN_IF_ERROR(write_tick());
+  while (every_topic_waits() || recorded.waiting.size() > kMaxWaitingTicks) {
+    CLEW_RETURN_IF_ERROR(write_tick());
+  }
   return {};
+}
+
+// Ticks without a sample are noted when they are written; here, numbers that belong to no tick.
+void RunRecorder::note_sequence(RecordedTopic& recorded, std::uint64_t tick,
+                                std::uint64_t sequence) {
+  if (recorded.next_sequence) {
+    const std::uint64_t expected = *recorded.next_sequence + (tick - recorded.next_tick);
+    if (sequence > expected) losses_.add_sequences(recorded.topic, tick, sequence - expected);
+  }
+  recorded.next_sequence = sequence + 1;
 }
 
 bool RunRecorder::every_topic_waits() const {
@@ -107,12 +159,17 @@ core::Result<void> RunRecorder::write_tick() {
   for (const RecordedTopic& topic : topics_) {
     if (!topic.waiting.empty()) tick = std::min(tick, topic.waiting.front().tick);
   }
+  const std::uint64_t first = next_tick_.value_or(tick);
   std::size_t written = 0;
   for (RecordedTopic& topic : topics_) {
-    if (topic.waiting.empty() || topic.waiting.front().tick != tick) continue;
+    const bool there = !topic.waiting.empty() && topic.waiting.front().tick == tick;
+    const std::uint64_t missing = tick - first + (there ? 0 : 1);
+    if (missing > 0) losses_.add_ticks(topic.topic, first, first + missing - 1);
+    if (!there) continue;
     CLEW_RETURN_IF_ERROR(write_front(topic));
     ++written;
   }
+  next_tick_ = tick + 1;
   if (written == topics_.size()) complete_ticks_ = tick + 1;
   return {};
 }
@@ -125,7 +182,9 @@ core::Result<void> RunRecorder::write_front(RecordedTopic& topic) {
   message.log_time_ns = tick_to_ns(sample.tick, tick_s_);
   message.publish_time_ns = message.log_time_ns;
   message.data = sample.cdr;
+  const std::uint64_t chunks = writer_.chunk_count();
   CLEW_RETURN_IF_ERROR(writer_.write(message));
+  if (writer_.chunk_count() > chunks) durable_ticks_ = sample.tick;
   topic.written = true;
   topic.chain.add(sample.tick, sample.sequence, sample.cdr);
   topic.waiting.pop();
@@ -141,9 +200,18 @@ std::map<std::string, core::Hash128> RunRecorder::chains() const {
   return chains;
 }
 
-core::Result<void> RunRecorder::finish() {
+core::Result<void> RunRecorder::write_ending() {
   while (any_topic_waits()) CLEW_RETURN_IF_ERROR(write_tick());
-  CLEW_RETURN_IF_ERROR(writer_.write(to_metadata(RunEnd{complete_ticks_, run_hash(chains())})));
+  return writer_.write(to_metadata(RunEnd{complete_ticks_, run_hash(chains()), losses_.samples()}));
+}
+
+core::Result<void> RunRecorder::seal() {
+  CLEW_RETURN_IF_ERROR(write_ending());
+  return writer_.seal();
+}
+
+core::Result<void> RunRecorder::finish() {
+  CLEW_RETURN_IF_ERROR(write_ending());
   return writer_.finish();
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,14 +15,10 @@
 #include "domain/topics.hpp"
 #include "recording/mcap_writer.hpp"
 #include "recording/run_description.hpp"
+#include "recording/sample_losses.hpp"
 #include "recording/sample_queue.hpp"
 
 namespace clew::bridge {
-
-struct RecorderOptions {
-  bool overwrite = false;
-  mcap::Compression compression = mcap::Compression::kNone;
-};
 
 /// Writes the recording of a run: an MCAP file with the run's description in front, then its
 /// samples in canonical order (tick, topic, sequence), whatever the order in which the topics
@@ -30,53 +27,73 @@ class RunRecorder {
  public:
   /// Errors are those of the file: see mcap::OutputFile.
   static core::Result<RunRecorder> create(const std::string& path,
-                                          const RunDescription& description,
-                                          const RecorderOptions& options);
+                                          const RunDescription& description, bool overwrite);
 
-  /// Takes a sample and writes what has become complete. Refused: a topic that the description does
-  /// not have, a tick that does not follow the topic's last one, a topic that begins at another
-  /// tick than the first did, one that is kMaxWaitingTicks ahead of another, and what the file
-  /// refuses.
+  /// Goes on with the file that stands under the temporary name of `path`, reserved only or left by
+  /// a recorder of the same run that was cut off: keeps its whole chunks and replaces what follows.
+  /// Refused: a file whose whole chunks hold fewer than `least_ticks` ticks, and one that is not of
+  /// this description; it is then left as it is.
+  static core::Result<RunRecorder> go_on(const std::string& path, const RunDescription& description,
+                                         std::uint64_t least_ticks = 0);
+
+  /// Takes a sample and writes what has become complete. A sample of a tick that its topic has
+  /// already is passed over: a writer that was restarted writes it again. Ticks that the topic
+  /// skips, or has not delivered when another is kMaxWaitingTicks ahead, are lost(). Refused: a
+  /// topic that the description does not have, and what the file refuses.
   core::Result<void> add(domain::Topic topic, std::uint64_t tick, std::uint64_t sequence,
                          std::string_view cdr);
 
-  /// Ticks below this one have a sample of every topic.
+  /// Ticks below this one have a sample of every topic, but for those that are lost.
   std::uint64_t complete_ticks() const { return complete_ticks_; }
+  /// Ticks below this one are in closed chunks: they outlive this process.
+  std::uint64_t durable_ticks() const { return durable_ticks_; }
+  /// What the recording lacks so far.
+  const SampleLosses& losses() const { return losses_; }
+
+  /// Leaves what is in the open chunk in the file too, until the chunk is closed.
+  core::Result<void> write_ahead() { return writer_.write_ahead(); }
 
   /// Writes what is still waiting (of a run that was cut off), the run's end and the index, and
-  /// gives the file its name. Nothing may follow.
+  /// closes the file, which keeps its temporary name. Nothing may follow.
+  core::Result<void> seal();
+  /// The same, and gives the file its name.
   core::Result<void> finish();
 
   /// By topic, of what was written so far; topics without a sample are left out.
   std::map<std::string, core::Hash128> chains() const;
 
-  static constexpr std::size_t kMaxWaitingTicks = 1 << 16;
+  static constexpr std::size_t kMaxWaitingTicks = 1024;
 
  private:
   struct RecordedTopic {
     domain::Topic topic = domain::Topic::kCommand;
     std::uint16_t channel_id = 0;
     SampleQueue waiting;
-    std::optional<std::uint64_t> last_tick;  ///< that was added
+    std::uint64_t next_tick = 0;  ///< after the last one that was added
+    std::optional<std::uint64_t> next_sequence;
     bool written = false;
     core::HashChain chain;
   };
 
   RunRecorder(mcap::McapWriter writer, double tick_s);
-  core::Result<void> check(const RecordedTopic& recorded, std::uint64_t tick,
-                           std::uint64_t sequence) const;
+  static core::Result<RunRecorder> start(mcap::OutputFile file, const RunDescription& description);
+  core::Result<void> keep(const std::string& file);
   void declare_topics(const std::map<domain::Topic, std::string>& schemas);
+  void note_sequence(RecordedTopic& recorded, std::uint64_t tick, std::uint64_t sequence);
   bool every_topic_waits() const;
   bool any_topic_waits() const;
   core::Result<void> write_tick();
   core::Result<void> write_front(RecordedTopic& topic);
+  core::Result<void> write_ending();
 
   mcap::McapWriter writer_;
   double tick_s_;
   std::vector<RecordedTopic> topics_;              ///< in the order of their names
   std::array<int, domain::kTopicCount> places_{};  ///< in topics_, by domain::Topic; -1: none
-  std::optional<std::uint64_t> first_tick_;
+  std::optional<std::uint64_t> next_tick_;         ///< to be written; none: the first that comes
   std::uint64_t complete_ticks_ = 0;
+  std::uint64_t durable_ticks_ = 0;
+  SampleLosses losses_;
 };
 
 }  // namespace clew::bridge

@@ -5,95 +5,13 @@
 
 #include <utility>
 
-#include "replay/fed_node.hpp"
+#include "replay/recorded_past.hpp"
 #include "replay/recorded_plan.hpp"
 
 namespace clew::bridge {
 namespace {
 
 using core::Result;
-using domain::Topic;
-
-/// Makes the recorded ticks the past of a run that goes on.
-class Past {
- public:
-  /// `nodes` go on; but up to there the robot is the recorded one.
-  Past(std::vector<runtime::Node> nodes, FedNode recorded_robot) {
-    for (runtime::Node& node : nodes) {
-      if (is_robot(node)) {
-        fed_.push_back(std::move(recorded_robot));
-        new_robot_ = std::move(node);
-      } else {
-        fed_.emplace_back(std::move(node));
-      }
-    }
-  }
-
-  runtime::TopicSet topics() const {
-    runtime::TopicSet topics;
-    for (const FedNode& fed : fed_) topics |= fed.fed_topics() | fed.node().ports().outputs;
-    return topics;
-  }
-
-  Result<void> add(const RecordedTick& recorded) {
-    if (recorded.present() != topics()) {
-      return core::Error{fmt::format("lacks a sample of tick {}", recorded.tick()), {}, 0, 0};
-    }
-    for (FedNode& fed : fed_) CLEW_RETURN_IF_ERROR(fed.step(recorded));
-    for (Topic topic : domain::kAllTopics) {
-      if (recorded.has(topic)) CLEW_RETURN_IF_ERROR(account(topic, recorded));
-    }
-    return {};
-  }
-
-  bool has_ended() const {
-    const auto& truth = journal_.tally().truth;
-    return truth && truth->outcome != domain::Outcome::kRunning;
-  }
-
-  Result<void> hand_over(ComposedStart& start) {
-    for (FedNode& fed : fed_) {
-      if (is_robot(fed.node())) {
-        CLEW_RETURN_IF_ERROR(new_robot_->load(fed.node().save()));
-        start.nodes.push_back(std::move(*new_robot_));
-      } else {
-        start.nodes.push_back(fed.take());
-      }
-    }
-    start.messages = std::move(messages_);
-    start.journal = std::move(journal_);
-    return {};
-  }
-
- private:
-  Result<void> account(Topic topic, const RecordedTick& recorded) {
-    const auto decoded = domain::visit_topic(topic, [&](auto constant) {
-      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-      auto& message = std::get<kIndex>(messages_);
-      auto result = std::get<kIndex>(codecs_).decode(recorded.cdr(topic), message);
-      if (result) journal_.add(message, recorded.cdr(topic));
-      return result;
-    });
-    if (decoded) return {};
-    return core::Error{
-        fmt::format("tick {}: {}", recorded.tick(), decoded.error().message), {}, 0, 0};
-  }
-
-  std::vector<FedNode> fed_;
-  std::optional<runtime::Node> new_robot_;
-  Codecs codecs_;
-  domain::Messages messages_;
-  Journal journal_{true, false};
-};
-
-/// The robot as it was recorded.
-Result<FedNode> recorded_robot(const RunRecording& recording, const runtime::RunPlan& recorded) {
-  auto branch = branch_of(recording);
-  if (!branch) return branch.error();
-  auto node = runtime::make_node(recorded, *recorded.graph.writer_of(Topic::kState));
-  if (!node) return node.error();
-  return FedNode(std::move(node).value(), std::move(branch).value());
-}
 
 /// What can be said of a branch before any sample is read.
 Result<void> check(const RunRecording& recording, const runtime::RunPlan& plan,
@@ -127,7 +45,7 @@ Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::R
   if (!robot) return robot.error();
   auto nodes = runtime::make_nodes(plan);
   if (!nodes) return nodes.error();
-  Past past(std::move(nodes).value(), std::move(robot).value());
+  RecordedPast past(std::move(nodes).value(), std::move(robot).value());
   const auto refuse = [&](std::string what) {
     return core::Error{std::move(what), recording.path(), 0, 0};
   };

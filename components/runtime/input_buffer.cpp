@@ -37,9 +37,19 @@ TopicSet InputBuffer::needed(std::uint64_t tick) const {
   return tick == 0 ? inputs_ : inputs_ | delayed_;
 }
 
-bool InputBuffer::ready() const {
-  const std::unique_ptr<Slot>& slot = slots_[next_tick_ % slots_.size()];
-  return (slot != nullptr ? slot->present : TopicSet()) == needed(next_tick_);
+TopicSet InputBuffer::present(std::uint64_t tick) const {
+  const std::unique_ptr<Slot>& slot = slots_[tick % slots_.size()];
+  return slot != nullptr ? slot->present : TopicSet();
+}
+
+bool InputBuffer::ready() const { return present(next_tick_) == needed(next_tick_); }
+
+bool InputBuffer::rest_is_lost() const {
+  TopicSet later;
+  for (std::uint64_t tick = next_tick_ + 1; tick < next_tick_ + slots_.size(); ++tick) {
+    later |= present(tick);
+  }
+  return (needed(next_tick_) & ~present(next_tick_) & ~later).none();
 }
 
 TopicSet InputBuffer::take(domain::Messages& messages) {

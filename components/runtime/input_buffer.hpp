@@ -45,6 +45,10 @@ class InputBuffer {
   /// Whether every input of the next tick is here. Tick 0 needs no delayed ones.
   bool ready() const;
 
+  /// Whether the next tick's missing inputs can no longer come: of each there is a later sample,
+  /// and samples of a topic come in order.
+  bool rest_is_lost() const;
+
   /// Hands over the inputs of the next tick, present or not, and goes on to the tick after it.
   /// Returns which are present.
   TopicSet take(domain::Messages& messages);
@@ -57,6 +61,7 @@ class InputBuffer {
   Slot& slot_of(std::uint64_t tick);
   void release(std::uint64_t tick);
   TopicSet needed(std::uint64_t tick) const;
+  TopicSet present(std::uint64_t tick) const;
 
   TopicSet inputs_;
   TopicSet delayed_;

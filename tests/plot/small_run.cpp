@@ -114,7 +114,7 @@ SmallRun::SmallRun() {
 
 void SmallRun::write(const std::string& path, bool finished) const {
   {
-    auto recorder = bridge::RunRecorder::create(path, description, {});
+    auto recorder = bridge::RunRecorder::create(path, description, false);
     ASSERT_TRUE(recorder) << recorder.error().text();
     for (std::uint64_t tick = 0; tick < kTicks; ++tick) {
       add<domain::State>(*recorder, tick);

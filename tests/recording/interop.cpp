@@ -63,11 +63,9 @@ RunDescription description() {
 
 int write(const std::string& path, const std::string& compression_name) {
   constexpr std::uint64_t kTicks = 80;
-  const RunDescription run = description();
-  RecorderOptions options;
-  options.overwrite = true;
-  options.compression = mcap::compression_from_name(compression_name).value();
-  auto recorder = value_or_exit(RunRecorder::create(path, run, options));
+  RunDescription run = description();
+  run.compression = mcap::compression_from_name(compression_name).value();
+  auto recorder = value_or_exit(RunRecorder::create(path, run, true));
   json samples = json::array();
   RandomMessages random(1);
   for (std::uint64_t tick = 0; tick < kTicks; ++tick) {

@@ -304,7 +304,7 @@ class LateRun {
         });
       }
     }
-    ASSERT_TRUE((*sink)->close());
+    ASSERT_EQ((*sink)->close().failure, "");
   }
 
  private:

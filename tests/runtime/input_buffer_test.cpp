@@ -156,6 +156,18 @@ TEST(InputBuffer, DropsWhatWasStepped) {
   EXPECT_EQ(offer<Command>(buffer, 0), Offer::kTaken);  // tick 1 reads it
 }
 
+TEST(InputBuffer, KnowsWhatCanNoLongerCome) {
+  InputBuffer buffer(three_inputs(), kDepth);
+  offer<Scan>(buffer, 0);
+
+  EXPECT_FALSE(buffer.rest_is_lost());
+  // A later scan says nothing of the odometry of tick 0, a later odometry does.
+  offer<Scan>(buffer, 1);
+  EXPECT_FALSE(buffer.rest_is_lost());
+  offer<Odometry>(buffer, 2);
+  EXPECT_TRUE(buffer.rest_is_lost());
+}
+
 TEST(InputBuffer, HoldsSoManyTicksAndNoMore) {
   InputBuffer buffer(three_inputs(), kDepth);
 

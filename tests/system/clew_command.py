@@ -94,6 +94,14 @@ def components_of(session):
     return found
 
 
+def recorder_of(session):
+    """Process id of a session's recorder, if there is one."""
+    for pid in processes_of_session(session):
+        if command_line(pid)[1:2] == ["recorder"]:
+            return pid
+    return None
+
+
 def wait_until(condition, seconds=20):
     """Whether the condition came true in time."""
     deadline = time.monotonic() + seconds

@@ -29,6 +29,14 @@ class Layouts(unittest.TestCase):
             self.assertEqual(len(set(hashes.values())), 1, f"{world}: {hashes}")
             self.assertRegex(hashes["composed"], "^[0-9a-f]{32}$")
 
+    def test_every_shipped_graph_gives_one_hash_however_often_it_runs(self):
+        ticks = [] if SOAK else ["--max-ticks", "300"]
+        for graph in sorted(path.stem for path in (SOURCE / "configs/graphs").glob("*.yaml")):
+            hashes = {run_graph(graph, *ticks, *layout)["hash"]
+                      for layout in LAYOUTS.values() for _ in range(100 if SOAK else 1)}
+
+            self.assertEqual(len(hashes), 1, graph)
+
     def test_debug_and_release_give_the_same_hash(self):
         for world in all_worlds() if SOAK else WORLDS:
             arguments = ["--world", world, "--layout", "composed", "--max-ticks", TICKS]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Any component may be killed or frozen at any moment: the run ends with the recording that it would
-have made, byte for byte."""
+"""Any component, and the recorder, may be killed or frozen at any moment: the run ends with the
+recording that it would have made, byte for byte."""
 import os
 import pathlib
 import random
@@ -10,12 +10,12 @@ import tempfile
 import time
 import unittest
 
-from clew_command import CLEW, SOAK, Run, components_of, wait_until, write_file
+from clew_command import (CLEW, SOAK, Run, components_of, recorder_of, wait_until, write_file)
 
 # Some seconds of ticks; the robot wanders before a wall.
 RUN = ["default", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none",
        "--max-ticks", "4000"]
-STAGES = ["sense", "classify", "recover", "control", "drive"]
+STAGES = ["sense", "classify", "recover", "control", "drive", "recorder"]
 KILLS = 200 if SOAK else 12
 VENDORS = {"cyclonedds": ["--middleware", "cyclonedds"], "fastdds": ["--middleware", "fastdds"],
            "mixed": ["--middleware", "sense=fastdds", "--middleware", "recover=fastdds"]}
@@ -34,13 +34,18 @@ class Restart(unittest.TestCase):
         cls.directory.cleanup()
 
     def disturb(self, layout, disturbance):
-        """A run during which `disturbance(components)` is called until it returns False."""
+        """A run during which `disturbance(processes)` is called until it returns False."""
+        def processes():
+            found = components_of(process.pid)
+            recorder = recorder_of(process.pid)
+            return {**found, "recorder": recorder} if recorder else found
+
         path = pathlib.Path(self.directory.name) / "disturbed.mcap"
         process = subprocess.Popen([CLEW, "run", *RUN, *layout, "--record", path, "--force",
                                     "--json"], text=True, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, start_new_session=True)
-        self.assertTrue(wait_until(lambda: len(components_of(process.pid)) == 5))
-        while process.poll() is None and disturbance(components_of(process.pid)):
+        self.assertTrue(wait_until(lambda: len(processes()) == 6))
+        while process.poll() is None and disturbance(processes()):
             pass
         out, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 3, err)
@@ -71,14 +76,19 @@ class Restart(unittest.TestCase):
 
                     self.disturb(layout, kill)
 
-    def test_a_frozen_component_loses_nothing(self):
-        for name, layout in VENDORS.items():
-            with self.subTest(vendor=name):
+    def test_a_frozen_process_loses_nothing(self):
+        cases = [(name, "classify") for name in VENDORS] + [("cyclonedds", "recorder")]
+        if SOAK:
+            cases = [(name, stage) for name in VENDORS for stage in STAGES]
+        for name, victim in cases:
+            with self.subTest(vendor=name, victim=victim):
+                layout = VENDORS[name]
+
                 def freeze(components):
-                    os.kill(components["classify"], signal.SIGSTOP)
+                    os.kill(components[victim], signal.SIGSTOP)
                     time.sleep(3.0)
                     try:
-                        os.kill(components["classify"], signal.SIGCONT)
+                        os.kill(components[victim], signal.SIGCONT)
                     except ProcessLookupError:
                         pass  # it did not report for two seconds, and was killed
                     return False
@@ -87,15 +97,16 @@ class Restart(unittest.TestCase):
                 self.assertIn('"outcome":"timeout"', out)
 
     def test_restarts_are_counted_and_told(self):
-        def kill_once(components):
-            os.kill(components["recover"], signal.SIGKILL)
-            return False
+        for victim in ("recover", "recorder"):
+            def kill_once(components):
+                os.kill(components[victim], signal.SIGKILL)
+                return False
 
-        out, err = self.disturb(VENDORS["cyclonedds"], kill_once)
+            out, err = self.disturb(VENDORS["cyclonedds"], kill_once)
 
-        self.assertIn('"restarts":1', out)
-        self.assertRegex(err, r"recover \(process \d+\) was killed by signal 9 \(Killed\); "
-                              "restarting it")
+            self.assertIn('"restarts":1', out)
+            self.assertRegex(err, victim + r" \(process \d+\) was killed by signal 9 \(Killed\); "
+                                  "restarting it")
 
     def test_the_limit_of_the_graph_ends_the_run(self):
         graph = write_file("world: unsolvable-box\nrobot: disc-015\nsense: {behaviour: cones, "

@@ -10,8 +10,9 @@
  * target, step as far as the cones show free.
  *
  *     straight_control [--without-guidance] [--nan-at TICK] [--best-effort] [--crash-at TICK]
+ *                      [--skip TICK]
  *
- * The last three misbehave on purpose, for the tests.
+ * The last four misbehave on purpose, for the tests.
  */
 #include <dds/dds.h>
 #include <math.h>
@@ -37,15 +38,17 @@ struct options {
   int best_effort;
   long nan_at;
   long crash_at;
+  long skip;
 };
 
 static struct options read_options(int argc, char** argv) {
-  struct options options = {0, 0, -1, -1};
+  struct options options = {0, 0, -1, -1, -1};
   for (int i = 1; i < argc; ++i) {
     if (strcmp(argv[i], "--without-guidance") == 0) options.without_guidance = 1;
     if (strcmp(argv[i], "--best-effort") == 0) options.best_effort = 1;
     if (strcmp(argv[i], "--nan-at") == 0 && i + 1 < argc) options.nan_at = atol(argv[++i]);
     if (strcmp(argv[i], "--crash-at") == 0 && i + 1 < argc) options.crash_at = atol(argv[++i]);
+    if (strcmp(argv[i], "--skip") == 0 && i + 1 < argc) options.skip = atol(argv[++i]);
   }
   return options;
 }
@@ -166,6 +169,7 @@ int main(int argc, char** argv) {
     const long tick = (long)odometry->stamp.tick;
     if (tick == options.nan_at) command.motion.step_m = NAN;
     if (tick == options.crash_at) abort();
+    if (tick == options.skip) continue;
     must(dds_write(writer, &command), "write");
   }
 }

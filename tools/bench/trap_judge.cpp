@@ -17,7 +17,6 @@ core::Result<void> TrapJudge::add(const bridge::SpooledSample& sample) {
   if (sample.topic == domain::Topic::kState) {
     CLEW_RETURN_IF_ERROR(states_.decode(sample.cdr, state_));
     add(state_);
-    complete_ticks_ = sample.tick;
   } else if (sample.topic == domain::Topic::kEvent) {
     CLEW_RETURN_IF_ERROR(events_.decode(sample.cdr, event_));
     add(event_);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "convert/codec.hpp"
-#include "process/supervisor.hpp"
+#include "process/sample_sink.hpp"
 #include "terrain/trap_map.hpp"
 
 namespace clew::bench {
@@ -43,7 +43,6 @@ class TrapJudge : public bridge::SampleSink {
       : traps_(traps), robot_radius_m_(robot_radius_m), scores_(std::move(detectors)) {}
 
   core::Result<void> add(const bridge::SpooledSample& sample) override;
-  std::uint64_t complete_ticks() const override { return complete_ticks_; }
 
   /// One tick: where the robot is, then what was said. For tests without a run.
   void add(const domain::State& state);
@@ -74,7 +73,6 @@ class TrapJudge : public bridge::SampleSink {
   double time_s_ = 0.0;
   double captured_at_s_ = 0.0;
   double captured_at_m_ = 0.0;
-  std::uint64_t complete_ticks_ = 0;
   bridge::Codec<domain::State> states_;
   bridge::Codec<domain::Event> events_;
   domain::State state_;

@@ -28,7 +28,10 @@ struct RunOptions {
   std::string pace = "lockstep";
   std::optional<int> domain;
   std::string record;
+  std::string resume;  ///< a recording to go on with, in the graph's place
   bool force = false;
+  std::string compression;  ///< empty: as the recording that is gone on with has it, else none
+  std::string on_record_error = "stop";
   std::vector<std::string> external;
   std::vector<std::string> prefix;  ///< `STAGE=COMMAND`
   bool json = false;
@@ -69,6 +72,11 @@ struct ComponentOptions {
   std::optional<int> domain;
 };
 int component_command(const ComponentOptions& options);
+
+struct RecorderOptions {
+  int domain = 0;
+};
+int recorder_command(const RecorderOptions& options);
 
 struct PlotOptions {
   std::vector<std::string> recordings;

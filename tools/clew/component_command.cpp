@@ -4,6 +4,7 @@
 
 #include "clew/commands.hpp"
 #include "process/component_process.hpp"
+#include "process/recorder_process.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
 
@@ -35,6 +36,10 @@ int component_command(const ComponentOptions& options) {
     return complain({"which run? give --domain, or CLEW_DOMAIN_ID in the environment", {}, 0, 0});
   }
   return bridge::run_component_process(options.stage, domain, kConnectTimeout_s, stages::all());
+}
+
+int recorder_command(const RecorderOptions& options) {
+  return bridge::run_recorder_process(options.domain, kConnectTimeout_s);
 }
 
 }  // namespace clew::tools

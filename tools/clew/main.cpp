@@ -35,8 +35,10 @@ void add_overrides(CLI::App& app, runtime::GraphOverrides& overrides) {
 
 void add_run(CLI::App& main, RunOptions& options, Outcome& outcome) {
   CLI::App* app = main.add_subcommand("run", "Run a graph with a simulated robot");
-  app->add_option("graph", options.graph, "a name or a path")->required();
+  app->add_option("graph", options.graph, "a name or a path");
   add_overrides(*app, options.overrides);
+  app->add_option("--resume", options.resume,
+                  "go on with a recording whose run was cut off, instead of a graph");
   app->add_option("--layout", options.layout, "processes | composed");
   app->add_option("--middleware", options.middleware,
                   "cyclonedds | fastdds, or STAGE=VENDOR; may be repeated")
@@ -45,6 +47,11 @@ void add_run(CLI::App& main, RunOptions& options, Outcome& outcome) {
   app->add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)");
   app->add_option("--record", options.record, "write a recording (MCAP)");
   app->add_flag("--force", options.force, "overwrite the recording");
+  app->add_option("--compression", options.compression,
+                  "of the recording: none | zstd | lz4 (none: the fastest, and its bytes depend on "
+                  "no compressor's version; zstd makes it several times smaller)");
+  app->add_option("--on-record-error", options.on_record_error,
+                  "stop | continue: what a run does whose recording fails or lacks samples (stop)");
   app->add_option("--external", options.external, "wait for a STAGE that a person starts")
       ->allow_extra_args(false);
   app->add_option("--prefix", options.prefix, "STAGE='gdb --args': start it with a command before")
@@ -107,6 +114,14 @@ void add_component(CLI::App& main, ComponentOptions& options, Outcome& outcome) 
   app->add_option("stage", options.stage)->required();
   app->add_option("--domain", options.domain, "the run's DDS domain (CLEW_DOMAIN_ID)");
   app->callback([&] { outcome.status = component_command(options); });
+}
+
+// Started by runs only.
+void add_recorder(CLI::App& main, RecorderOptions& options, Outcome& outcome) {
+  CLI::App* app = main.add_subcommand("recorder", "Record a run as this process");
+  app->group("");
+  app->add_option("--domain", options.domain, "the run's DDS domain")->required();
+  app->callback([&] { outcome.status = recorder_command(options); });
 }
 
 void add_plot(CLI::App& main, PlotOptions& options, Outcome& outcome) {
@@ -211,6 +226,7 @@ int parse_and_run(int argc, char** argv) {
   CheckOptions check;
   ListOptions list;
   ComponentOptions component;
+  RecorderOptions recorder;
   PlotOptions plot;
   InfoOptions info;
   DiffOptions diff;
@@ -221,6 +237,7 @@ int parse_and_run(int argc, char** argv) {
   add_check(app, check, outcome);
   add_list(app, list, outcome);
   add_component(app, component, outcome);
+  add_recorder(app, recorder, outcome);
   add_plot(app, plot, outcome);
   add_info(app, info, outcome);
   add_diff(app, diff, outcome);
@@ -241,6 +258,8 @@ int parse_and_run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  // Writing reports these instead: a reader that has gone, a file that has reached its limit.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   return clew::tools::parse_and_run(argc, argv);
 }

@@ -69,8 +69,8 @@ int replay_branch(const ReplayOptions& options, const bridge::RunRecording& reco
   clear_display();
   if (!report.ok()) return complain(report.error());
   if (sink) {
-    const auto closed = sink->close();
-    if (!closed.ok() && report->aborted.empty()) report->aborted = closed.error().text();
+    const std::string what = bridge::complaint(sink->close());
+    if (report->aborted.empty()) report->aborted = what;
   }
   if (!report->aborted.empty()) fmt::print(stderr, "clew: {}\n", report->aborted);
   const RunFacts facts{"composed", "inprocess", options.record, tick};

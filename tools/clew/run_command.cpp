@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -8,6 +9,7 @@
 
 #include "clew/commands.hpp"
 #include "clew/own_program.hpp"
+#include "clew/resumed_run.hpp"
 #include "clew/run_output.hpp"
 #include "core/nearest_name.hpp"
 #include "process/composed_run.hpp"
@@ -23,6 +25,8 @@ using core::Error;
 using core::Result;
 
 const std::vector<std::string> kVendors = {"cyclonedds", "fastdds"};
+const std::vector<std::string> kCompressions = {"none", "zstd", "lz4"};
+const std::vector<std::string> kOnRecordError = {"stop", "continue"};
 
 struct Speed {
   bridge::Pace pace = bridge::Pace::kLockstep;
@@ -82,6 +86,8 @@ Result<bridge::ProcessLayout> read_layout(const RunOptions& options, const runti
   layout.pace = speed.pace;
   layout.pace_factor = speed.factor;
   layout.hash = !options.no_hash;
+  layout.on_record_error = options.on_record_error == "stop" ? bridge::OnRecordError::kStop
+                                                             : bridge::OnRecordError::kContinue;
   CLEW_RETURN_IF_ERROR(read_middleware(options, graph, layout));
   for (const std::string& stage : options.external) {
     CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--external"));
@@ -115,6 +121,17 @@ Result<void> check_options(const RunOptions& options) {
     return Error{core::unknown_name("layout", options.layout, {"processes", "composed"}),
                  "--layout", 0, 0};
   }
+  const auto known = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (!options.compression.empty() && !known(kCompressions, options.compression)) {
+    return Error{core::unknown_name("compression", options.compression, kCompressions),
+                 "--compression", 0, 0};
+  }
+  if (!known(kOnRecordError, options.on_record_error)) {
+    return Error{core::unknown_name("choice", options.on_record_error, kOnRecordError),
+                 "--on-record-error", 0, 0};
+  }
   const bool composed = options.layout == "composed";
   if (composed && (!options.external.empty() || !options.prefix.empty() || options.domain ||
                    !options.middleware.empty())) {
@@ -127,41 +144,101 @@ Result<void> check_options(const RunOptions& options) {
   return {};
 }
 
+/// A run and where it begins: with a graph, or with what was recorded of it.
+struct Job {
+  runtime::RunPlan plan;
+  std::optional<bridge::RecordingOrder> recording;
+  std::optional<bridge::Resumption> resumption;
+};
+
+Result<Job> new_job(const RunOptions& options) {
+  if (options.graph.empty()) return Error{"which graph? 'clew list graphs' tells", {}, 0, 0};
+  auto plan = runtime::prepare_run(options.graph, options.overrides,
+                                   runtime::ConfigPath::from_environment(), stages::all());
+  if (!plan.ok()) return plan.error();
+  Job job{std::move(plan).value(), std::nullopt, std::nullopt};
+  if (options.record.empty()) return job;
+  job.recording = {options.record, bridge::describe_run(job.plan)};
+  const std::string compression = options.compression == "none" ? "" : options.compression;
+  job.recording->description.compression = *bridge::mcap::compression_from_name(compression);
+  CLEW_RETURN_IF_ERROR(bridge::mcap::OutputFile::reserve(options.record, options.force));
+  return job;
+}
+
+Result<Job> resumed_job(const RunOptions& options) {
+  auto resumed = resume_run(options);
+  if (!resumed.ok()) return resumed.error();
+  return Job{std::move(resumed->plan), std::move(resumed->recording),
+             std::move(resumed->resumption)};
+}
+
+/// A composed run is one process with its recorder: it dies with it. So is one that has ended, and
+/// whose recording only lacks its end.
+Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& layout) {
+  std::unique_ptr<bridge::RecordingSink> sink;
+  if (job.recording) {
+    auto opened = bridge::RecordingSink::go_on(*job.recording);
+    if (!opened.ok()) return opened.error();
+    sink = std::move(opened).value();
+  }
+  const bridge::ComposedLayout composed{layout.pace, layout.pace_factor, layout.hash,
+                                        layout.on_record_error};
+  const auto display = terminal_display(job.plan);
+  auto report = job.resumption ? bridge::run_composed(job.plan, std::move(job.resumption->composed),
+                                                      composed, sink.get(), display)
+                               : bridge::run_composed(job.plan, composed, sink.get(), display);
+  if (sink && report.ok()) report->recording = sink->close();
+  return report;
+}
+
+Result<bridge::RunReport> run_job(Job& job, const bridge::ProcessLayout& layout, bool composed) {
+  const bool has_ended = job.resumption && job.resumption->has_ended;
+  auto report = composed || has_ended
+                    ? run_composed(job, layout)
+                    : bridge::run_processes(
+                          job.plan, layout, job.recording, terminal_display(job.plan),
+                          job.resumption ? job.resumption->processes : bridge::ProcessStart{});
+  // What was only reserved is in nobody's way.
+  if (!report.ok() && job.recording && !job.resumption) {
+    std::remove(bridge::mcap::OutputFile::temporary_name(job.recording->path).c_str());
+  }
+  return report;
+}
+
+/// A recording that failed or lacks samples ends the run badly, unless the user said otherwise.
+void judge_recording(const bridge::ProcessLayout& layout, bridge::RunReport& report) {
+  if (!report.recording) return;
+  const std::string what = bridge::complaint(*report.recording);
+  if (what.empty() || report.aborted == what || report.interrupted_by != 0) return;
+  if (layout.on_record_error == bridge::OnRecordError::kStop && report.aborted.empty()) {
+    report.aborted = what;
+  } else {
+    std::fprintf(stderr, "clew: %s\n", what.c_str());
+  }
+}
+
 }  // namespace
 
 int run_command(const RunOptions& options) {
   if (const auto checked = check_options(options); !checked.ok()) return complain(checked.error());
   const auto speed = read_pace(options.pace);
   if (!speed.ok()) return complain(speed.error());
-  const auto plan = runtime::prepare_run(options.graph, options.overrides,
-                                         runtime::ConfigPath::from_environment(), stages::all());
-  if (!plan.ok()) return complain(plan.error());
-  const auto layout = read_layout(options, plan->graph, *speed);
+  auto job = options.resume.empty() ? new_job(options) : resumed_job(options);
+  if (!job.ok()) return complain(job.error());
+  const auto layout = read_layout(options, job->plan.graph, *speed);
   if (!layout.ok()) return complain(layout.error());
-  std::unique_ptr<bridge::RecordingSink> recording;
-  if (!options.record.empty()) {
-    auto created = bridge::RecordingSink::create(*plan, options.record, options.force);
-    if (!created.ok()) return complain(created.error());
-    recording = std::move(created).value();
-  }
 
-  const auto display = terminal_display(*plan);
   const bool composed = options.layout == "composed";
-  auto report = composed ? bridge::run_composed(*plan, {speed->pace, speed->factor, layout->hash},
-                                                recording.get(), display)
-                         : bridge::run_processes(*plan, *layout, recording.get(), display);
+  auto report = run_job(*job, *layout, composed);
   clear_display();
   if (!report.ok()) return complain(report.error());
-  if (recording) {
-    const auto closed = recording->close();
-    if (!closed.ok() && report->aborted.empty()) report->aborted = closed.error().text();
-  }
+  judge_recording(*layout, *report);
   if (!report->aborted.empty()) std::fprintf(stderr, "clew: %s\n", report->aborted.c_str());
   const RunFacts facts{options.layout,
-                       composed ? "inprocess" : middleware_text(plan->graph, *layout),
-                       options.record};
-  std::puts(options.json ? report_json(*report, *plan, facts).c_str()
-                         : report_line(*report, *plan).c_str());
+                       composed ? "inprocess" : middleware_text(job->plan.graph, *layout),
+                       job->recording ? job->recording->path : ""};
+  std::puts(options.json ? report_json(*report, job->plan, facts).c_str()
+                         : report_line(*report, job->plan).c_str());
   return exit_status(*report);
 }
 

@@ -115,6 +115,7 @@ std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
   json["seed"] = plan.graph.seed;
   json["hash"] = report.hash ? nlohmann::ordered_json(report.hash->hex()) : nullptr;
   json["recording"] = facts.recording.empty() ? nullptr : nlohmann::ordered_json(facts.recording);
+  if (report.recording) json["lost_samples"] = report.recording->lost_samples;
   json["refused_samples"] = report.refused_samples;
   json["why"] = report.aborted;
   if (facts.branch_tick) json["branch_tick"] = *facts.branch_tick;

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process/muster.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "convert/codec.hpp"
+
+namespace clew::bridge {
+namespace {
+
+constexpr auto kPatience = std::chrono::hours(1);
+constexpr double kPatientLease_s = 3600.0;
+
+}  // namespace
+
+Muster::Muster(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain, bool recorded)
+    : plan_(plan),
+      layout_(layout),
+      domain_(domain),
+      recorded_(recorded),
+      run_id_(std::to_string(::getpid()) + '-' + std::to_string(domain)) {}
+
+core::Result<void> Muster::start(Member& member) const {
+  auto child = ChildProcess::start(
+      command_of(member, *plan_.graph.find(member.stage), layout_, domain_, run_id_));
+  if (!child.ok()) return core::Error{member.stage + ": " + child.error().text(), {}, 0, 0};
+  member.child = std::move(child).value();
+  member.down = false;
+  return {};
+}
+
+ChildCommand Muster::recorder_command() const {
+  ChildCommand command;
+  command.arguments = {layout_.program, "recorder", "--domain", std::to_string(domain_)};
+  return command;
+}
+
+std::string Muster::how_to_start(const Member& member) const {
+  return "waiting for " + member.stage + "; start it with: clew component " + plan_.graph.name +
+         ' ' + member.stage + " --domain " + std::to_string(domain_);
+}
+
+core::Result<Member*> Muster::admit(const Hello& hello, std::vector<Member>& members) const {
+  const auto member = std::find_if(members.begin(), members.end(), [&](const Member& candidate) {
+    return candidate.stage == hello.stage && !candidate.foreign;
+  });
+  if (member == members.end() || member->link != nullptr) return nullptr;
+  if (hello.idl_fingerprint == idl_fingerprint()) return &*member;
+  return core::Error{hello.stage + " (process " + std::to_string(hello.process_id) +
+                         ") was built from other IDL files: its fingerprint is " +
+                         hello.idl_fingerprint + ", that of the run is " +
+                         std::string(idl_fingerprint()),
+                     {},
+                     0,
+                     0};
+}
+
+Assignment Muster::assignment_for(const std::string& stage, const std::string& middleware) const {
+  Assignment assignment;
+  assignment.run_id = run_id_;
+  assignment.middleware = middleware;
+  assignment.domain = domain_;
+  if (patient()) assignment.lease_s = kPatientLease_s;
+  assignment.spool = recorded_;
+  assignment.history_depth = kHistoryDepth;
+  assignment.lead = kLead;
+  fill_assignment(plan_, layout_, stage, assignment);
+  return assignment;
+}
+
+Assignment Muster::assignment_for(const Member& member) const {
+  Assignment assignment =
+      assignment_for(member.stage, middleware_of(*plan_.graph.find(member.stage), layout_));
+  if (!member.checkpoints.empty()) assignment.checkpoint = member.checkpoints.back();
+  return assignment;
+}
+
+std::chrono::steady_clock::duration Muster::start_timeout() const {
+  if (patient()) return kPatience;
+  return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+      std::chrono::duration<double>(plan_.graph.start_timeout_s));
+}
+
+}  // namespace clew::bridge

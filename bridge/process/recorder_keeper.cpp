@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process/recorder_keeper.hpp"
+
+#include <csignal>
+#include <utility>
+
+namespace clew::bridge {
+namespace {
+
+// A recorder reports ten times a second, and while it starts at least tells that it lives.
+constexpr auto kFrozenAfter = std::chrono::seconds(2);
+constexpr auto kStartsWithin = std::chrono::seconds(10);
+// As for components: one that dies so often without coming any further will do so again.
+constexpr std::uint32_t kRestartLimit = 100;
+constexpr std::uint32_t kDeathsInPlace = 2;
+// Waking the recorder costs more than what it then does: it gets many samples at once.
+constexpr std::size_t kBytesAtOnce = 64 * 1024;
+constexpr auto kLongestDelay = std::chrono::milliseconds(20);
+// Half a history: see Restart in ARCHITECTURE.md.
+constexpr std::uint64_t kLead = 256;
+// In real time; minutes of the fastest run.
+constexpr std::size_t kMaxKeptBytes = std::size_t{64} << 20;
+
+}  // namespace
+
+RecorderKeeper::RecorderKeeper(RecordingOrder order, ChildCommand command, bool drops)
+    : order_(std::move(order)), command_(std::move(command)), drops_(drops) {}
+
+core::Result<void> RecorderKeeper::start(Time now) {
+  auto child = ChildProcess::start(command_);
+  if (!child.ok()) return child.error();
+  child_ = std::move(child).value();
+  heard_at_ = now;
+  return {};
+}
+
+void RecorderKeeper::welcome(std::unique_ptr<Link> link, Time now) {
+  if (link_ || account_) return;
+  link->send(FrameType::kRecord, RecorderAssignment{order_, restarts_ > 0, durable_ticks_});
+  link_ = std::move(link);
+  heard_at_ = now;
+  reads_samples_ = false;
+  end_sent_ = false;
+  next_ = 0;
+  sent_of_next_ = 0;
+  blocked_ = false;
+  unsent_bytes_ = kept_bytes_;
+}
+
+void RecorderKeeper::add(std::string spool, std::uint64_t end_tick) {
+  if (account_ || spool.empty()) return;
+  if (drops_ && kept_bytes_ + spool.size() > kMaxKeptBytes) return;
+  kept_bytes_ += spool.size();
+  unsent_bytes_ += spool.size();
+  kept_.push_back({std::move(spool), end_tick});
+}
+
+std::uint64_t RecorderKeeper::credit() const {
+  return account_ || drops_ ? UINT64_MAX : durable_ticks_ + kLead;
+}
+
+std::optional<pollfd> RecorderKeeper::descriptor() const {
+  if (!link_) return std::nullopt;
+  return pollfd{link_->socket(), static_cast<short>(blocked_ ? POLLIN | POLLOUT : POLLIN), 0};
+}
+
+void RecorderKeeper::serve(Time now) {
+  if (account_) return;
+  if (link_) receive(now);
+  if (link_ && !account_) send(now);
+  if (account_) return;
+  if (child_ && child_->reap()) lose();
+  if (child_ && child_->running() && now - heard_at_ > (link_ ? kFrozenAfter : kStartsWithin)) {
+    lines_.push_back("recorder (process " + std::to_string(child_->process_id()) +
+                     ") does not report; killing it");
+    child_->signal(SIGKILL);
+    heard_at_ = now;
+  }
+  if (!account_ && child_ && !child_->running()) restart(now);
+}
+
+void RecorderKeeper::receive(Time now) {
+  const bool open = link_->receive();
+  while (auto frame = link_->next()) {
+    heard_at_ = now;
+    if (frame->type == FrameType::kDurable) {
+      const auto durable = frame->as<Tick>();
+      if (durable && durable->tick > durable_ticks_) durable_ticks_ = durable->tick;
+      reads_samples_ = true;
+      forget_durable();
+    }
+    if (frame->type == FrameType::kRecorded) account_ = frame->as<RecordingAccount>();
+  }
+  if (!open) link_.reset();
+}
+
+void RecorderKeeper::forget_durable() {
+  while (next_ > 0 && kept_.front().end_tick <= durable_ticks_) {
+    kept_bytes_ -= kept_.front().spool.size();
+    kept_.pop_front();
+    --next_;
+  }
+}
+
+void RecorderKeeper::send(Time now) {
+  if (!reads_samples_) return;
+  const bool worth_it =
+      blocked_ || unsent_bytes_ >= kBytesAtOnce || now - sent_at_ >= kLongestDelay || ended_;
+  if (!worth_it) return;
+  sent_at_ = now;
+  blocked_ = false;
+  while (next_ < kept_.size()) {
+    const std::string& spool = kept_[next_].spool;
+    const auto sent = link_->send_some(FrameType::kSamples, spool, sent_of_next_);
+    if (!sent) return;
+    sent_of_next_ = *sent;
+    blocked_ = sent_of_next_ < Link::frame_bytes(spool);
+    if (blocked_) return;
+    sent_of_next_ = 0;
+    unsent_bytes_ -= spool.size();
+    ++next_;
+  }
+  if (ended_ && !end_sent_) end_sent_ = link_->send_bytes(FrameType::kRecordingEnd, {});
+}
+
+// Its process has ended.
+void RecorderKeeper::lose() {
+  link_.reset();
+  const bool in_place = restarts_ > 0 && durable_ticks_ <= durable_at_death_;
+  deaths_in_place_ = in_place && !child_->was_killed() ? deaths_in_place_ + 1 : 0;
+  durable_at_death_ = durable_ticks_;
+  const std::string what =
+      "recorder (process " + std::to_string(child_->process_id()) + ") " + child_->end();
+  if (restarts_ >= kRestartLimit || deaths_in_place_ >= kDeathsInPlace) {
+    fail(what + "; it was restarted " + std::to_string(restarts_) + " times");
+  } else {
+    lines_.push_back(what + "; restarting it");
+  }
+}
+
+void RecorderKeeper::restart(Time now) {
+  ++restarts_;
+  const auto started = start(now);
+  if (!started.ok()) fail(started.error().text());
+}
+
+void RecorderKeeper::fail(const std::string& why) {
+  account_.emplace();
+  account_->failure = why;
+}
+
+}  // namespace clew::bridge

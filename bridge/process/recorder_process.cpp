@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "process/recorder_process.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "convert/codec.hpp"
+#include "process/link.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using core::Error;
+using core::Result;
+
+constexpr auto kHeartbeat = std::chrono::milliseconds(100);
+// What is in the open chunk is left in the file as often as this.
+constexpr auto kWriteAheadPeriod = std::chrono::milliseconds(500);
+
+/// Reports, while it lives, that the process lives: reading a long recording again takes its time.
+class KeepAlive {
+ public:
+  explicit KeepAlive(Link& link) : thread_([this, &link] { run(link); }) {}
+  ~KeepAlive() {
+    ended_ = true;
+    thread_.join();
+  }
+  KeepAlive(const KeepAlive&) = delete;
+  KeepAlive& operator=(const KeepAlive&) = delete;
+
+ private:
+  void run(Link& link) {
+    for (int beat = 0; !ended_; ++beat) {
+      if (beat % 10 == 0) link.send(FrameType::kWaiting, Waiting{{"recorder reads its file"}});
+      std::this_thread::sleep_for(kHeartbeat / 10);
+    }
+  }
+
+  std::atomic<bool> ended_{false};
+  std::thread thread_;
+};
+
+class Recorder {
+ public:
+  Recorder(Link& link, RecordingSink& sink) : link_(link), sink_(sink) {}
+
+  /// Returns true after an orderly end.
+  bool run() {
+    while (true) {
+      const auto now = Clock::now();
+      if (now >= next_report_) report(now);
+      if (now >= next_write_ahead_) {
+        next_write_ahead_ = now + kWriteAheadPeriod;
+        note(sink_.recorder().write_ahead());
+      }
+      if (!failure_.empty()) return give_up();
+      pollfd descriptor{link_.socket(), POLLIN, 0};
+      ::poll(&descriptor, 1, static_cast<int>(kHeartbeat.count()));
+      if (!link_.receive()) return false;
+      while (auto frame = link_.next()) {
+        if (frame->type == FrameType::kSamples) record(frame->payload);
+        if (frame->type == FrameType::kRecordingEnd && failure_.empty()) {
+          return link_.send(FrameType::kRecorded, sink_.close(true));
+        }
+      }
+      if (sink_.recorder().durable_ticks() > reported_) report(now);
+    }
+  }
+
+ private:
+  void record(const std::string& spool) {
+    const bool whole = for_each_spooled(spool, [this](const SpooledSample& sample) {
+      if (failure_.empty()) note(sink_.add(sample));
+    });
+    if (!whole && failure_.empty()) failure_ = "a component sent a damaged spool";
+  }
+
+  void note(const Result<void>& result) {
+    if (!result.ok() && failure_.empty()) failure_ = result.error().text();
+  }
+
+  void report(Clock::time_point now) {
+    reported_ = sink_.recorder().durable_ticks();
+    link_.send(FrameType::kDurable, Tick{reported_});
+    next_report_ = now + kHeartbeat;
+  }
+
+  bool give_up() {
+    RecordingAccount account;
+    account.failure = failure_;
+    link_.send(FrameType::kRecorded, std::move(account));
+    return false;
+  }
+
+  Link& link_;
+  RecordingSink& sink_;
+  std::string failure_;
+  std::uint64_t reported_ = 0;
+  Clock::time_point next_report_{};
+  Clock::time_point next_write_ahead_{};
+};
+
+/// The assignment that follows a hello; an error if the supervisor goes away before.
+Result<RecorderAssignment> take_assignment(Link& link) {
+  link.send(FrameType::kHello, Hello{kRecorderName, ::getpid(), std::string(idl_fingerprint())});
+  while (true) {
+    if (const auto frame = link.next()) {
+      auto assignment = frame->as<RecorderAssignment>();
+      if (frame->type == FrameType::kRecord && assignment) return *std::move(assignment);
+      return Error{"the run has no place for a recorder", {}, 0, 0};
+    }
+    pollfd descriptor{link.socket(), POLLIN, 0};
+    ::poll(&descriptor, 1, -1);
+    if (!link.receive()) return Error{"the supervisor has gone", {}, 0, 0};
+  }
+}
+
+Result<std::unique_ptr<RecordingSink>> open_sink(const RecorderAssignment& assignment) {
+  const std::string& path = assignment.order.path;
+  if (assignment.again && mcap::OutputFile::temporary_name(path) == path) {
+    return Error{"what the recorder wrote there before it died cannot be read back", path, 0, 0};
+  }
+  return RecordingSink::go_on(assignment.order, assignment.least_ticks);
+}
+
+int complain(const Error& error) {
+  std::fprintf(stderr, "clew recorder: %s\n", error.text().c_str());
+  return 1;
+}
+
+}  // namespace
+
+int run_recorder_process(int domain, double connect_timeout_s) {
+  const auto patience = std::chrono::duration<double>(connect_timeout_s);
+  const auto socket =
+      Link::connect(domain, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience));
+  if (!socket.ok()) return complain(socket.error());
+  Link link(*socket);
+  const auto assignment = take_assignment(link);
+  if (!assignment.ok()) return complain(assignment.error());
+  auto sink = [&] {
+    const KeepAlive alive(link);
+    return open_sink(*assignment);
+  }();
+  if (!sink.ok()) {
+    RecordingAccount account;
+    account.failure = sink.error().text();
+    link.send(FrameType::kRecorded, std::move(account));
+    return 1;
+  }
+  return Recorder(link, **sink).run() ? 0 : 1;
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/result.hpp"
+#include "process/journal.hpp"
+
+namespace clew::bridge {
+
+/// Receives what the components of a run write, in order within each topic.
+class SampleSink {
+ public:
+  virtual ~SampleSink() = default;
+  /// Takes a sample. After an error it is given no more.
+  virtual core::Result<void> add(const SpooledSample& sample) = 0;
+};
+
+}  // namespace clew::bridge

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "replay/recorded_past.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "replay/recorded_plan.hpp"
+
+namespace clew::bridge {
+
+using core::Result;
+using domain::Topic;
+
+RecordedPast::RecordedPast(std::vector<runtime::Node> nodes, FedNode recorded_robot) {
+  for (runtime::Node& node : nodes) {
+    if (is_robot(node)) {
+      fed_.push_back(std::move(recorded_robot));
+      new_robot_ = std::move(node);
+    } else {
+      fed_.emplace_back(std::move(node));
+    }
+  }
+}
+
+runtime::TopicSet RecordedPast::topics() const {
+  runtime::TopicSet topics;
+  for (const FedNode& fed : fed_) topics |= fed.fed_topics() | fed.node().ports().outputs;
+  return topics;
+}
+
+Result<void> RecordedPast::add(const RecordedTick& recorded) {
+  if (recorded.present() != topics()) {
+    return core::Error{fmt::format("lacks a sample of tick {}", recorded.tick()), {}, 0, 0};
+  }
+  for (FedNode& fed : fed_) CLEW_RETURN_IF_ERROR(fed.step(recorded));
+  for (Topic topic : domain::kAllTopics) {
+    if (recorded.has(topic)) CLEW_RETURN_IF_ERROR(account(topic, recorded));
+  }
+  return {};
+}
+
+Result<void> RecordedPast::check_outputs(const RecordedTick& recorded) {
+  for (const FedNode& fed : fed_) {
+    for (Topic topic : fed.node().ports().output_order) {
+      const std::string_view written = domain::visit_topic(topic, [&](auto constant) {
+        constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+        return std::get<kIndex>(codecs_).encode(std::get<kIndex>(fed.messages()));
+      });
+      if (written == recorded.cdr(topic)) continue;
+      return core::Error{fmt::format("{} of this version does not write the '{}' that is recorded "
+                                     "at tick {}",
+                                     fed.node().name(), domain::topic_name(topic), recorded.tick()),
+                         {},
+                         0,
+                         0};
+    }
+  }
+  return {};
+}
+
+bool RecordedPast::has_ended() const {
+  const auto& truth = journal_.tally().truth;
+  return truth && truth->outcome != domain::Outcome::kRunning;
+}
+
+Result<void> RecordedPast::hand_over(ComposedStart& start) {
+  for (FedNode& fed : fed_) {
+    if (is_robot(fed.node())) {
+      CLEW_RETURN_IF_ERROR(new_robot_->load(fed.node().save()));
+      start.nodes.push_back(std::move(*new_robot_));
+    } else {
+      start.nodes.push_back(fed.take());
+    }
+  }
+  start.messages = std::move(messages_);
+  start.journal = std::move(journal_);
+  return {};
+}
+
+Result<void> RecordedPast::account(Topic topic, const RecordedTick& recorded) {
+  const auto decoded = domain::visit_topic(topic, [&](auto constant) {
+    constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+    auto& message = std::get<kIndex>(messages_);
+    auto result = std::get<kIndex>(codecs_).decode(recorded.cdr(topic), message);
+    if (result) journal_.add(message, recorded.cdr(topic));
+    return result;
+  });
+  if (decoded) return {};
+  return core::Error{
+      fmt::format("tick {}: {}", recorded.tick(), decoded.error().message), {}, 0, 0};
+}
+
+Result<FedNode> recorded_robot(const RunRecording& recording, const runtime::RunPlan& recorded) {
+  auto branch = branch_of(recording);
+  if (!branch) return branch.error();
+  auto node = runtime::make_node(recorded, *recorded.graph.writer_of(Topic::kState));
+  if (!node) return node.error();
+  return FedNode(std::move(node).value(), std::move(branch).value());
+}
+
+}  // namespace clew::bridge

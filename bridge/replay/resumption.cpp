@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "replay/resumption.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "replay/recorded_past.hpp"
+#include "replay/recorded_plan.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using core::Error;
+using core::Result;
+using domain::Topic;
+using runtime::TopicSet;
+
+Result<RecordedPast> past_of(const RunRecording& recording, const runtime::RunPlan& plan) {
+  auto robot = recorded_robot(recording, plan);
+  if (!robot) return robot.error();
+  auto nodes = runtime::make_nodes(plan);
+  if (!nodes) return nodes.error();
+  return RecordedPast(std::move(nodes).value(), std::move(robot).value());
+}
+
+/// What each component process would have kept of the past.
+class ProcessPast {
+ public:
+  explicit ProcessPast(std::size_t stages) : journals_(stages, Journal(true, false)) {}
+
+  void add(const RecordedPast& past, const RecordedTick& recorded) {
+    for (std::size_t i = 0; i < journals_.size(); ++i) {
+      for (Topic topic : past.nodes()[i].node().ports().output_order) {
+        domain::visit_topic(topic, [&](auto constant) {
+          constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+          journals_[i].add(std::get<kIndex>(past.messages()), recorded.cdr(topic));
+        });
+        last_outputs_[static_cast<std::size_t>(topic)].assign(recorded.cdr(topic));
+      }
+    }
+  }
+
+  ProcessStart start(const RecordedPast& past, std::uint64_t tick) {
+    ProcessStart start;
+    start.next_tick = tick;
+    if (tick == 0) return start;
+    for (std::size_t i = 0; i < journals_.size(); ++i) {
+      const runtime::Node& node = past.nodes()[i].node();
+      core::StateWriter journal;
+      journal(journals_[i]);
+      Checkpoint checkpoint{tick, node.save(), journal.take(), {}};
+      for (Topic topic : node.ports().output_order) {
+        checkpoint.last_outputs[std::string(domain::topic_name(topic))] =
+            last_outputs_[static_cast<std::size_t>(topic)];
+      }
+      start.checkpoints[node.name()] = std::move(checkpoint);
+    }
+    return start;
+  }
+
+ private:
+  std::vector<Journal> journals_;  ///< in the order of the nodes
+  std::array<std::string, domain::kTopicCount> last_outputs_;
+};
+
+/// After the first tick that is not whole: a topic that it lacks must have ended there.
+Result<void> check_rest(TickReader& reader, TopicSet missing, std::uint64_t tick) {
+  while (true) {
+    const auto later = reader.next();
+    if (!later) return later.error();
+    if (*later == nullptr) return {};
+    const TopicSet goes_on = missing & (*later)->present();
+    for (Topic topic : domain::kAllTopics) {
+      if (!goes_on[static_cast<std::size_t>(topic)]) continue;
+      return Error{
+          fmt::format("lacks '{}' of tick {}, and has later ones: it cannot be gone on with",
+                      domain::topic_name(topic), tick),
+          {},
+          0,
+          0};
+    }
+  }
+}
+
+Result<void> check_in_time(const RecordedPast& past, std::uint64_t tick) {
+  if (!std::get<domain::State>(past.messages()).command_late) return {};
+  return Error{
+      fmt::format("was recorded in real time, and the command of tick {} was late: what the "
+                  "wall clock decides cannot be gone on with",
+                  tick - 1),
+      {},
+      0,
+      0};
+}
+
+/// Feeds what is whole; returns the number of ticks.
+Result<std::uint64_t> feed(const RunRecording& recording, std::uint64_t checked_from,
+                           RecordedPast& past, ProcessPast& processes) {
+  const TopicSet topics = past.topics();
+  TickReader reader(recording, topics);
+  for (std::uint64_t tick = 0;; ++tick) {
+    const auto found = reader.next();
+    if (!found) return found.error();
+    if (*found == nullptr) return tick;
+    const RecordedTick& recorded = **found;
+    if (recorded.tick() != tick) {
+      return Error{fmt::format("has no tick {}: it cannot be gone on with", tick), {}, 0, 0};
+    }
+    if (recorded.present() != topics) {
+      CLEW_RETURN_IF_ERROR(check_rest(reader, topics & ~recorded.present(), tick));
+      return tick;
+    }
+    CLEW_RETURN_IF_ERROR(past.add(recorded));
+    CLEW_RETURN_IF_ERROR(check_in_time(past, tick));
+    if (tick >= checked_from) CLEW_RETURN_IF_ERROR(past.check_outputs(recorded));
+    processes.add(past, recorded);
+  }
+}
+
+}  // namespace
+
+Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan& plan) {
+  const auto started_at = std::chrono::steady_clock::now();
+  const auto in_recording = [&](const Error& error) {
+    return Error{error.text(), recording.path(), 0, 0};
+  };
+  const auto branch = branch_of(recording);
+  if (!branch) return branch.error();
+  const std::uint64_t branched_at = *branch ? (*branch)->tick : 0;
+  auto past = past_of(recording, plan);
+  if (!past) return in_recording(past.error());
+  ProcessPast processes(past->nodes().size());
+  const auto ticks = feed(recording, branched_at, *past, processes);
+  if (!ticks) return in_recording(ticks.error());
+  if (*branch && *ticks <= branched_at) {
+    return in_recording({fmt::format("has {} whole ticks, and branched off another run at tick {}: "
+                                     "branch that one off again",
+                                     *ticks, branched_at),
+                         {},
+                         0,
+                         0});
+  }
+  Resumption resumption{past->has_ended(),
+                        {{}, *ticks, {}, Journal(true, false), started_at},
+                        processes.start(*past, *ticks)};
+  CLEW_RETURN_IF_ERROR(past->hand_over(resumption.composed));
+  return resumption;
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "core/result.hpp"
+#include "process/composed_run.hpp"
+#include "process/supervisor.hpp"
+#include "recording/run_recording.hpp"
+#include "runtime/run_plan.hpp"
+
+namespace clew::bridge {
+
+/// A run whose recording was cut off, at the first tick that the recording does not have whole.
+struct Resumption {
+  bool has_ended = false;  ///< no tick is left to run
+  ComposedStart composed;
+  ProcessStart processes;
+};
+
+/// Brings every component of `plan`, the recording's own, into the state in which the recorded
+/// inputs put it, so that the run goes on as if it had not been cut off. Samples of ticks that are
+/// not whole, at the end, are passed over: they will be written again.
+///
+/// Refused: a plan with someone else's component, a recording in which a command was late (what the
+/// wall clock decided cannot be gone on with), in which a tick in between lacks a sample, of whose
+/// components this version's write something else, or that ends before it branched off another.
+core::Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan& plan);
+
+}  // namespace clew::bridge
