@@ -79,7 +79,8 @@ void write_run(const std::string& path, Compression compression) {
   run.idl_fingerprint = "00112233445566778899aabbccddeeff";
   run.bundle = {{"graph.yaml", "world: w\n"}};
   run.schemas = {{domain::Topic::kCommand, "struct C {};"}, {domain::Topic::kScan, "struct S {};"}};
-  auto recorder = RunRecorder::create(path, run, {true, compression});
+  run.compression = compression;
+  auto recorder = RunRecorder::create(path, run, true);
   CLEW_CHECK(recorder.ok(), recorder.error().text());
   for (std::uint64_t tick = 0; tick < 6; ++tick) {
     const bool added = recorder->add(domain::Topic::kCommand, tick, tick, "command").ok() &&
