@@ -63,7 +63,9 @@ class Scene {
     return *this;
   }
 
-  Situation situation() const { return {tick_, odometry_, scan_, &landmark_, target_, pursued_.value_or(target_)}; }
+  Situation situation() const {
+    return {tick_, odometry_, scan_, &landmark_, target_, pursued_.value_or(target_)};
+  }
   const domain::Odometry& odometry() const { return odometry_; }
   const domain::Scan& scan() const { return scan_; }
   const domain::Landmark& landmark() const { return landmark_; }
