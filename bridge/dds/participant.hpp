@@ -23,7 +23,7 @@ std::string_view vendor_name(Vendor vendor);
 std::optional<Vendor> vendor_from_name(std::string_view name);
 
 /// An endpoint's topic, its type, and how much of its past it keeps. The rest of the QoS is the
-/// same everywhere: RELIABLE, TRANSIENT_LOCAL, KEEP_LAST history_depth, XCDR1, keyless.
+/// same everywhere: RELIABLE, TRANSIENT_LOCAL with the last history_depth samples, XCDR1, keyless.
 struct EndpointSpec {
   std::string topic;      ///< `scan`
   std::string type;       ///< `clew::msg::Scan`

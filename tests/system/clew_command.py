@@ -25,6 +25,21 @@ LAYOUTS = {
     "mixed the other way": ["--middleware", "classify=fastdds", "--middleware", "control=fastdds"],
 }
 
+
+
+def layouts_of(graph):
+    """The layouts, without what they say of stages that a shipped graph does not have."""
+    stages = {line.split(":")[0] for line in
+              (SOURCE / f"configs/graphs/{graph}.yaml").read_text(encoding="utf-8").splitlines()}
+
+    def fits(option, value):
+        return option != "--middleware" or "=" not in value or value.split("=")[0] in stages
+
+    return {name: [word for option, value in zip(layout[::2], layout[1::2]) if fits(option, value)
+                   for word in (option, value)]
+            for name, layout in LAYOUTS.items()}
+
+
 # Small and large, with and without traps.
 WORLDS = ["bug-trap", "comb", "kk-fig07-clutter", "kk-fig10-bends-and-kinks",
           "kk-fig14-som-cannot-detect", "moving-crossing", "open-field", "two-rooms-door", "u-trap",

@@ -9,7 +9,7 @@ import tempfile
 import unittest
 
 from clew_command import (CLEW, DEBUG_CLEW, LAYOUTS, SOAK, SOURCE, WORLDS, Run, components_of,
-                          run_graph, wait_until)
+                          layouts_of, run_graph, wait_until)
 
 TICKS = "6000" if SOAK else "1500"
 REPEATS = 20
@@ -33,7 +33,8 @@ class Layouts(unittest.TestCase):
         ticks = [] if SOAK else ["--max-ticks", "300"]
         for graph in sorted(path.stem for path in (SOURCE / "configs/graphs").glob("*.yaml")):
             hashes = {run_graph(graph, *ticks, *layout)["hash"]
-                      for layout in LAYOUTS.values() for _ in range(100 if SOAK else 1)}
+                      for layout in layouts_of(graph).values()
+                      for _ in range(100 if SOAK else 1)}
 
             self.assertEqual(len(hashes), 1, graph)
 
