@@ -75,6 +75,11 @@ core::Result<void> MessageStream::open_another() {
     return file_->error("is damaged at byte " + std::to_string(place.offset) + ": " +
                         loaded.error().message);
   }
+  // What a reader of the file was told of: see McapReader::channels().
+  if (declarations_.channels().size() != index_->declarations.channels().size()) {
+    return file_->error("is damaged at byte " + std::to_string(place.offset) +
+                        ": a chunk declares a channel that the file's summary does not");
+  }
   for (const auto& entry : segment->content.entries()) {
     if (filter_.passes(entry.log_time_ns, entry.channel_id)) segment->entries.push_back(entry);
   }

@@ -229,6 +229,42 @@ TEST(McapHostile, DoesNotFollowAnIndexThatReadsOneChunkManyTimes) {
   EXPECT_EQ(read_content(*reader, Order::kFile).messages.size(), 1U);
 }
 
+TEST(McapHostile, RefusesAChannelThatTheSummaryDoesNotDeclare) {
+  const ScratchDirectory scratch;
+  const std::string path = scratch.file("other-channel.mcap");
+  std::string inner;
+  append(inner, Channel{7, 0, "/t", "", {}});
+  append(inner, Message{7, 0, 0, 0, "x"});
+  const std::string chunk = chunk_record("", inner.size(), inner);
+  const std::uint64_t chunk_offset = file_of("").size();
+  std::string bytes = file_of(chunk);
+  append(bytes, DataEnd{});
+  const std::uint64_t summary_start = bytes.size();
+  append(bytes, Channel{0, 0, "/t", "", {}});
+  Statistics statistics;
+  statistics.message_count = 1;
+  statistics.channel_count = 1;
+  statistics.chunk_count = 1;
+  append(bytes, statistics);
+  ChunkIndex index;
+  index.chunk_offset = chunk_offset;
+  index.chunk_bytes = chunk.size();
+  append(bytes, index);
+  append(bytes, Footer{summary_start, 0, 0});
+  write_bytes(path, bytes + std::string(kMagic));
+
+  const auto reader = McapReader::open(path);
+  ASSERT_TRUE(reader) << reader.error().text();
+  const Content content = read_content(*reader, Order::kFile);
+
+  EXPECT_TRUE(reader->indexed());
+  EXPECT_TRUE(content.messages.empty());
+  ASSERT_EQ(content.errors.size(), 1U);
+  // The chunk comes right after the header.
+  EXPECT_EQ(content.errors[0], path + ": is damaged at byte " + std::to_string(chunk_offset) +
+                                   ": a chunk declares a channel that the file's summary does not");
+}
+
 TEST(McapHostile, BoundsTheChunksThatOverlapInTime) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("overlap.mcap");
