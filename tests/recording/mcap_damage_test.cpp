@@ -131,6 +131,27 @@ std::string chunk_record(std::string_view compression, std::uint64_t uncompresse
   return out;
 }
 
+/// A file of one chunk with one message, whose summary declares channel 0 and names the chunk
+/// `times` times.
+std::string indexed_file(const std::string& chunk, std::uint32_t times) {
+  const std::uint64_t chunk_offset = file_of("").size();
+  std::string bytes = file_of(chunk);
+  append(bytes, DataEnd{});
+  const std::uint64_t summary_start = bytes.size();
+  append(bytes, Channel{0, 0, "/t", "", {}});
+  Statistics statistics;
+  statistics.message_count = times;
+  statistics.channel_count = 1;
+  statistics.chunk_count = times;
+  append(bytes, statistics);
+  ChunkIndex index;
+  index.chunk_offset = chunk_offset;
+  index.chunk_bytes = chunk.size();
+  for (std::uint32_t i = 0; i < times; ++i) append(bytes, index);
+  append(bytes, Footer{summary_start, 0, 0});
+  return bytes + std::string(kMagic);
+}
+
 TEST(McapHostile, RefusesALengthBeyondTheEnd) {
   // A message record of 2^63 bytes.
   const std::string head("\x05\0\0\0\0\0\0\0\x80", 9);
@@ -204,23 +225,7 @@ TEST(McapHostile, DoesNotFollowAnIndexThatReadsOneChunkManyTimes) {
   std::string inner;
   append(inner, Channel{0, 0, "/t", "", {}});
   append(inner, Message{0, 0, 0, 0, "x"});
-  const std::string chunk = chunk_record("", inner.size(), inner);
-  const std::uint64_t chunk_offset = file_of("").size();
-  std::string bytes = file_of(chunk);
-  append(bytes, DataEnd{});
-  const std::uint64_t summary_start = bytes.size();
-  append(bytes, Channel{0, 0, "/t", "", {}});
-  Statistics statistics;
-  statistics.message_count = 1000;
-  statistics.channel_count = 1;
-  statistics.chunk_count = 1000;
-  append(bytes, statistics);
-  ChunkIndex index;
-  index.chunk_offset = chunk_offset;
-  index.chunk_bytes = chunk.size();
-  for (int i = 0; i < 1000; ++i) append(bytes, index);
-  append(bytes, Footer{summary_start, 0, 0});
-  write_bytes(path, bytes + std::string(kMagic));
+  write_bytes(path, indexed_file(chunk_record("", inner.size(), inner), 1000));
 
   const auto reader = McapReader::open(path);
 
@@ -235,23 +240,7 @@ TEST(McapHostile, RefusesAChannelThatTheSummaryDoesNotDeclare) {
   std::string inner;
   append(inner, Channel{7, 0, "/t", "", {}});
   append(inner, Message{7, 0, 0, 0, "x"});
-  const std::string chunk = chunk_record("", inner.size(), inner);
-  const std::uint64_t chunk_offset = file_of("").size();
-  std::string bytes = file_of(chunk);
-  append(bytes, DataEnd{});
-  const std::uint64_t summary_start = bytes.size();
-  append(bytes, Channel{0, 0, "/t", "", {}});
-  Statistics statistics;
-  statistics.message_count = 1;
-  statistics.channel_count = 1;
-  statistics.chunk_count = 1;
-  append(bytes, statistics);
-  ChunkIndex index;
-  index.chunk_offset = chunk_offset;
-  index.chunk_bytes = chunk.size();
-  append(bytes, index);
-  append(bytes, Footer{summary_start, 0, 0});
-  write_bytes(path, bytes + std::string(kMagic));
+  write_bytes(path, indexed_file(chunk_record("", inner.size(), inner), 1));
 
   const auto reader = McapReader::open(path);
   ASSERT_TRUE(reader) << reader.error().text();
@@ -261,7 +250,7 @@ TEST(McapHostile, RefusesAChannelThatTheSummaryDoesNotDeclare) {
   EXPECT_TRUE(content.messages.empty());
   ASSERT_EQ(content.errors.size(), 1U);
   // The chunk comes right after the header.
-  EXPECT_EQ(content.errors[0], path + ": is damaged at byte " + std::to_string(chunk_offset) +
+  EXPECT_EQ(content.errors[0], path + ": is damaged at byte " + std::to_string(file_of("").size()) +
                                    ": a chunk declares a channel that the file's summary does not");
 }
 
