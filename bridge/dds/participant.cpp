@@ -20,14 +20,16 @@ std::optional<Vendor> vendor_from_name(std::string_view name) {
   return std::nullopt;
 }
 
+core::Result<void> check_domain(int domain) {
+  if (domain >= 0 && domain <= kMaxDomain) return {};
+  return core::Error{
+      "domain " + std::to_string(domain) + "; allowed: 0 to " + std::to_string(kMaxDomain), {}};
+}
+
 core::Result<std::unique_ptr<Participant>> create_participant(Vendor vendor,
                                                               const ParticipantConfig& config,
                                                               DiscoveryListener& discovery) {
-  if (config.domain < 0 || config.domain > kMaxDomain) {
-    return core::Error{
-        "domain " + std::to_string(config.domain) + "; allowed: 0 to " + std::to_string(kMaxDomain),
-        {}};
-  }
+  CLEW_RETURN_IF_ERROR(check_domain(config.domain));
   auto participant = vendor == Vendor::kCycloneDds
                          ? create_cyclonedds_participant(config, discovery)
                          : create_fastdds_participant(config, discovery);

@@ -106,6 +106,9 @@ class Participant {
                                                                     SampleListener& listener) = 0;
 };
 
+/// Refuses a DDS domain whose ports the kernel may hand out to others.
+core::Result<void> check_domain(int domain);
+
 /// Creates a participant of `vendor`. `discovery` must outlive it. Takes a tenth of a second, in
 /// which participants get to know each other: endpoints that come earlier may match a second later.
 core::Result<std::unique_ptr<Participant>> create_participant(Vendor vendor,

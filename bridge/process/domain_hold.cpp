@@ -10,14 +10,15 @@
 #include <string>
 #include <utility>
 
+#include "dds/loopback.hpp"
+#include "dds/participant.hpp"
 #include "process/link.hpp"
 
 namespace clew::bridge {
 namespace {
 
-// Domain 0 is everybody's default; the ports of 100 and above overlap the ephemeral range.
+// Domain 0 is everybody's default.
 constexpr int kFirstDomain = 1;
-constexpr int kLastDomain = 99;
 // RTPS 2.3, section 9.6.1.1: a domain's ports start at 7400 + 250 times its number.
 constexpr int kPortBase = 7400;
 constexpr int kPortsPerDomain = 250;
@@ -46,15 +47,17 @@ std::set<int> domains_in_use() {
 
 core::Result<DomainHold> DomainHold::take(std::optional<int> domain) {
   if (domain) {
+    CLEW_RETURN_IF_ERROR(check_domain(*domain));
     if (const auto socket = LinkListener::bind(*domain)) return DomainHold(*domain, *socket);
     return core::Error{"domain " + std::to_string(*domain) + " is held by another run", {}, 0, 0};
   }
   const std::set<int> used = domains_in_use();
-  for (int candidate = kFirstDomain; candidate <= kLastDomain; ++candidate) {
+  for (int candidate = kFirstDomain; candidate <= kMaxDomain; ++candidate) {
     if (used.count(candidate) != 0) continue;
     if (const auto socket = LinkListener::bind(candidate)) return DomainHold(candidate, *socket);
   }
-  return core::Error{"no DDS domain from 1 to 99 is free on this host", {}, 0, 0};
+  return core::Error{
+      "no DDS domain from 1 to " + std::to_string(kMaxDomain) + " is free on this host", {}, 0, 0};
 }
 
 DomainHold::DomainHold(DomainHold&& other) noexcept

@@ -12,7 +12,7 @@ namespace clew::bridge {
 class DomainHold {
  public:
   /// Takes `domain`, or else the first free one: held by no run, and with no socket of any program
-  /// on its ports.
+  /// on its ports. Refused: a number that check_domain refuses, and one that is held.
   static core::Result<DomainHold> take(std::optional<int> domain);
 
   DomainHold(DomainHold&& other) noexcept;

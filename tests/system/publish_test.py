@@ -277,7 +277,7 @@ class Refused(Published):
         component = ["--component", "control"]
         for arguments, text in [
                 (["--publish", "scan", "--middleware", "fastds"], "did you mean 'fastdds'?"),
-                (["--publish", "scan", "--domain", "100"], "found 100; allowed: 0 to 99"),
+                (["--publish", "scan", "--domain", "100"], "domain 100; allowed: 0 to 99"),
                 (["--publish", "scan", "--start"], "--start needs --component"),
                 (["--publish", "scan", "--branch", "5"], "leave out one"),
                 (["--publish", "scan", "--from", "9", "--to", "5"], "no tick is from 9 to 5"),

@@ -51,9 +51,6 @@ Result<LiveReplayOptions> read_options(const ReplayOptions& options,
     return Error{core::unknown_name("middleware", options.middleware, {"cyclonedds", "fastdds"}),
                  "--middleware", 0, 0};
   }
-  if (options.domain && (*options.domain < 0 || *options.domain > 99)) {
-    return Error{fmt::format("found {}; allowed: 0 to 99", *options.domain), "--domain", 0, 0};
-  }
   if (options.start && options.component.empty()) {
     return Error{"--start needs --component", {}, 0, 0};
   }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -137,9 +135,6 @@ Result<void> check_options(const RunOptions& options) {
                    !options.middleware.empty())) {
     return Error{
         "--external, --prefix, --domain and --middleware need --layout processes", {}, 0, 0};
-  }
-  if (options.domain && (*options.domain < 0 || *options.domain > 99)) {
-    return Error{fmt::format("found {}; allowed: 0 to 99", *options.domain), "--domain", 0, 0};
   }
   return {};
 }
