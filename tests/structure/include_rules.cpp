@@ -17,6 +17,7 @@ const std::map<std::string, Folders> kLayers = {
     {"components/core", {}},
     {"components/domain", {"core"}},
     {"components/world", {"core", "domain"}},
+    {"components/map", {"core", "domain"}},
     {"components/runtime", {"core", "domain", "world"}},
     {"components/stages",
      {"core", "domain", "world", "runtime", "sense", "classify", "recover", "control", "drive",
@@ -87,7 +88,7 @@ std::optional<Folders> allowed_folders(const SourceFile& file) {
   const std::string name = folder.substr(folder.find('/') + 1);
   Folders allowed;
   if (first_folder(folder) == "components" && kStages.count(name) > 0) {
-    allowed = {"core", "domain", "world"};
+    allowed = {"core", "domain", "world", "map"};
     if (ties_to_runtime(file)) allowed.insert("runtime");
   } else if (const auto layer = kLayers.find(folder); layer != kLayers.end()) {
     allowed = layer->second;
