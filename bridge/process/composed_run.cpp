@@ -68,6 +68,15 @@ class Bookkeeper : public runtime::SampleObserver {
     });
   }
 
+  /// Hands on the states of nodes that are about to step `tick`, if they are wanted.
+  void checkpoint(const std::vector<runtime::Node>& nodes, std::uint64_t tick) {
+    if (recording_ == nullptr || tick == 0 || tick % kTicksPerCheckpoint != 0) return;
+    if (!recording_->wants_states()) return;
+    for (const runtime::Node& node : nodes) {
+      recording_->add_state({node.name(), tick, node.save()});
+    }
+  }
+
   const Journal& journal() const { return journal_; }
   /// Why the recording was given up; empty if it was not.
   const std::string& failure() const { return failure_; }
@@ -113,6 +122,7 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart
   };
   while (goes_on() && report.aborted.empty()) {
     if (!clock.is_free()) std::this_thread::sleep_until(clock.due(executor.next_tick()));
+    bookkeeper.checkpoint(executor.nodes(), executor.next_tick());
     executor.step();
     if (layout.on_record_error == OnRecordError::kStop) report.aborted = bookkeeper.failure();
     if (asked_to_end != 0) {

@@ -9,10 +9,17 @@ namespace {
 
 struct SpoolHeader {
   std::uint64_t tick;
-  std::uint64_t sequence;
+  std::uint64_t sequence;  ///< of a state: bytes of the stage's name, which is in front of it
   std::uint32_t size;
-  std::uint32_t topic;
+  std::uint32_t topic;  ///< or kState
 };
+constexpr std::uint32_t kState = domain::kTopicCount;
+
+void append(std::string& spool, const SpoolHeader& header) {
+  char raw[sizeof header];
+  std::memcpy(raw, &header, sizeof header);
+  spool.append(raw, sizeof raw);
+}
 
 }  // namespace
 
@@ -21,12 +28,15 @@ void Journal::add_bytes(domain::Topic topic, const domain::TickStamp& stamp, std
   written_[index] = true;
   if (hash_) chains_[index].add(stamp.tick, stamp.sequence, cdr);
   if (!spool_) return;
-  const SpoolHeader header{stamp.tick, stamp.sequence, static_cast<std::uint32_t>(cdr.size()),
-                           static_cast<std::uint32_t>(topic)};
-  char raw[sizeof header];
-  std::memcpy(raw, &header, sizeof header);
-  spooled_.append(raw, sizeof raw);
+  append(spooled_, {stamp.tick, stamp.sequence, static_cast<std::uint32_t>(cdr.size()),
+                    static_cast<std::uint32_t>(topic)});
   spooled_.append(cdr);
+}
+
+void Journal::spool_state(const SpooledState& state) {
+  const std::size_t size = state.stage.size() + state.state.size();
+  append(spooled_, {state.tick, state.stage.size(), static_cast<std::uint32_t>(size), kState});
+  spooled_.append(state.stage).append(state.state);
 }
 
 std::map<std::string, core::Hash128> Journal::chains() const {
@@ -47,16 +57,22 @@ std::string Journal::take_spooled() {
   return taken;
 }
 
-bool for_each_spooled(std::string_view spool,
-                      const std::function<void(const SpooledSample&)>& take) {
+bool for_each_spooled(std::string_view spool, const SpoolVisitor& visitor) {
   while (!spool.empty()) {
     SpoolHeader header;
     if (spool.size() < sizeof header) return false;
     std::memcpy(&header, spool.data(), sizeof header);
     spool.remove_prefix(sizeof header);
-    if (header.size > spool.size() || header.topic >= domain::kTopicCount) return false;
-    take({static_cast<domain::Topic>(header.topic), header.tick, header.sequence,
-          spool.substr(0, header.size)});
+    if (header.size > spool.size() || header.topic > kState) return false;
+    const std::string_view bytes = spool.substr(0, header.size);
+    if (header.topic < kState) {
+      visitor.on_sample(
+          {static_cast<domain::Topic>(header.topic), header.tick, header.sequence, bytes});
+    } else {
+      if (header.sequence > bytes.size()) return false;
+      visitor.on_state(
+          {bytes.substr(0, header.sequence), header.tick, bytes.substr(header.sequence)});
+    }
     spool.remove_prefix(header.size);
   }
   return true;

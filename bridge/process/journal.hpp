@@ -28,6 +28,13 @@ struct SpooledSample {
   std::string_view cdr;
 };
 
+/// A component's state before it steps `tick`, on its way to a black box.
+struct SpooledState {
+  std::string_view stage;
+  std::uint64_t tick = 0;
+  std::string_view state;  ///< runtime::Node::save
+};
+
 /// Keeps account of the samples that somebody writes: chained hashes, counts, and the samples
 /// themselves if they are to be recorded.
 class Journal {
@@ -52,6 +59,8 @@ class Journal {
     visit(journal.tally_, journal.chains_, journal.written_);
   }
 
+  /// Puts a component's state among the samples.
+  void spool_state(const SpooledState& state);
   std::size_t spooled_bytes() const { return spooled_.size(); }
   /// What was spooled since the last call, for for_each_spooled.
   std::string take_spooled();
@@ -67,8 +76,13 @@ class Journal {
   std::string spooled_;
 };
 
-/// Calls `take` for each sample in a spool, in order; false if it is not one.
-bool for_each_spooled(std::string_view spool,
-                      const std::function<void(const SpooledSample&)>& take);
+/// Who takes what is in a spool.
+struct SpoolVisitor {
+  std::function<void(const SpooledSample&)> on_sample;
+  std::function<void(const SpooledState&)> on_state;
+};
+
+/// Calls `visitor` for each entry of a spool, in order; false if it is not one.
+bool for_each_spooled(std::string_view spool, const SpoolVisitor& visitor);
 
 }  // namespace clew::bridge

@@ -34,7 +34,7 @@ enum class FrameType : std::uint8_t {
   kNotice,  ///< a line for the log
   kFatal,   ///< the component cannot go on
   // from the recorder
-  kDurable,   ///< ticks below this one outlive the recorder
+  kKept,      ///< how far the recorder is
   kRecorded,  ///< the recording has ended, and how it went
   // from the supervisor
   kAssignment,
@@ -43,7 +43,7 @@ enum class FrameType : std::uint8_t {
   kFinish,
   // to the recorder, besides kSamples
   kRecord,       ///< what to record
-  kRecordingEnd  ///< all samples were sent
+  kRecordingEnd  ///< all samples were sent; why the run was aborted, if it was
 };
 
 struct Hello {
@@ -61,6 +61,16 @@ struct ExpectedEndpoint {
 };
 
 enum class Pace : std::uint8_t { kLockstep, kScaled, kRealtime };
+
+/// What a component sends for the recording.
+enum class Spooling : std::uint8_t {
+  kNothing,
+  kSamples,          ///< that it writes
+  kSamplesAndStates  ///< and its state at checkpoints
+};
+
+/// Checkpoints fall on multiples of this, in all components.
+inline constexpr std::uint64_t kTicksPerCheckpoint = 64;
 
 /// A component's state before it steps `tick`: with the inputs from that tick on it goes on as if
 /// it had never stopped.
@@ -83,7 +93,7 @@ struct Assignment {
   Pace pace = Pace::kLockstep;
   double pace_factor = 1.0;  ///< with kScaled and kRealtime: simulated over wall-clock time
   bool hash = true;
-  bool spool = false;  ///< send what is written, for the recording
+  Spooling spooling = Spooling::kNothing;
   std::uint32_t history_depth = 512;
   std::uint64_t lead = 1;  ///< ticks that may be started before the first credit
   std::vector<ExpectedEndpoint> expected;
@@ -114,6 +124,12 @@ struct Tick {
   std::uint64_t tick = 0;
 };
 
+/// How far a recorder is.
+struct Kept {
+  std::uint64_t ticks = 0;          ///< below this one nobody needs to wait for it
+  std::uint64_t durable_ticks = 0;  ///< ticks below this one it will not need again if it dies
+};
+
 template <typename V>
 void visit_fields(V& v, Hello& m) {
   v(m.stage, m.process_id, m.idl_fingerprint);
@@ -128,8 +144,8 @@ void visit_fields(V& v, Checkpoint& m) {
 }
 template <typename V>
 void visit_fields(V& v, Assignment& m) {
-  v(m.run_id, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor, m.hash, m.spool,
-    m.history_depth, m.lead, m.expected, m.resumes, m.checkpoint);
+  v(m.run_id, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor, m.hash,
+    m.spooling, m.history_depth, m.lead, m.expected, m.resumes, m.checkpoint);
 }
 template <typename V>
 void visit_fields(V& v, Waiting& m) {
@@ -150,6 +166,10 @@ void visit_fields(V& v, Text& m) {
 template <typename V>
 void visit_fields(V& v, Tick& m) {
   v(m.tick);
+}
+template <typename V>
+void visit_fields(V& v, Kept& m) {
+  v(m.ticks, m.durable_ticks);
 }
 
 /// A frame as received.

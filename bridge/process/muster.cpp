@@ -16,11 +16,12 @@ constexpr double kPatientLease_s = 3600.0;
 
 }  // namespace
 
-Muster::Muster(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain, bool recorded)
+Muster::Muster(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
+               Spooling spooling)
     : plan_(plan),
       layout_(layout),
       domain_(domain),
-      recorded_(recorded),
+      spooling_(spooling),
       run_id_(std::to_string(::getpid()) + '-' + std::to_string(domain)) {}
 
 core::Result<void> Muster::start(Member& member) const {
@@ -64,7 +65,7 @@ Assignment Muster::assignment_for(const std::string& stage, const std::string& m
   assignment.middleware = middleware;
   assignment.domain = domain_;
   if (patient()) assignment.lease_s = kPatientLease_s;
-  assignment.spool = recorded_;
+  assignment.spooling = spooling_;
   assignment.history_depth = kHistoryDepth;
   assignment.lead = kLead;
   fill_assignment(plan_, layout_, stage, assignment);

@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kLead = kHistoryDepth / 4;
 /// Starts the processes of a run, and gives each that reports its assignment.
 class Muster {
  public:
-  Muster(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain, bool recorded);
+  Muster(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain, Spooling spooling);
 
   /// Starts a member's process.
   core::Result<void> start(Member& member) const;
@@ -46,7 +46,7 @@ class Muster {
   const runtime::RunPlan& plan_;
   const ProcessLayout& layout_;
   int domain_;
-  bool recorded_;
+  Spooling spooling_;
   std::string run_id_;
 };
 

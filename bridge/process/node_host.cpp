@@ -14,7 +14,6 @@ namespace {
 constexpr std::uint64_t kTicksPerReport = 32;
 // All components save their states before the same ticks, so that those that are down together can
 // go on from the same one. Histories hold more than two periods.
-constexpr std::uint64_t kTicksPerCheckpoint = 64;
 constexpr std::size_t kSpoolBytes = 64 * 1024;
 
 std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
@@ -75,9 +74,10 @@ NodeHost::NodeHost(runtime::Node node, const Assignment& assignment, double tick
       history_depth_(static_cast<int>(assignment.history_depth)),
       lockstep_(assignment.pace != Pace::kRealtime),
       account_inputs_(account_inputs),
+      spools_states_(assignment.spooling == Spooling::kSamplesAndStates && !account_inputs),
       handlers_(std::move(handlers)),
       buffer_(node_.ports(), assignment.history_depth),
-      journal_(assignment.hash, assignment.spool),
+      journal_(assignment.hash, assignment.spooling != Spooling::kNothing),
       clock_(assignment.pace, assignment.pace_factor, tick_s),
       allowed_until_(assignment.lead) {}
 
@@ -200,6 +200,8 @@ void NodeHost::step() {
 // What was written before is on its way to the recording first: a component that goes on from here
 // will not write it again.
 void NodeHost::save_checkpoint() {
+  const std::string state = node_.save();
+  if (spools_states_) journal_.spool_state({node_.name(), buffer_.next_tick(), state});
   report();
   core::StateWriter journal;
   journal(journal_);
@@ -211,8 +213,7 @@ void NodeHost::save_checkpoint() {
           std::get<kIndex>(codecs_).encode(std::get<kIndex>(messages_));
     });
   }
-  handlers_.on_checkpoint(
-      {buffer_.next_tick(), node_.save(), journal.take(), std::move(last_outputs)});
+  handlers_.on_checkpoint({buffer_.next_tick(), state, journal.take(), std::move(last_outputs)});
 }
 
 void NodeHost::repeat_last_outputs(const Checkpoint& checkpoint) {

@@ -98,6 +98,7 @@ class NodeHost {
   const int history_depth_;
   const bool lockstep_;
   const bool account_inputs_;
+  const bool spools_states_;
   Handlers handlers_;
   runtime::InputBuffer buffer_;
   domain::Messages messages_;

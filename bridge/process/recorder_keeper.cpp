@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "process/recorder_keeper.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <utility>
 
@@ -36,7 +37,8 @@ core::Result<void> RecorderKeeper::start(Time now) {
 
 void RecorderKeeper::welcome(std::unique_ptr<Link> link, Time now) {
   if (link_ || account_) return;
-  link->send(FrameType::kRecord, RecorderAssignment{order_, restarts_ > 0, durable_ticks_});
+  link->send(FrameType::kRecord,
+             RecorderAssignment{order_, restarts_ > 0, progress_.durable_ticks});
   link_ = std::move(link);
   heard_at_ = now;
   reads_samples_ = false;
@@ -55,8 +57,16 @@ void RecorderKeeper::add(std::string spool, std::uint64_t end_tick) {
   kept_.push_back({std::move(spool), end_tick});
 }
 
+void RecorderKeeper::end(const std::string& aborted) {
+  core::StateWriter writer;
+  Text text{aborted};
+  writer(text);
+  ending_ = writer.take();
+  ended_ = true;
+}
+
 std::uint64_t RecorderKeeper::credit() const {
-  return account_ || drops_ ? UINT64_MAX : durable_ticks_ + kLead;
+  return account_ || drops_ ? UINT64_MAX : progress_.ticks + kLead;
 }
 
 std::optional<pollfd> RecorderKeeper::descriptor() const {
@@ -83,9 +93,10 @@ void RecorderKeeper::receive(Time now) {
   const bool open = link_->receive();
   while (auto frame = link_->next()) {
     heard_at_ = now;
-    if (frame->type == FrameType::kDurable) {
-      const auto durable = frame->as<Tick>();
-      if (durable && durable->tick > durable_ticks_) durable_ticks_ = durable->tick;
+    if (frame->type == FrameType::kKept) {
+      const Kept kept = frame->as<Kept>().value_or(Kept{});
+      progress_.ticks = std::max(progress_.ticks, kept.ticks);
+      progress_.durable_ticks = std::max(progress_.durable_ticks, kept.durable_ticks);
       reads_samples_ = true;
       forget_durable();
     }
@@ -95,7 +106,7 @@ void RecorderKeeper::receive(Time now) {
 }
 
 void RecorderKeeper::forget_durable() {
-  while (next_ > 0 && kept_.front().end_tick <= durable_ticks_) {
+  while (next_ > 0 && kept_.front().end_tick <= progress_.durable_ticks) {
     kept_bytes_ -= kept_.front().spool.size();
     kept_.pop_front();
     --next_;
@@ -120,15 +131,15 @@ void RecorderKeeper::send(Time now) {
     unsent_bytes_ -= spool.size();
     ++next_;
   }
-  if (ended_ && !end_sent_) end_sent_ = link_->send_bytes(FrameType::kRecordingEnd, {});
+  if (ended_ && !end_sent_) end_sent_ = link_->send_bytes(FrameType::kRecordingEnd, ending_);
 }
 
 // Its process has ended.
 void RecorderKeeper::lose() {
   link_.reset();
-  const bool in_place = restarts_ > 0 && durable_ticks_ <= durable_at_death_;
+  const bool in_place = restarts_ > 0 && progress_.durable_ticks <= durable_at_death_;
   deaths_in_place_ = in_place && !child_->was_killed() ? deaths_in_place_ + 1 : 0;
-  durable_at_death_ = durable_ticks_;
+  durable_at_death_ = progress_.durable_ticks;
   const std::string what =
       "recorder (process " + std::to_string(child_->process_id()) + ") " + child_->end();
   if (restarts_ >= kRestartLimit || deaths_in_place_ >= kDeathsInPlace) {

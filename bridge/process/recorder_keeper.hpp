@@ -36,8 +36,9 @@ class RecorderKeeper {
   void welcome(std::unique_ptr<Link> link, Time now);
   /// Takes what a component spooled: all of it is of ticks before `end_tick`.
   void add(std::string spool, std::uint64_t end_tick);
-  /// No more will be added: the recorder shall finish the file.
-  void end() { ended_ = true; }
+  /// No more will be added: the recorder shall finish the file. `aborted`: why the run has no
+  /// outcome; empty if it has one.
+  void end(const std::string& aborted);
   /// Receives, sends what the line takes, and brings the recorder back if it has died or does not
   /// report.
   void serve(Time now);
@@ -81,11 +82,12 @@ class RecorderKeeper {
   std::size_t sent_of_next_ = 0;
   bool blocked_ = false;  ///< the line took no more
   Time sent_at_{};
-  std::uint64_t durable_ticks_ = 0;
+  Kept progress_;
   std::uint64_t durable_at_death_ = 0;
   std::uint32_t deaths_in_place_ = 0;
   std::uint32_t restarts_ = 0;
   bool ended_ = false;
+  std::string ending_;  ///< the payload of kRecordingEnd
   bool end_sent_ = false;
   std::optional<RecordingAccount> account_;
   std::vector<std::string> lines_;

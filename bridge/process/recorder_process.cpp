@@ -24,6 +24,8 @@ using core::Result;
 constexpr auto kHeartbeat = std::chrono::milliseconds(100);
 // What is in the open chunk is left in the file as often as this.
 constexpr auto kWriteAheadPeriod = std::chrono::milliseconds(500);
+// The run is told at once that it may go on, but not of every tick: a small part of its lead.
+constexpr std::uint64_t kReportStep = 4;
 
 /// Reports, while it lives, that the process lives: reading a long recording again takes its time.
 class KeepAlive {
@@ -50,7 +52,7 @@ class KeepAlive {
 
 class Recorder {
  public:
-  Recorder(Link& link, RecordingSink& sink) : link_(link), sink_(sink) {}
+  Recorder(Link& link, RunSink& sink) : link_(link), sink_(sink) {}
 
   /// Returns true after an orderly end.
   bool run() {
@@ -59,7 +61,7 @@ class Recorder {
       if (now >= next_report_) report(now);
       if (now >= next_write_ahead_) {
         next_write_ahead_ = now + kWriteAheadPeriod;
-        note(sink_.recorder().write_ahead());
+        note(sink_.write_ahead());
       }
       if (!failure_.empty()) return give_up();
       pollfd descriptor{link_.socket(), POLLIN, 0};
@@ -68,18 +70,21 @@ class Recorder {
       while (auto frame = link_.next()) {
         if (frame->type == FrameType::kSamples) record(frame->payload);
         if (frame->type == FrameType::kRecordingEnd && failure_.empty()) {
-          return link_.send(FrameType::kRecorded, sink_.close(true));
+          const auto why = frame->as<Text>().value_or(Text{});
+          return link_.send(FrameType::kRecorded, sink_.close({why.text, true}));
         }
       }
-      if (sink_.recorder().durable_ticks() > reported_) report(now);
+      if (sink_.kept().ticks >= reported_ + kReportStep) report(now);
     }
   }
 
  private:
   void record(const std::string& spool) {
-    const bool whole = for_each_spooled(spool, [this](const SpooledSample& sample) {
-      if (failure_.empty()) note(sink_.add(sample));
-    });
+    const bool whole =
+        for_each_spooled(spool, {[this](const SpooledSample& sample) {
+                                   if (failure_.empty()) note(sink_.add(sample));
+                                 },
+                                 [this](const SpooledState& state) { sink_.add_state(state); }});
     if (!whole && failure_.empty()) failure_ = "a component sent a damaged spool";
   }
 
@@ -88,8 +93,9 @@ class Recorder {
   }
 
   void report(Clock::time_point now) {
-    reported_ = sink_.recorder().durable_ticks();
-    link_.send(FrameType::kDurable, Tick{reported_});
+    const Kept kept = sink_.kept();
+    reported_ = kept.ticks;
+    link_.send(FrameType::kKept, kept);
     next_report_ = now + kHeartbeat;
   }
 
@@ -101,7 +107,7 @@ class Recorder {
   }
 
   Link& link_;
-  RecordingSink& sink_;
+  RunSink& sink_;
   std::string failure_;
   std::uint64_t reported_ = 0;
   Clock::time_point next_report_{};
@@ -123,12 +129,12 @@ Result<RecorderAssignment> take_assignment(Link& link) {
   }
 }
 
-Result<std::unique_ptr<RecordingSink>> open_sink(const RecorderAssignment& assignment) {
+Result<std::unique_ptr<RunSink>> sink_for(const RecorderAssignment& assignment) {
   const std::string& path = assignment.order.path;
   if (assignment.again && mcap::OutputFile::temporary_name(path) == path) {
     return Error{"what the recorder wrote there before it died cannot be read back", path, 0, 0};
   }
-  return RecordingSink::go_on(assignment.order, assignment.least_ticks);
+  return open_sink(assignment.order, assignment.least_ticks);
 }
 
 int complain(const Error& error) {
@@ -148,7 +154,7 @@ int run_recorder_process(int domain, double connect_timeout_s) {
   if (!assignment.ok()) return complain(assignment.error());
   auto sink = [&] {
     const KeepAlive alive(link);
-    return open_sink(*assignment);
+    return sink_for(*assignment);
   }();
   if (!sink.ok()) {
     RecordingAccount account;

@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "convert/codec.hpp"
+#include "process/black_box.hpp"
 
 namespace clew::bridge {
+
 RunDescription describe_run(const runtime::RunPlan& plan) {
   RunDescription description;
   description.tick_s = plan.graph.tick_s;
@@ -19,10 +21,32 @@ RunDescription describe_run(const runtime::RunPlan& plan) {
   return description;
 }
 
+Spooling spooling_for(const std::optional<RecordingOrder>& order) {
+  if (!order) return Spooling::kNothing;
+  return order->keep_last_s > 0.0 ? Spooling::kSamplesAndStates : Spooling::kSamples;
+}
+
+core::Result<std::unique_ptr<RunSink>> open_sink(const RecordingOrder& order,
+                                                 std::uint64_t least_ticks) {
+  if (order.keep_last_s > 0.0) {
+    auto box = BlackBox::go_on(order, least_ticks);
+    if (!box.ok()) return box.error();
+    return std::unique_ptr<RunSink>(std::move(box).value());
+  }
+  auto sink = RecordingSink::go_on(order, least_ticks);
+  if (!sink.ok()) return sink.error();
+  return std::unique_ptr<RunSink>(std::move(sink).value());
+}
+
 core::Result<std::unique_ptr<RecordingSink>> RecordingSink::create(const runtime::RunPlan& plan,
                                                                    const std::string& path,
                                                                    bool overwrite) {
-  auto recorder = RunRecorder::create(path, describe_run(plan), overwrite);
+  return create(describe_run(plan), path, overwrite);
+}
+
+core::Result<std::unique_ptr<RecordingSink>> RecordingSink::create(
+    const RunDescription& description, const std::string& path, bool overwrite) {
+  auto recorder = RunRecorder::create(path, description, overwrite);
   if (!recorder.ok()) return recorder.error();
   return std::unique_ptr<RecordingSink>(new RecordingSink(std::move(recorder).value()));
 }
@@ -34,9 +58,9 @@ core::Result<std::unique_ptr<RecordingSink>> RecordingSink::go_on(const Recordin
   return std::unique_ptr<RecordingSink>(new RecordingSink(std::move(recorder).value()));
 }
 
-RecordingAccount RecordingSink::close(bool sealed) {
+RecordingAccount RecordingSink::close(const RunEnding& ending) {
   RecordingAccount account;
-  const auto closed = sealed ? recorder_.seal() : recorder_.finish();
+  const auto closed = ending.sealed ? recorder_.seal() : recorder_.finish();
   if (!closed.ok()) account.failure = closed.error().text();
   account.losses = recorder_.losses().texts();
   account.lost_samples = recorder_.losses().samples();

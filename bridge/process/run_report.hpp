@@ -17,11 +17,12 @@ struct RecordingAccount {
   std::string failure;              ///< why it was not finished; empty if it was
   std::vector<std::string> losses;  ///< what it lacks, a phrase each
   std::uint64_t lost_samples = 0;
+  bool nothing = false;  ///< a black box that nothing made write: there is no file
 };
 
 template <typename V>
 void visit_fields(V& v, RecordingAccount& a) {
-  v(a.failure, a.losses, a.lost_samples);
+  v(a.failure, a.losses, a.lost_samples, a.nothing);
 }
 
 /// What becomes of a run whose recording fails, or lacks samples.

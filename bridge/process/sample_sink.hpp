@@ -12,6 +12,10 @@ class SampleSink {
   virtual ~SampleSink() = default;
   /// Takes a sample. After an error it is given no more.
   virtual core::Result<void> add(const SpooledSample& sample) = 0;
+
+  /// Whether it wants the components' states, too: at every multiple of kTicksPerCheckpoint but 0.
+  virtual bool wants_states() const { return false; }
+  virtual void add_state(const SpooledState&) {}
 };
 
 }  // namespace clew::bridge

@@ -45,7 +45,7 @@ class Supervisor {
         reception_(hold_),
         display_(display),
         members_(list_members(plan, layout)),
-        muster_(plan, layout, hold_.domain(), recording.has_value()),
+        muster_(plan, layout, hold_.domain(), spooling_for(recording)),
         restarts_(members_, plan.graph),
         started_at_(Clock::now()),
         credit_(start.next_tick + kLead) {
@@ -323,16 +323,16 @@ class Supervisor {
 
   // It may still die and come back. A second signal ends the patience with it.
   void finish_recording() {
-    recorder_->end();
+    recorder_->end(report_.aborted);
     while (!recorder_->account() && signals_.take() == 0) {
       wait_for_something();
       for (auto& [link, hello] : reception_.arrivals()) welcome(std::move(link), hello);
       serve_recorder();
     }
-    report_.recording =
-        recorder_->account().value_or(RecordingAccount{"the recorder did not end in time", {}, 0});
+    report_.recording = recorder_->account().value_or(
+        RecordingAccount{"the recorder did not end in time", {}, 0, false});
     report_.restarts += recorder_->restarts();
-    if (!report_.recording->failure.empty()) return;
+    if (!report_.recording->failure.empty() || report_.recording->nothing) return;
     const auto named = mcap::OutputFile::give_name(path_);
     if (!named.ok()) report_.recording->failure = named.error().text();
   }

@@ -88,6 +88,10 @@ mcap::Metadata to_metadata(const RunDescription& description) {
   if (description.compression != mcap::Compression::kNone) {
     metadata.entries["compression"] = mcap::compression_name(description.compression);
   }
+  if (const auto& box = description.black_box) {
+    metadata.entries["black_box_tick"] = std::to_string(box->tick);
+    metadata.entries["black_box_why"] = box->why;
+  }
   for (const auto& [name, version] : description.versions) {
     metadata.entries[std::string(kVersionPrefix) + name] = version;
   }
@@ -123,6 +127,11 @@ core::Result<RunDescription> description_from_metadata(const mcap::Metadata& met
   description.seed = *seed;
   description.compression = *compression;
   description.idl_fingerprint = entry(metadata, "idl_fingerprint");
+  if (metadata.entries.count("black_box_tick") > 0) {
+    const auto tick = number_from<std::uint64_t>(entry(metadata, "black_box_tick"), 10);
+    if (!tick) return refused(metadata, "has no number 'black_box_tick'");
+    description.black_box = {*tick, std::string(entry(metadata, "black_box_why")), {}};
+  }
   for (const auto& [key, value] : metadata.entries) {
     if (key.compare(0, kVersionPrefix.size(), kVersionPrefix) == 0) {
       description.versions[key.substr(kVersionPrefix.size())] = value;

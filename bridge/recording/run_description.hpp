@@ -14,6 +14,20 @@
 
 namespace clew::bridge {
 
+/// Where a recording begins that lacks the first ticks of its run, and with what.
+struct BlackBoxStart {
+  /// The first tick that can be repeated. The samples of the one before are there for inputs that
+  /// are taken a tick later.
+  std::uint64_t tick = 0;
+  std::string why;                            ///< what made the box write
+  std::map<std::string, std::string> states;  ///< by stage, before it steps `tick`; none at tick 0
+};
+
+template <typename V>
+void visit_fields(V& v, BlackBoxStart& s) {
+  v(s.tick, s.why, s.states);
+}
+
 /// What a run is a function of, and nothing else: no wall clock, host, process, layout or
 /// middleware. The same run has the same description wherever it goes.
 struct RunDescription {
@@ -26,11 +40,14 @@ struct RunDescription {
   std::map<domain::Topic, std::string> schemas;  ///< IDL text by topic: every topic of the run
   /// How this file's chunks are packed; the one thing here that is of the file and not of the run.
   mcap::Compression compression = mcap::Compression::kNone;
+  /// Only of what a black box wrote.
+  std::optional<BlackBoxStart> black_box;
 };
 
 template <typename V>
 void visit_fields(V& v, RunDescription& d) {
-  v(d.tick_s, d.seed, d.versions, d.idl_fingerprint, d.bundle, d.schemas, d.compression);
+  v(d.tick_s, d.seed, d.versions, d.idl_fingerprint, d.bundle, d.schemas, d.compression,
+    d.black_box);
 }
 
 /// How a recording ended: written by its recorder after the last sample.
@@ -44,6 +61,9 @@ struct RunEnd {
 /// have no CRC in MCAP, so each carries a hash of its entries.
 mcap::Metadata to_metadata(const RunDescription& description);
 mcap::Metadata to_metadata(const RunEnd& end);
+
+/// Attachments of a black box: a stage's state, under this and the stage's name.
+inline constexpr const char* kStatePrefix = "state/";
 
 /// Names of those records.
 inline constexpr const char* kDescriptionName = "clew";

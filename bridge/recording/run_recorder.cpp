@@ -22,17 +22,15 @@ std::string library_of(const RunDescription& description) {
   return version == description.versions.end() ? "clew" : "clew " + version->second;
 }
 
-/// Whether a file holds at least one sample of a run that can be kept. A file that is no recording,
-/// since its recorder did not come so far, holds none.
-core::Result<bool> holds_samples(const std::string& file) {
+}  // namespace
+
+core::Result<bool> RunRecorder::holds_samples(const std::string& file) {
   const auto recording = RunRecording::open(file);
   if (!recording) return false;
   const auto sample = recording->samples().next();
   if (!sample) return sample.error();
   return sample->has_value();
 }
-
-}  // namespace
 
 core::Result<RunRecorder> RunRecorder::create(const std::string& path,
                                               const RunDescription& description, bool overwrite) {
@@ -76,6 +74,12 @@ core::Result<RunRecorder> RunRecorder::start(mcap::OutputFile file,
   CLEW_RETURN_IF_ERROR(writer->write(to_metadata(description)));
   for (const auto& [name, text] : description.bundle) {
     CLEW_RETURN_IF_ERROR(writer->write(mcap::Attachment{0, 0, name, "application/yaml", text}));
+  }
+  if (const auto& box = description.black_box) {
+    for (const auto& [stage, state] : box->states) {
+      CLEW_RETURN_IF_ERROR(writer->write(
+          mcap::Attachment{0, 0, kStatePrefix + stage, "application/octet-stream", state}));
+    }
   }
   RunRecorder recorder(std::move(writer).value(), description.tick_s);
   recorder.declare_topics(description.schemas);

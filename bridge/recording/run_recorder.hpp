@@ -36,6 +36,10 @@ class RunRecorder {
   static core::Result<RunRecorder> go_on(const std::string& path, const RunDescription& description,
                                          std::uint64_t least_ticks = 0);
 
+  /// Whether a file holds at least one sample of a run that a recorder can go on with. One that is
+  /// no recording, since its recorder did not come so far, holds none.
+  static core::Result<bool> holds_samples(const std::string& file);
+
   /// Takes a sample and writes what has become complete. A sample of a tick that its topic has
   /// already is passed over: a writer that was restarted writes it again. Ticks that the topic
   /// skips, or has not delivered when another is kMaxWaitingTicks ahead, are lost(). Refused: a

@@ -37,7 +37,7 @@ core::Result<RunRecording> RunRecording::open(const std::string& path) {
   if (!reader) return reader.error();
   RunRecording recording(path, std::move(reader).value());
   CLEW_RETURN_IF_ERROR(recording.read_description());
-  CLEW_RETURN_IF_ERROR(recording.read_bundle());
+  CLEW_RETURN_IF_ERROR(recording.read_attachments());
   CLEW_RETURN_IF_ERROR(recording.read_topics());
   return recording;
 }
@@ -67,12 +67,19 @@ core::Result<void> RunRecording::read_description() {
                std::string(kDescriptionName) + "'");
 }
 
-core::Result<void> RunRecording::read_bundle() {
+core::Result<void> RunRecording::read_attachments() {
+  constexpr std::string_view kState = kStatePrefix;
   mcap::ByteBuffer buffer;
   for (const auto& place : reader_.attachments()) {
     const auto attachment = reader_.attachment(place, buffer);
     if (!attachment) return attachment.error();
-    description_.bundle[attachment->name] = std::string(attachment->data);
+    const bool is_state = attachment->name.compare(0, kState.size(), kState) == 0;
+    if (is_state && description_.black_box) {
+      description_.black_box->states[attachment->name.substr(kState.size())] =
+          std::string(attachment->data);
+    } else {
+      description_.bundle[attachment->name] = std::string(attachment->data);
+    }
   }
   return {};
 }

@@ -87,7 +87,7 @@ class RunRecording {
  private:
   RunRecording(std::string path, mcap::McapReader reader);
   core::Result<void> read_description();
-  core::Result<void> read_bundle();
+  core::Result<void> read_attachments();
   core::Result<void> read_topics();
   core::Error error(const std::string& message) const { return {message, path_, 0, 0}; }
 

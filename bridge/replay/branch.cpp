@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "replay/black_box_past.hpp"
 #include "replay/recorded_past.hpp"
 #include "replay/recorded_plan.hpp"
 
@@ -32,6 +34,9 @@ Result<void> check(const RunRecording& recording, const runtime::RunPlan& plan,
                     "recording that it branched off",
                     (*branch)->tick));
   }
+  if (tick < first_fed_tick(recording)) {
+    return refuse_black_box(recording, "a branch needs one from there on");
+  }
   return {};
 }
 
@@ -45,13 +50,18 @@ Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::R
   if (!robot) return robot.error();
   auto nodes = runtime::make_nodes(plan);
   if (!nodes) return nodes.error();
-  RecordedPast past(std::move(nodes).value(), std::move(robot).value());
+  auto begun =
+      RecordedPast::begin(recording, plan, std::move(nodes).value(), std::move(robot).value());
+  if (!begun) return begun.error();
+  RecordedPast& past = *begun;
   const auto refuse = [&](std::string what) {
     return core::Error{std::move(what), recording.path(), 0, 0};
   };
   if (tick > 0) {
     TickReader reader(recording, past.topics(), tick - 1);
-    for (std::uint64_t next = 0; next < tick; ++next) {
+    // Of a black box the tick before its first one comes, too.
+    const std::uint64_t first = first_fed_tick(recording);
+    for (std::uint64_t next = first - std::min<std::uint64_t>(first, 1); next < tick; ++next) {
       const auto found = reader.next();
       if (!found) return found.error();
       if (*found == nullptr) {
@@ -79,7 +89,9 @@ Result<std::optional<ReplayReport>> find_unfaithful(const RunRecording& recordin
   if (!branch) return branch.error();
   ReplayRange range;
   if (*branch) range.first_tick = (*branch)->tick;
-  if (tick <= range.first_tick) return std::optional<ReplayReport>();
+  if (tick <= std::max(range.first_tick, first_fed_tick(recording))) {
+    return std::optional<ReplayReport>();
+  }
   range.last_tick = tick - 1;
   for (const auto& stage : recorded.graph.stages) {
     const std::string& name = stage.info->name;

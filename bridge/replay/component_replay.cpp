@@ -9,6 +9,7 @@
 
 #include "core/nearest_name.hpp"
 #include "process/tick_clock.hpp"
+#include "replay/black_box_past.hpp"
 #include "replay/fed_node.hpp"
 #include "replay/recorded_plan.hpp"
 
@@ -79,10 +80,15 @@ Result<FedNode> fed_node_of(const RunRecording& recording, const runtime::RunPla
                             const std::string& stage) {
   auto node = node_of(plan, stage);
   if (!node) return node.error();
-  if (!is_robot(*node)) return FedNode(std::move(node).value());
-  auto branch = branch_of(recording);
-  if (!branch) return branch.error();
-  return FedNode(std::move(node).value(), std::move(branch).value());
+  std::optional<HandOver> hand_over;
+  if (is_robot(*node)) {
+    auto branch = branch_of(recording);
+    if (!branch) return branch.error();
+    hand_over = std::move(branch).value();
+  }
+  FedNode fed(std::move(node).value(), std::move(hand_over));
+  CLEW_RETURN_IF_ERROR(begin_in_black_box(recording, plan, fed));
+  return fed;
 }
 
 }  // namespace
@@ -124,6 +130,7 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
 
   ReplayReport report;
   report.component = stage;
+  report.has_past = fed.has_past();
   OutputComparison comparison(report);
   TickReader reader(recording, topics, range.last_tick);
   const bool paced = range.rate > 0.0;
@@ -140,7 +147,8 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
     if (const auto stepped = fed.step(**recorded); !stepped) {
       return core::Error{stepped.error().message, recording.path(), 0, 0};
     }
-    if ((*recorded)->tick() >= range.first_tick) comparison.compare(fed, **recorded);
+    if (fed.stepped() && (*recorded)->tick() >= range.first_tick)
+      comparison.compare(fed, **recorded);
   }
   if (report.ticks == 0) {
     return core::Error{

@@ -15,7 +15,7 @@
 namespace clew::bridge {
 
 struct ReplayRange {
-  std::uint64_t first_tick = 0;  ///< compared; the state is built from tick 0 in any case
+  std::uint64_t first_tick = 0;  ///< compared; the state is built from the recording's first tick
   std::uint64_t last_tick = std::numeric_limits<std::uint64_t>::max();
   double rate = 0.0;  ///< simulated over wall-clock time; 0: as fast as the component takes it
 };
@@ -33,6 +33,7 @@ struct ReplayReport {
   std::uint64_t different_ticks = 0;      ///< of them
   std::optional<SampleDifference> first;  ///< a: recorded, b: replayed; in order of tick, topic
   std::vector<InputFields> inputs;        ///< of that tick
+  bool has_past = true;                   ///< false: new where a black box begins
   double ticks_per_s = 0.0;               ///< fed, the building of the state included
 
   bool identical() const { return !first.has_value(); }
@@ -52,8 +53,8 @@ core::Result<void> check_range(const ReplayRange& range);
 /// Makes the component of a stage of `plan`, feeds it the recorded inputs and compares what it
 /// writes with what is recorded, bit by bit. It is fed what was recorded also after a difference.
 /// Refused: a stage that the plan does not have or that is someone else's component, a recording
-/// that lacks a topic or a sample that the component reads or writes or does not begin at tick 0,
-/// and an empty range.
+/// that lacks a topic or a sample that the component reads or writes, or ticks at its beginning
+/// without being a black box, and an empty range.
 core::Result<ReplayReport> replay_component(const RunRecording& recording,
                                             const runtime::RunPlan& plan, const std::string& stage,
                                             const ReplayRange& range = {});

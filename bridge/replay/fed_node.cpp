@@ -28,6 +28,10 @@ core::Result<void> FedNode::check(const RecordedTick& recorded) const {
     return refused("has no sample of tick " + std::to_string(next_tick_) + " for " + node_.name() +
                    "; the next is of tick " + std::to_string(recorded.tick()));
   }
+  return check_present(recorded);
+}
+
+core::Result<void> FedNode::check_present(const RecordedTick& recorded) const {
   const runtime::TopicSet missing = fed_topics() & ~recorded.present();
   for (Topic topic : domain::kAllTopics) {
     if (missing[index_of(topic)]) {
@@ -60,12 +64,34 @@ core::Result<void> FedNode::decode_delayed(const RecordedTick& recorded) {
       CLEW_RETURN_IF_ERROR(decode(topic, recorded.tick() - 1, cdr_before_[index_of(topic)]));
       present_.set(index_of(topic));
     }
+  }
+  keep_delayed(recorded);
+  return {};
+}
+
+void FedNode::keep_delayed(const RecordedTick& recorded) {
+  for (Topic topic : domain::kAllTopics) {
+    if (!node_.ports().delayed_inputs[index_of(topic)]) continue;
     cdr_before_[index_of(topic)].assign(recorded.cdr(topic));
   }
+}
+
+core::Result<void> FedNode::begin_at(std::uint64_t tick, const std::optional<std::string>& state) {
+  first_tick_ = tick;
+  next_tick_ = tick;
+  if (state) return node_.load(*state);
+  node_.begin_at(tick);
+  has_past_ = false;
   return {};
 }
 
 core::Result<void> FedNode::step(const RecordedTick& recorded) {
+  stepped_ = next_tick_ > first_tick_ || recorded.tick() + 1 != first_tick_;
+  if (!stepped_) {
+    CLEW_RETURN_IF_ERROR(check_present(recorded));
+    keep_delayed(recorded);
+    return {};
+  }
   CLEW_RETURN_IF_ERROR(check(recorded));
   present_ = node_.ports().inputs;
   CLEW_RETURN_IF_ERROR(decode_delayed(recorded));

@@ -35,13 +35,21 @@ class FedNode {
   /// What a tick must hold to be fed.
   runtime::TopicSet fed_topics() const;
 
-  /// Steps for the next tick, from 0. Refused: another tick than that, one without a sample of a
+  /// Begins at `tick` instead of 0, in a state that was saved there, or in that of a component that
+  /// is new. The tick before is fed first, and is not stepped: of it come the delayed inputs.
+  core::Result<void> begin_at(std::uint64_t tick, const std::optional<std::string>& state);
+
+  /// Steps for the next tick. Refused: another tick than that, one without a sample of a
   /// wired input, samples that are not valid, and a state handed over that is not one of the
   /// component's.
   core::Result<void> step(const RecordedTick& recorded);
 
   /// The outputs of the last step, and its inputs as far as they were present.
   const domain::Messages& messages() const { return messages_; }
+  /// False of a component that is new where it begins.
+  bool has_past() const { return has_past_; }
+  /// Whether the last tick that was fed was stepped.
+  bool stepped() const { return stepped_; }
   const runtime::TopicSet& inputs_present() const { return present_; }
 
   /// The node, in the state after the last step.
@@ -49,6 +57,8 @@ class FedNode {
 
  private:
   core::Result<void> check(const RecordedTick& recorded) const;
+  core::Result<void> check_present(const RecordedTick& recorded) const;
+  void keep_delayed(const RecordedTick& recorded);
   core::Result<void> decode(domain::Topic topic, std::uint64_t tick, std::string_view cdr);
   core::Result<void> decode_delayed(const RecordedTick& recorded);
 
@@ -59,6 +69,9 @@ class FedNode {
   runtime::TopicSet present_;
   std::array<std::string, domain::kTopicCount> cdr_before_;  ///< delayed inputs, of the last tick
   std::uint64_t next_tick_ = 0;
+  std::uint64_t first_tick_ = 0;  ///< that is stepped
+  bool has_past_ = true;
+  bool stepped_ = false;
 };
 
 }  // namespace clew::bridge

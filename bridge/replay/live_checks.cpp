@@ -7,6 +7,7 @@
 
 #include "core/nearest_name.hpp"
 #include "process/journal.hpp"
+#include "replay/black_box_past.hpp"
 #include "replay/recorded_plan.hpp"
 #include "replay/tick_reader.hpp"
 
@@ -90,6 +91,8 @@ Result<void> check_live(const RunRecording& recording, const runtime::RunPlan& p
   }
   const auto stage = find_stage(plan, options.component);
   if (!stage) return stage.error();
+  CLEW_RETURN_IF_ERROR(refuse_black_box(
+      recording, "a live component begins at tick 0; replay it without --publish"));
   return check_fed(recording, **stage, options.topics | (*stage)->ports.all_inputs(),
                    options.range.last_tick);
 }

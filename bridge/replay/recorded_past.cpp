@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "replay/black_box_past.hpp"
 #include "replay/recorded_plan.hpp"
 
 namespace clew::bridge {
@@ -12,15 +13,20 @@ namespace clew::bridge {
 using core::Result;
 using domain::Topic;
 
-RecordedPast::RecordedPast(std::vector<runtime::Node> nodes, FedNode recorded_robot) {
+Result<RecordedPast> RecordedPast::begin(const RunRecording& recording,
+                                         const runtime::RunPlan& plan,
+                                         std::vector<runtime::Node> nodes, FedNode recorded_robot) {
+  RecordedPast past;
   for (runtime::Node& node : nodes) {
     if (is_robot(node)) {
-      fed_.push_back(std::move(recorded_robot));
-      new_robot_ = std::move(node);
+      past.fed_.push_back(std::move(recorded_robot));
+      past.new_robot_ = std::move(node);
     } else {
-      fed_.emplace_back(std::move(node));
+      past.fed_.emplace_back(std::move(node));
+      CLEW_RETURN_IF_ERROR(begin_in_black_box(recording, plan, past.fed_.back()));
     }
   }
+  return past;
 }
 
 runtime::TopicSet RecordedPast::topics() const {
@@ -96,7 +102,9 @@ Result<FedNode> recorded_robot(const RunRecording& recording, const runtime::Run
   if (!branch) return branch.error();
   auto node = runtime::make_node(recorded, *recorded.graph.writer_of(Topic::kState));
   if (!node) return node.error();
-  return FedNode(std::move(node).value(), std::move(branch).value());
+  FedNode robot(std::move(node).value(), std::move(branch).value());
+  CLEW_RETURN_IF_ERROR(begin_in_black_box(recording, recorded, robot));
+  return robot;
 }
 
 }  // namespace clew::bridge

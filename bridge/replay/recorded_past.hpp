@@ -18,8 +18,11 @@ namespace clew::bridge {
 /// inputs, and the recorded samples are accounted for.
 class RecordedPast {
  public:
-  /// `nodes` go on; but up to there the robot is the recorded one.
-  RecordedPast(std::vector<runtime::Node> nodes, FedNode recorded_robot);
+  /// `nodes`, of `plan`, go on; but up to there the robot is the recorded one. Refused: what
+  /// begin_in_black_box refuses.
+  static core::Result<RecordedPast> begin(const RunRecording& recording,
+                                          const runtime::RunPlan& plan,
+                                          std::vector<runtime::Node> nodes, FedNode recorded_robot);
 
   /// What a tick must hold.
   runtime::TopicSet topics() const;
@@ -36,6 +39,7 @@ class RecordedPast {
   core::Result<void> hand_over(ComposedStart& start);
 
  private:
+  RecordedPast() = default;
   core::Result<void> account(domain::Topic topic, const RecordedTick& recorded);
 
   std::vector<FedNode> fed_;

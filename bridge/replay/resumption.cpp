@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "replay/black_box_past.hpp"
 #include "replay/recorded_past.hpp"
 #include "replay/recorded_plan.hpp"
 
@@ -22,7 +23,7 @@ Result<RecordedPast> past_of(const RunRecording& recording, const runtime::RunPl
   if (!robot) return robot.error();
   auto nodes = runtime::make_nodes(plan);
   if (!nodes) return nodes.error();
-  return RecordedPast(std::move(nodes).value(), std::move(robot).value());
+  return RecordedPast::begin(recording, plan, std::move(nodes).value(), std::move(robot).value());
 }
 
 /// What each component process would have kept of the past.
@@ -126,6 +127,7 @@ Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan&
   const auto in_recording = [&](const Error& error) {
     return Error{error.text(), recording.path(), 0, 0};
   };
+  CLEW_RETURN_IF_ERROR(refuse_black_box(recording, "it cannot be gone on with"));
   const auto branch = branch_of(recording);
   if (!branch) return branch.error();
   const std::uint64_t branched_at = *branch ? (*branch)->tick : 0;

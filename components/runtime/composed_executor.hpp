@@ -26,6 +26,7 @@ class ComposedExecutor {
   ComposedExecutor(std::vector<Node> nodes, SampleObserver* observer, std::uint64_t next_tick,
                    domain::Messages messages);
 
+  const std::vector<Node>& nodes() const { return nodes_; }
   /// The tick that step() runs next.
   std::uint64_t next_tick() const { return next_tick_; }
   /// Runs one tick of all nodes.

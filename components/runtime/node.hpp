@@ -40,6 +40,10 @@ class Node {
   /// outputs.
   void step(std::uint64_t tick, const TopicSet& present, domain::Messages& messages);
 
+  /// Takes its place in a run that has got to `tick` without it: so many samples of each output
+  /// were written by another.
+  void begin_at(std::uint64_t tick) { next_sequence_.fill(tick); }
+
   /// The component's state and the counts of its outputs, as bytes.
   std::string save() const;
   core::Result<void> load(const std::string& bytes);

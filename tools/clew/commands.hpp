@@ -30,6 +30,8 @@ struct RunOptions {
   std::string record;
   std::string resume;  ///< a recording to go on with, in the graph's place
   bool force = false;
+  std::string record_on;                ///< `trap`: a black box
+  std::optional<double> record_last_s;  ///< that a black box keeps; none: 30
   std::string compression;  ///< empty: as the recording that is gone on with has it, else none
   std::string on_record_error = "stop";
   std::vector<std::string> external;

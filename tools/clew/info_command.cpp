@@ -107,6 +107,9 @@ void print(const RunRecording& recording, const RecordingFacts& facts) {
   } else {
     fmt::print("ticks      none\n");
   }
+  if (const auto& box = description.black_box) {
+    fmt::print("black box  {}; can be replayed from tick {} on\n", box->why, box->tick);
+  }
   if (facts.branch_tick) {
     fmt::print("branched   at tick {}; the ticks before are those of another run\n",
                *facts.branch_tick);
@@ -173,6 +176,10 @@ ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts)
   json["tick_s"] = description.tick_s;
   json["duration_s"] = static_cast<double>(facts.last_tick) * description.tick_s;
   json["branch_tick"] = facts.branch_tick ? ordered_json(*facts.branch_tick) : nullptr;
+  json["black_box"] = nullptr;
+  if (const auto& box = description.black_box) {
+    json["black_box"] = {{"first_tick", box->tick}, {"why", box->why}};
+  }
   json["missing_samples"] = facts.missing_samples;
   json["hash"] = facts.hash.hex();
   json["recorded_hash"] =

@@ -47,6 +47,13 @@ void add_run(CLI::App& main, RunOptions& options, Outcome& outcome) {
   app->add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)");
   app->add_option("--record", options.record, "write a recording (MCAP)");
   app->add_flag("--force", options.force, "overwrite the recording");
+  app->add_option(
+      "--record-on", options.record_on,
+      "trap: a black box, which writes what it kept, and then goes on recording, when a "
+      "trap is detected, a collision happens or the run ends badly");
+  app->add_option("--record-last", options.record_last_s,
+                  "simulated seconds that a black box keeps (30)")
+      ->check(CLI::Range(0.001, 86400.0));
   app->add_option("--compression", options.compression,
                   "of the recording: none | zstd | lz4 (none: the fastest, and its bytes depend on "
                   "no compressor's version; zstd makes it several times smaller)");

@@ -8,6 +8,7 @@
 
 #include "clew/run_output.hpp"
 #include "process/recording_sink.hpp"
+#include "replay/black_box_past.hpp"
 #include "replay/branch.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/recorded_plan.hpp"
@@ -52,7 +53,11 @@ int replay_branch(const ReplayOptions& options, const bridge::RunRecording& reco
   settle_bundle(recording, recorded, *start, plan);
   std::unique_ptr<bridge::RecordingSink> sink;
   if (!options.record.empty()) {
-    auto created = bridge::RecordingSink::create(plan, options.record, options.force);
+    bridge::RunDescription description = bridge::describe_run(plan);
+    auto box = bridge::black_box_for(recording, plan);
+    if (!box.ok()) return complain(box.error());
+    description.black_box = std::move(box).value();
+    auto created = bridge::RecordingSink::create(description, options.record, options.force);
     if (!created.ok()) return complain(created.error());
     sink = std::move(created).value();
     const auto copied = bridge::copy_samples_before(recording, tick, *sink);

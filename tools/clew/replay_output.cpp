@@ -33,10 +33,14 @@ ordered_json replay_json(const ReplayReport& report) {
   return {{"component", report.component},     {"ticks", report.ticks},
           {"identical", report.identical()},   {"first_difference", difference_json(report.first)},
           {"ticks_per_s", report.ticks_per_s}, {"different_ticks", report.different_ticks},
-          {"inputs", inputs_json(report)}};
+          {"has_past", report.has_past},       {"inputs", inputs_json(report)}};
 }
 
 void print_replay(const ReplayReport& report) {
+  if (!report.has_past) {
+    fmt::print("{}: begins where the black box does, which has no state of this behaviour\n",
+               report.component);
+  }
   if (report.identical()) {
     fmt::print("{}: {} ticks identical, {:.0f} ticks/s\n", report.component, report.ticks,
                report.ticks_per_s);

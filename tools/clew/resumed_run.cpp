@@ -102,7 +102,7 @@ Result<ResumedRun> resume_run(const RunOptions& options) {
   }
   const bool copy = !options.record.empty();
   const std::string becomes = copy ? options.record : final_name(file);
-  bridge::RecordingOrder order{becomes, bridge::describe_run(*plan)};
+  bridge::RecordingOrder order{becomes, bridge::describe_run(*plan), 0.0};
   // What it says of itself stays, whatever of it this version would say otherwise.
   order.description.versions = recording->description().versions;
   order.description.bundle = recording->description().bundle;

@@ -24,6 +24,8 @@ using core::Result;
 
 const std::vector<std::string> kVendors = {"cyclonedds", "fastdds"};
 const std::vector<std::string> kCompressions = {"none", "zstd", "lz4"};
+const std::vector<std::string> kRecordOn = {"trap"};
+constexpr double kRecordLast_s = 30.0;
 const std::vector<std::string> kOnRecordError = {"stop", "continue"};
 
 struct Speed {
@@ -114,7 +116,25 @@ std::string middleware_text(const runtime::Graph& graph, const bridge::ProcessLa
   return vendors.size() == 1 ? *vendors.begin() : each;
 }
 
+Result<void> check_black_box(const RunOptions& options) {
+  const bool wanted = !options.record_on.empty();
+  if (wanted && options.record_on != kRecordOn.front()) {
+    return Error{core::unknown_name("occasion", options.record_on, kRecordOn), "--record-on", 0, 0};
+  }
+  if (wanted && options.record.empty()) {
+    return Error{"needs --record FILE", "--record-on", 0, 0};
+  }
+  if (!options.resume.empty() && wanted) {
+    return Error{"a run that is gone on with is recorded as it was", "--record-on", 0, 0};
+  }
+  if (options.record_last_s && !wanted) {
+    return Error{"needs --record-on trap", "--record-last", 0, 0};
+  }
+  return {};
+}
+
 Result<void> check_options(const RunOptions& options) {
+  CLEW_RETURN_IF_ERROR(check_black_box(options));
   if (options.layout != "processes" && options.layout != "composed") {
     return Error{core::unknown_name("layout", options.layout, {"processes", "composed"}),
                  "--layout", 0, 0};
@@ -153,7 +173,9 @@ Result<Job> new_job(const RunOptions& options) {
   if (!plan.ok()) return plan.error();
   Job job{std::move(plan).value(), std::nullopt, std::nullopt};
   if (options.record.empty()) return job;
-  job.recording = {options.record, bridge::describe_run(job.plan)};
+  const double keep_last_s =
+      options.record_on.empty() ? 0.0 : options.record_last_s.value_or(kRecordLast_s);
+  job.recording = {options.record, bridge::describe_run(job.plan), keep_last_s};
   const std::string compression = options.compression == "none" ? "" : options.compression;
   job.recording->description.compression = *bridge::mcap::compression_from_name(compression);
   CLEW_RETURN_IF_ERROR(bridge::mcap::OutputFile::reserve(options.record, options.force));
@@ -170,9 +192,9 @@ Result<Job> resumed_job(const RunOptions& options) {
 /// A composed run is one process with its recorder: it dies with it. So is one that has ended, and
 /// whose recording only lacks its end.
 Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& layout) {
-  std::unique_ptr<bridge::RecordingSink> sink;
+  std::unique_ptr<bridge::RunSink> sink;
   if (job.recording) {
-    auto opened = bridge::RecordingSink::go_on(*job.recording);
+    auto opened = bridge::open_sink(*job.recording);
     if (!opened.ok()) return opened.error();
     sink = std::move(opened).value();
   }
@@ -182,7 +204,7 @@ Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& la
   auto report = job.resumption ? bridge::run_composed(job.plan, std::move(job.resumption->composed),
                                                       composed, sink.get(), display)
                                : bridge::run_composed(job.plan, composed, sink.get(), display);
-  if (sink && report.ok()) report->recording = sink->close();
+  if (sink && report.ok()) report->recording = sink->close({report->aborted, false});
   return report;
 }
 
@@ -194,7 +216,8 @@ Result<bridge::RunReport> run_job(Job& job, const bridge::ProcessLayout& layout,
                           job.plan, layout, job.recording, terminal_display(job.plan),
                           job.resumption ? job.resumption->processes : bridge::ProcessStart{});
   // What was only reserved is in nobody's way.
-  if (!report.ok() && job.recording && !job.resumption) {
+  const bool nothing = report.ok() && report->recording && report->recording->nothing;
+  if ((!report.ok() || nothing) && job.recording && !job.resumption) {
     std::remove(bridge::mcap::OutputFile::temporary_name(job.recording->path).c_str());
   }
   return report;
@@ -229,9 +252,13 @@ int run_command(const RunOptions& options) {
   if (!report.ok()) return complain(report.error());
   judge_recording(*layout, *report);
   if (!report->aborted.empty()) std::fprintf(stderr, "clew: %s\n", report->aborted.c_str());
+  const bool wrote = job->recording && !(report->recording && report->recording->nothing);
+  if (job->recording && !wrote) {
+    std::fputs("clew: nothing happened that the black box writes for: no recording\n", stderr);
+  }
   const RunFacts facts{options.layout,
                        composed ? "inprocess" : middleware_text(job->plan.graph, *layout),
-                       job->recording ? job->recording->path : ""};
+                       wrote ? job->recording->path : ""};
   std::puts(options.json ? report_json(*report, job->plan, facts).c_str()
                          : report_line(*report, job->plan).c_str());
   return exit_status(*report);
