@@ -2,8 +2,10 @@
 #include "control/registry.hpp"
 
 #include "control/fuzzy_behaviourist.hpp"
+#include "control/infrared_expert.hpp"
 #include "control/krishna_kalra_fuzzy.hpp"
 #include "control/nearest_virtual_target.hpp"
+#include "control/neuro_fuzzy.hpp"
 
 namespace clew::control {
 
@@ -18,6 +20,10 @@ const runtime::Registry<Controller>& controllers() {
       runtime::registration<Controller, FuzzyBehaviourist>(
           "fuzzy_behaviourist",
           "superposed elemental rules (Pin & Bender 1996, the fuzzy behaviourist approach)"),
+      runtime::registration<Controller, NeuroFuzzy>(
+          "neuro_fuzzy", "four infrared readings through four networks (Wang, Yang & Meng)"),
+      runtime::registration<Controller, InfraredExpert>(
+          "infrared_expert", "the expert whose opinion neuro_fuzzy is trained on"),
   };
   return registry;
 }

@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/resources.hpp"
+#include "domain/infrared_curve.hpp"
 #include "domain/messages.hpp"
 
 namespace clew::domain {
@@ -27,6 +29,7 @@ struct ScanLayout {
   double bearing_step_rad = 0.0;
   double beam_width_rad = 0.0;
   double range_max_m = 0.0;
+  std::optional<InfraredCurve> infrared_curve = std::nullopt;  ///< of a sensor that answers by one
 };
 
 /// What a drive can do, so that nobody asks for more; infinite where it has no limit.

@@ -2,7 +2,6 @@
 #include "sense/infrared.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/angle.hpp"
 
@@ -11,7 +10,6 @@ namespace {
 
 constexpr double kFirstBearingRad = core::radians(90.0);
 constexpr double kStepRad = core::radians(-90.0);
-constexpr double kLargestByte = 255.0;
 
 }  // namespace
 
@@ -24,7 +22,8 @@ Infrared::Infrared(const Parameters& parameters, double radius_m)
     : parameters_(parameters), radius_m_(radius_m), fan_(kFirstBearingRad, kStepRad, kCount) {}
 
 domain::ScanLayout Infrared::layout() const {
-  return {"infrared", kCount, kFirstBearingRad, kStepRad, 0.0, parameters_.range_m};
+  return {"infrared",          kCount,           kFirstBearingRad, kStepRad, 0.0,
+          parameters_.range_m, parameters_.curve};
 }
 
 void Infrared::measure(const world::World& world, const core::Pose2& pose_world_robot,
@@ -41,20 +40,15 @@ void Infrared::measure(const world::World& world, const core::Pose2& pose_world_
   }
   add_range_noise(parameters_.noise, random, scan);
   for (double& range_m : scan.ranges_m) {
-    if (range_m < scan.range_max_m) range_m = distance_m(reading(range_m));
+    if (range_m < scan.range_max_m) range_m = distance_m(parameters_.curve.reading(range_m));
   }
 }
 
-double Infrared::reading(double distance_m) const {
-  const double answer = parameters_.curve_offset + parameters_.curve_gain_m / distance_m;
-  return kLargestByte - std::clamp(std::floor(answer + 0.5), 0.0, kLargestByte);
-}
-
 double Infrared::distance_m(double reading) const {
-  const double above_offset = (kLargestByte - reading) - parameters_.curve_offset;
+  const domain::InfraredCurve& curve = parameters_.curve;
+  const double above_offset = (domain::InfraredCurve::kLargestByte - reading) - curve.offset;
   if (above_offset <= 0.0) return parameters_.range_m;
-  return std::clamp(parameters_.curve_gain_m / above_offset, parameters_.range_min_m,
-                    parameters_.range_m);
+  return std::clamp(curve.gain_m / above_offset, parameters_.range_min_m, parameters_.range_m);
 }
 
 }  // namespace clew::sense

@@ -6,6 +6,8 @@
 namespace clew::sense {
 namespace {
 
+constexpr domain::InfraredCurve kCurve;
+
 const Infrared& rangers() {
   static const Infrared infrared({}, kRadius_m);
   return infrared;
@@ -27,14 +29,14 @@ TEST(Infrared, LooksLeftAheadRightAndBack) {
 
 TEST(Infrared, AnswersAsTheDataSheetSaysAtBothItsPoints) {
   // S = 75 at 0.8 m, 75 + 58 at 0.2 m; I = 255 - S.
-  EXPECT_EQ(rangers().reading(0.8), 255.0 - 75.0);
-  EXPECT_EQ(rangers().reading(0.2), 255.0 - 133.0);
+  EXPECT_EQ(kCurve.reading(0.8), 255.0 - 75.0);
+  EXPECT_EQ(kCurve.reading(0.2), 255.0 - 133.0);
 }
 
 TEST(Infrared, ReadingsRiseWithTheDistanceAndAreBytes) {
   double before = 0.0;
   for (double distance_m = 0.1; distance_m <= 0.8; distance_m += 0.01) {
-    const double reading = rangers().reading(distance_m);
+    const double reading = kCurve.reading(distance_m);
     EXPECT_GE(reading, before) << distance_m;
     EXPECT_EQ(reading, static_cast<double>(static_cast<int>(reading)));
     EXPECT_LE(reading, 255.0);
@@ -44,12 +46,12 @@ TEST(Infrared, ReadingsRiseWithTheDistanceAndAreBytes) {
 
 TEST(Infrared, AReadingStandsForADistanceWithinItsStep) {
   for (double distance_m = 0.1; distance_m <= 0.8; distance_m += 0.003) {
-    const double recovered_m = rangers().distance_m(rangers().reading(distance_m));
+    const double recovered_m = rangers().distance_m(kCurve.reading(distance_m));
 
     // Half a unit of S is d^2 / (2 K_g) of distance, a little more on the far side.
     EXPECT_NEAR(recovered_m, distance_m, 0.51 * distance_m * distance_m / 15.467 * 1.05);
     // Recovering the reading from the scan loses nothing.
-    EXPECT_EQ(rangers().reading(recovered_m), rangers().reading(distance_m)) << distance_m;
+    EXPECT_EQ(kCurve.reading(recovered_m), kCurve.reading(distance_m)) << distance_m;
   }
 }
 

@@ -50,6 +50,8 @@ bool needs_landmarks(const std::string& detector) {
 /// The sensors that a part can do with; parts that are not listed can do with all.
 const std::map<std::string, std::set<std::string>> kSensorsFor = {
     {"krishna_kalra_fuzzy", {"cones"}},
+    {"neuro_fuzzy", {"infrared"}},
+    {"infrared_expert", {"infrared"}},
     {"nearest_virtual_target", {"cones", "laser", "sonar_ring"}},
     {"obstacle_following", {"cones", "laser", "sonar_ring"}},
     {"no_safe_region", {"cones", "laser", "sonar_ring"}},

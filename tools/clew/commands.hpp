@@ -131,6 +131,15 @@ struct TrainSomOptions {
 };
 int train_som_command(const TrainSomOptions& options);
 
+inline constexpr char kDefaultNeuroFuzzyRecipe[] = "wang_yang_meng";
+struct TrainNeuroFuzzyOptions {
+  std::string recipe = kDefaultNeuroFuzzyRecipe;
+  std::string recording;  ///< empty: the expert's runs in the recipe's worlds
+  std::string output;
+  std::string curves;  ///< an SVG file; empty: none
+};
+int train_neuro_fuzzy_command(const TrainNeuroFuzzyOptions& options);
+
 /// Prints an error as `clew: file:line: message` and returns `status`.
 int complain(const core::Error& error, int status = kExitBadInput);
 

@@ -201,14 +201,24 @@ void add_replay(CLI::App& main, ReplayOptions& options, Outcome& outcome) {
   });
 }
 
-void add_train(CLI::App& main, TrainSomOptions& options, Outcome& outcome) {
-  CLI::App* train = main.add_subcommand("train", "Train a network");
-  train->require_subcommand(1);
-  CLI::App* som = train->add_subcommand("som", "The landmark map of Krishna & Kalra 2000");
+void add_train_som(CLI::App& train, TrainSomOptions& options, Outcome& outcome) {
+  CLI::App* som = train.add_subcommand("som", "The landmark map of Krishna & Kalra 2000");
   som->add_option("--recipe", options.recipe, "worlds, scales, iterations and seed")
       ->capture_default_str();
   som->add_option("-o,--output", options.output, "the file to write (stdout)");
   som->callback([&] { outcome.status = train_som_command(options); });
+}
+
+void add_train_neuro_fuzzy(CLI::App& train, TrainNeuroFuzzyOptions& options, Outcome& outcome) {
+  CLI::App* app =
+      train.add_subcommand("neuro-fuzzy", "The wheel speed networks of Wang, Yang & Meng");
+  app->add_option("--recipe", options.recipe, "groups, iterations, learning rates, worlds and seed")
+      ->capture_default_str();
+  app->add_option("--recording", options.recording,
+                  "learn from the commands of a run with infrared rangers, not from the expert");
+  app->add_option("-o,--output", options.output, "the file to write (stdout)");
+  app->add_option("--curves", options.curves, "write the learning curves to FILE.svg");
+  app->callback([&] { outcome.status = train_neuro_fuzzy_command(options); });
 }
 
 // Names that later versions will use.
@@ -238,7 +248,8 @@ int parse_and_run(int argc, char** argv) {
   InfoOptions info;
   DiffOptions diff;
   ReplayOptions replay;
-  TrainSomOptions train;
+  TrainSomOptions train_som;
+  TrainNeuroFuzzyOptions train_neuro_fuzzy;
   add_run(app, run, outcome);
   add_bench(app, bench, outcome);
   add_check(app, check, outcome);
@@ -249,7 +260,10 @@ int parse_and_run(int argc, char** argv) {
   add_info(app, info, outcome);
   add_diff(app, diff, outcome);
   add_replay(app, replay, outcome);
-  add_train(app, train, outcome);
+  CLI::App* train = app.add_subcommand("train", "Train a network");
+  train->require_subcommand(1);
+  add_train_som(*train, train_som, outcome);
+  add_train_neuro_fuzzy(*train, train_neuro_fuzzy, outcome);
   add_reserved(app, outcome);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <fstream>
+
+#include "clew/commands.hpp"
+#include "clew/training_groups.hpp"
+#include "plot/line_chart.hpp"
+
+namespace clew::tools {
+namespace {
+
+using core::Error;
+using core::Result;
+
+struct Trained {
+  std::string file;
+  std::string curves;
+};
+
+plot::LineChart chart_of(const control::NeuroFuzzyTraining& training,
+                         const control::TestErrors& errors) {
+  plot::LineChart chart{"Training of the neuro-fuzzy controller",
+                        "iteration",
+                        "root mean squared error of the wheels' speeds, m/s",
+                        {},
+                        {}};
+  plot::ChartLine train{"training groups", {}};
+  plot::ChartLine test{"test groups", {}};
+  for (const control::LearningPoint& point : training.curve) {
+    const auto iteration = static_cast<double>(point.iteration);
+    train.points.push_back({iteration, point.train_mps});
+    test.points.push_back({iteration, point.test_mps});
+  }
+  chart.lines = {train, test};
+  chart.levels = {{"32 rules, untrained (test)", errors.rules_mps},
+                  {"128 rules, interpolated (test)", errors.interpolated_mps},
+                  {"128 rules, filled (test)", errors.filled_mps}};
+  return chart;
+}
+
+std::string command_of(const TrainNeuroFuzzyOptions& options) {
+  std::string command = "clew train neuro-fuzzy";
+  if (options.recipe != kDefaultNeuroFuzzyRecipe) command += " --recipe " + options.recipe;
+  if (!options.recording.empty()) command += " --recording FILE";
+  return command;
+}
+
+Result<Trained> train(const TrainNeuroFuzzyOptions& options) {
+  const auto path = runtime::ConfigPath::from_environment();
+  const auto file = path.find("training", options.recipe);
+  if (!file.ok()) return file.error();
+  const auto recipe = control::NeuroFuzzyRecipe::parse(*file);
+  if (!recipe.ok()) return recipe.error();
+  const auto rules = path.find("rulebases", recipe->start);
+  if (!rules.ok()) return rules.error();
+  const auto start = control::NeuroFuzzyNets::parse(*rules);
+  if (!start.ok()) return start.error();
+  const auto shown = options.recording.empty() ? groups_of_expert(*recipe, path)
+                                               : groups_of_recording(*recipe, options.recording);
+  if (!shown.ok()) return shown.error();
+  const auto groups = control::draw_groups(*recipe, shown->groups);
+  if (!groups.ok()) return Error{groups.error().message, options.recording, 0, 0};
+  const auto training = control::train_neuro_fuzzy(*recipe, *start, *groups);
+  const auto errors = control::compare(training, *start, *groups);
+  return Trained{
+      control::trained_file(*recipe, training, errors, command_of(options), shown->origin),
+      plot::draw(chart_of(training, errors))};
+}
+
+Result<void> write(const std::string& path, const std::string& text) {
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  if (!stream.flush()) return Error{"cannot be written", path, 0, 0};
+  return {};
+}
+
+}  // namespace
+
+int train_neuro_fuzzy_command(const TrainNeuroFuzzyOptions& options) {
+  const auto trained = train(options);
+  if (!trained.ok()) return complain(trained.error());
+  if (!options.curves.empty()) {
+    const auto written = write(options.curves, trained->curves);
+    if (!written.ok()) return complain(written.error());
+  }
+  if (options.output.empty()) {
+    std::fputs(trained->file.c_str(), stdout);
+    return kExitGood;
+  }
+  const auto written = write(options.output, trained->file);
+  return written.ok() ? kExitGood : complain(written.error());
+}
+
+}  // namespace clew::tools
