@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 extern char** environ;
 
@@ -84,12 +85,15 @@ core::Result<ChildProcess> ChildProcess::start(const ChildCommand& command) {
     ::waitpid(child, nullptr, 0);
     return refuse(exec_error);
   }
-  return ChildProcess(child, !command.keeps_terminal);
+  const bool own_group = !command.keeps_terminal;
+  auto guard = own_group && command.may_start_others ? GroupGuard::start(child) : std::nullopt;
+  return ChildProcess(child, own_group, std::move(guard));
 }
 
 bool ChildProcess::reap() {
   if (!running_ || ::waitpid(process_id_, &status_, WNOHANG) != process_id_) return false;
   running_ = false;
+  if (guard_) ::kill(-process_id_, SIGKILL);
   return true;
 }
 

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/result.hpp"
+#include "process/group_guard.hpp"
 
 namespace clew::bridge {
 
@@ -14,6 +17,8 @@ struct ChildCommand {
   std::vector<std::string> arguments;              ///< the program first, looked up in PATH
   std::map<std::string, std::string> environment;  ///< on top of ours
   bool keeps_terminal = false;  ///< for a debugger; else no input, and output goes to stderr
+  bool may_start_others =
+      false;  ///< a program that we know nothing of: what it starts ends with it
 };
 
 /// A program that we started and that does not outlive us, however we end.
@@ -34,11 +39,12 @@ class ChildProcess {
   void signal(int number) const;
 
  private:
-  explicit ChildProcess(int process_id, bool own_group)
-      : process_id_(process_id), own_group_(own_group) {}
+  ChildProcess(int process_id, bool own_group, std::optional<GroupGuard> guard)
+      : process_id_(process_id), own_group_(own_group), guard_(std::move(guard)) {}
 
   int process_id_;
   bool own_group_;
+  std::optional<GroupGuard> guard_;
   bool running_ = true;
   int status_ = 0;
 };

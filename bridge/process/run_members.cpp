@@ -117,6 +117,7 @@ ChildCommand command_of(const Member& member, const GraphStage& stage, const Pro
   ChildCommand command;
   if (member.foreign) {
     command.arguments = stage.deployment.exec;
+    command.may_start_others = true;
   } else {
     command.arguments = {layout.program, "component", "-", member.stage};
   }

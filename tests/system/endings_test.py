@@ -5,18 +5,18 @@ import signal
 import subprocess
 import unittest
 
-from clew_command import (CLEW, THIRD_PARTY, Run, components_of, processes_of_session, wait_until,
-                          write_file)
+from clew_command import (CLEW, THIRD_PARTY, Run, command_line, components_of,
+                          processes_of_session, wait_until, write_file)
 
-LONG_RUN = ["run", "default", "--world", "unsolvable-behind-wall", "--json"]
+IN_WORLD = ["--world", "unsolvable-behind-wall", "--json"]
 GONE_WITHIN_S = 2.0
 
 
 class LongRun:
     """A run that would last minutes, in a session of its own."""
 
-    def __init__(self, *arguments, pace="5x"):
-        self.process = subprocess.Popen([CLEW, *LONG_RUN, "--pace", pace, *arguments], text=True,
+    def __init__(self, *arguments, graph="default", pace="5x"):
+        self.process = subprocess.Popen([CLEW, "run", graph, *IN_WORLD, "--pace", pace, *arguments], text=True,
                                         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE, start_new_session=True)
         self.session = self.process.pid
@@ -74,7 +74,8 @@ class Endings(unittest.TestCase):
                 run.assert_nothing_left(self)
 
     def test_interrupt_of_a_composed_run(self):
-        process = subprocess.Popen([CLEW, *LONG_RUN, "--pace", "5x", "--layout", "composed"], text=True,
+        process = subprocess.Popen([CLEW, "run", "default", *IN_WORLD, "--pace", "5x", "--layout",
+                                    "composed"], text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.assertTrue(wait_until(lambda: catches(process.pid, signal.SIGINT)))
 
@@ -118,6 +119,23 @@ class Endings(unittest.TestCase):
             run.wait_for_components()
 
             os.kill(run.process.pid, signal.SIGKILL)
+            run.process.communicate(timeout=10)
+
+            run.assert_nothing_left(self)
+
+    def test_nobody_outlives_a_run_whom_a_component_of_someone_else_started(self):
+        # A shell that waits for the component, as scripts that set up an environment do.
+        graph = write_file("world: unsolvable-behind-wall\nrobot: disc-015\n"
+                           "sense: {behaviour: cones}\ncontrol: {exec: [sh, -c, "
+                           f"'{THIRD_PARTY}/straight_control --without-guidance & wait']}}\n"
+                           "drive: {behaviour: turn_then_step}\n")
+        for number in (signal.SIGKILL, signal.SIGTERM):
+            run = LongRun(graph=graph)
+            run.wait_for_components(2)
+            self.assertTrue(wait_until(lambda: any("straight_control" in command_line(pid)[0]
+                                                   for pid in processes_of_session(run.session))))
+
+            os.kill(run.process.pid, number)
             run.process.communicate(timeout=10)
 
             run.assert_nothing_left(self)

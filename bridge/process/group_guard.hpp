@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+namespace clew::bridge {
+
+/// Ends a group of processes when the process that made the guard ends, however that comes about:
+/// the kernel tells a child of its parent's death, and nobody a grandchild. It is a process that
+/// waits for the end of a pipe.
+class GroupGuard {
+ public:
+  /// None where no process can be had.
+  static std::optional<GroupGuard> start(int group);
+
+  GroupGuard(GroupGuard&& other) noexcept;
+  GroupGuard& operator=(GroupGuard&& other) noexcept;
+  /// Ends the guard, not the group.
+  ~GroupGuard();
+
+ private:
+  GroupGuard(int process_id, int pipe) : process_id_(process_id), pipe_(pipe) {}
+
+  int process_id_;  ///< 0: moved from
+  int pipe_;
+};
+
+}  // namespace clew::bridge
