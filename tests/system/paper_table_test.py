@@ -63,6 +63,62 @@ class Figures(unittest.TestCase):
                 self.assertEqual(report["traps_detected"], 0, (world, variant))
 
 
+class WangYangMeng(unittest.TestCase):
+    """Figures 8 and 9: a room, a slow mover in it, and an obstacle that appears suddenly."""
+
+    def run_variant(self, world, variant, *more):
+        return paper_table.run(world, [*paper_table.NEURO_FUZZY[variant], *more])
+
+    def test_nobody_is_touched(self):
+        for world in paper_table.worlds("w-fig*"):
+            for variant in paper_table.NEURO_FUZZY:
+                report = self.run_variant(world, variant)
+                self.assertEqual((report["collisions"], report["hit_by"]), (0, 0), (world, variant))
+
+    def test_the_target_term_makes_it_reach(self):
+        for world in paper_table.worlds("w-fig*"):
+            for variant in paper_table.WITH_TARGET:
+                report = self.run_variant(world, variant)
+                self.assertEqual(report["outcome"], "reached", (world, variant))
+                self.assertLessEqual(report["safety_stops"], 2, (world, variant))
+
+    def test_without_a_target_it_roams_the_room(self):
+        for world in paper_table.worlds("w-fig*"):
+            # 600 s at 0.2 m/s and more, less what turning takes.
+            report = self.run_variant(world, "trained, no target")
+            self.assertGreater(report["path_length_m"], 100.0, world)
+            self.assertLess(report["safety_stops"], report["path_length_m"] / 5.0, world)
+
+    def test_training_spares_the_safety_layer(self):
+        def stops(variant):
+            return sum(self.run_variant(world, variant)["safety_stops"]
+                       for world in paper_table.worlds("w-fig*"))
+
+        trained = stops("trained, no target")
+        self.assertLess(2 * trained, stops("untrained, no target"))
+        self.assertLess(10 * trained, stops("Table I as printed, no target"))
+
+    def test_the_slow_mover_is_met_and_avoided(self):
+        still = self.run_variant("w-fig08-room-static", "trained, no target")
+        moving = self.run_variant("w-fig09-slow-obstacle", "trained, no target")
+
+        # The rooms are the same but for the mover: a robot that never saw it would drive alike.
+        self.assertNotEqual(moving["hash"], still["hash"])
+
+    def test_the_sudden_obstacle_lies_on_the_way(self):
+        report = self.run_variant("w-fig09-sudden-obstacle", "trained")
+
+        # Start and target are 8.40 m apart and the target has 0.2 m.
+        self.assertGreater(report["path_length_m"], 8.4)
+
+    def test_the_readme_holds_what_the_command_prints(self):
+        readme = (SOURCE / "components/control/README.md").read_text(encoding="utf-8")
+
+        self.assertIn(paper_table.table(paper_table.worlds("w-fig*"), paper_table.NEURO_FUZZY,
+                                        paper_table.contact_cell), readme)
+        self.assertIn(paper_table.neuro_fuzzy_totals(paper_table.WITH_TARGET), readme)
+
+
 class Worlds(unittest.TestCase):
     def test_every_static_world_is_driven_safely(self):
         reached = 0
