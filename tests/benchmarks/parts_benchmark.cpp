@@ -10,6 +10,8 @@
 
 #include "control/fuzzy_behaviourist.hpp"
 #include "control/nearest_virtual_target.hpp"
+#include "control/neuro_fuzzy.hpp"
+#include "sense/infrared.hpp"
 #include "sense/laser.hpp"
 #include "sense/sonar_ring.hpp"
 
@@ -107,6 +109,32 @@ void fuzzy_behaviourist_on_16_sonars(benchmark::State& state) {
   control<sense::SonarRing>(state, controller);
 }
 BENCHMARK(fuzzy_behaviourist_on_16_sonars);
+
+control::NeuroFuzzyNets trained_nets() {
+  return control::NeuroFuzzyNets::parse(file_of("configs/rulebases/wang_yang_meng_trained.yaml"))
+      .value();
+}
+
+void neuro_fuzzy_on_4_infrareds(benchmark::State& state) {
+  const sense::Infrared sensor({}, kRadius_m);
+  control::NeuroFuzzy controller(
+      trained_nets(), {}, control::FourInfrareds::create(sensor.layout(), "benchmark").value());
+  control<sense::Infrared>(state, controller);
+}
+BENCHMARK(neuro_fuzzy_on_4_infrareds);
+
+/// What a network's share of a training iteration is, less the step itself.
+void neuro_fuzzy_gradient(benchmark::State& state) {
+  const auto nets = trained_nets();
+  const auto& net = nets.nets[control::NeuroFuzzyNets::kLeft2];
+  double reading = 45.0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(net.gradient(reading, 225.0 - reading));
+    reading = reading < 180.0 ? reading + 1.0 : 45.0;
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(neuro_fuzzy_gradient);
 
 }  // namespace
 }  // namespace clew
