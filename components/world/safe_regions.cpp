@@ -28,25 +28,36 @@ void SafeRegions::update(const domain::Scan& scan) {
   }
   const bool leftward = step_rad_ >= 0.0;
   first_rad_ = leftward || beams_ == 0 ? scan.bearing_first_rad : scan.bearing_rad(beams_ - 1);
-  for (auto& level : levels_) std::fill(level.begin(), level.end(), kFree);
-  for (std::size_t i = 0; i < beams_; ++i) {
-    if (scan.ranges_m[i] >= scan.range_max_m) continue;
-    const double distance_m = scan.ranges_m[i] + radius_m_;
-    const std::size_t direction = (leftward ? i : beams_ - 1 - i) % size();
-    lower(direction, reach(distance_m), std::max(0.0, distance_m - rho_m_));
+  std::size_t reach = 0;
+  std::size_t top = 0;
+  for (std::size_t beam = 0, direction = 0; beam < beams_; ++beam, direction = next(direction)) {
+    const double range_m = scan.ranges_m[leftward ? beam : beams_ - 1 - beam];
+    if (range_m >= scan.range_max_m) continue;
+    const double distance_m = range_m + radius_m_;
+    reach = reach_from(reach, distance_m);
+    top = std::max(top, lower(direction, reach, std::max(0.0, distance_m - rho_m_)));
   }
-  for (std::size_t l = levels_.size(); l-- > 1;) {
-    const std::size_t half = std::size_t{1} << (l - 1);
-    for (std::size_t i = 0; i < size(); ++i) {
-      const double bound_m = levels_[l][i];
-      double& second_m = levels_[l - 1][i + half < size() ? i + half : i + half - size()];
-      levels_[l - 1][i] = std::min(levels_[l - 1][i], bound_m);
-      second_m = std::min(second_m, bound_m);
-    }
-  }
+  for (std::size_t l = top; l > 0; --l) hand_down(l);
   for (std::size_t i = 0; i < size(); ++i) {
     free_m_[i] = std::min(levels_[0][i], scan.range_max_m);
+    levels_[0][i] = kFree;
   }
+}
+
+/// Bounds the next level below by what a level holds, which is free again.
+void SafeRegions::hand_down(std::size_t level) {
+  const std::size_t half = std::size_t{1} << (level - 1);
+  const std::size_t unwrapped = size() - half;
+  double* const bounds_m = levels_[level].data();
+  double* const below_m = levels_[level - 1].data();
+  for (std::size_t i = 0; i < size(); ++i) below_m[i] = std::min(below_m[i], bounds_m[i]);
+  for (std::size_t i = 0; i < unwrapped; ++i) {
+    below_m[i + half] = std::min(below_m[i + half], bounds_m[i]);
+  }
+  for (std::size_t i = unwrapped; i < size(); ++i) {
+    below_m[i - unwrapped] = std::min(below_m[i - unwrapped], bounds_m[i]);
+  }
+  std::fill(levels_[level].begin(), levels_[level].end(), kFree);
 }
 
 /// Tables for scans of this shape.
@@ -76,16 +87,29 @@ void SafeRegions::adopt_shape(const domain::Scan& scan) {
                  std::vector<double>(directions, kFree));
 }
 
-/// How many directions on each side a return at that distance keeps the robot out of.
-std::size_t SafeRegions::reach(double distance_m) const {
-  const auto end = std::partition_point(sines_.begin(), sines_.end(),
-                                        [&](double sine) { return distance_m * sine < rho_m_; });
-  return static_cast<std::size_t>(end - sines_.begin());
+/// How many directions on each side a return at that distance keeps the robot out of. Sought in
+/// doubling steps from `guess`, that of the beam beside, since neighbours lie at like distances.
+std::size_t SafeRegions::reach_from(std::size_t guess, double distance_m) const {
+  const auto within = [&](double sine) { return distance_m * sine < rho_m_; };
+  std::size_t low = guess;   // all before are within
+  std::size_t high = guess;  // none from here on is
+  for (std::size_t step = 1; low > 0 && !within(sines_[low - 1]); step *= 2) {
+    high = low - 1;
+    low -= std::min(low, step);
+  }
+  for (std::size_t step = 1; high < sines_.size() && within(sines_[high]); step *= 2) {
+    low = high + 1;
+    high = std::min(sines_.size(), high + step);
+  }
+  const auto begin = sines_.begin();
+  const auto end = std::partition_point(begin + static_cast<std::ptrdiff_t>(low),
+                                        begin + static_cast<std::ptrdiff_t>(high), within);
+  return static_cast<std::size_t>(end - begin);
 }
 
-/// Bounds the directions within `reach` of one. A run of any length is two runs, which may overlap,
-/// of a power of two.
-void SafeRegions::lower(std::size_t direction, std::size_t reach, double free_m) {
+/// Bounds the directions within `reach` of one, and tells at which level. A run of any length is
+/// two runs, which may overlap, of a power of two.
+std::size_t SafeRegions::lower(std::size_t direction, std::size_t reach, double free_m) {
   const std::size_t n = size();
   std::size_t first = direction >= reach ? direction - reach : 0;
   std::size_t count = std::min(direction + reach, n - 1) - first + 1;
@@ -94,11 +118,12 @@ void SafeRegions::lower(std::size_t direction, std::size_t reach, double free_m)
     count = std::min(2 * reach + 1, n);
   }
   const std::size_t level = levels_of_[count];
-  const std::size_t second = (first + count - (std::size_t{1} << level)) % n;
+  first = wrapped(first);
+  const std::size_t second = wrapped(first + count - (std::size_t{1} << level));
   std::vector<double>& bounds_m = levels_[level];
-  first %= n;
   bounds_m[first] = std::min(bounds_m[first], free_m);
   bounds_m[second] = std::min(bounds_m[second], free_m);
+  return level;
 }
 
 double SafeRegions::bearing_rad(std::size_t i) const {
@@ -106,10 +131,10 @@ double SafeRegions::bearing_rad(std::size_t i) const {
 }
 
 SafeRegion SafeRegions::region(std::size_t first, std::size_t count) const {
-  SafeRegion found{bearing_rad(first % size()),
+  SafeRegion found{bearing_rad(wrapped(first)),
                    static_cast<double>(count - 1) * std::fabs(step_rad_), 0.0};
   for (std::size_t k = 0; k < count; ++k) {
-    found.depth_m = std::max(found.depth_m, free_m_[(first + k) % size()]);
+    found.depth_m = std::max(found.depth_m, free_m_[wrapped(first + k)]);
   }
   return found;
 }
@@ -125,7 +150,7 @@ void SafeRegions::find(double depth_m, std::vector<SafeRegion>& regions) const {
   }
   for (std::size_t k = 0; k < size();) {
     std::size_t count = 0;
-    while (k + count < size() && open((begin + k + count) % size())) ++count;
+    while (k + count < size() && open(wrapped(begin + k + count))) ++count;
     if (count > 0) regions.push_back(region(begin + k, count));
     k += count + 1;
   }

@@ -61,8 +61,11 @@ class SafeRegions {
 
  private:
   void adopt_shape(const domain::Scan& scan);
-  std::size_t reach(double distance_m) const;
-  void lower(std::size_t direction, std::size_t reach, double free_m);
+  std::size_t wrapped(std::size_t i) const { return i < size() ? i : i - size(); }
+  std::size_t next(std::size_t direction) const { return wrapped(direction + 1); }
+  std::size_t reach_from(std::size_t guess, double distance_m) const;
+  std::size_t lower(std::size_t direction, std::size_t reach, double free_m);
+  void hand_down(std::size_t level);
   SafeRegion region(std::size_t first, std::size_t count) const;
 
   double radius_m_;
@@ -77,7 +80,8 @@ class SafeRegions {
   std::vector<double> sines_;  ///< of the angle between a beam's edge and the k-th direction beside
   std::vector<std::size_t> levels_of_;  ///< floor(log2(n)) for n = 0..size; 0 for 0
 
-  // levels_[l][i]: bound on directions i .. i + 2^l - 1, which the next step hands down a level.
+  // levels_[l][i]: bound on directions i .. i + 2^l - 1, which is handed down level by level; all
+  // free between updates.
   std::vector<std::vector<double>> levels_;
   std::vector<double> free_m_;
 };
