@@ -56,16 +56,20 @@ bool NoSafeRegion::surrounded(const Situation& situation) {
   const double target_rad = core::bearing_rad(situation.pose(), situation.pursued_odom);
   const double depth_m = std::min(parameters_.depth_ratio * situation.scan.range_max_m,
                                   core::distance_m(situation.pose(), situation.pursued_odom));
-  std::size_t in_sector = 0;
+  const auto leads_to_target = [&](std::size_t i) {
+    const double off_rad = core::wrap_angle_rad(regions_.bearing_rad(i) - target_rad);
+    return std::fabs(off_rad) <= parameters_.sector_rad;
+  };
   for (std::size_t i = 0; i < regions_.size(); ++i) {
-    const double off_rad = std::fabs(core::wrap_angle_rad(regions_.bearing_rad(i) - target_rad));
-    if (off_rad > parameters_.sector_rad) continue;
-    if (regions_.free_m(i) >= depth_m) return false;
-    ++in_sector;
+    if (regions_.free_m(i) >= depth_m && leads_to_target(i)) return false;
   }
-  const double seen_rad =
-      static_cast<double>(in_sector) * std::fabs(situation.scan.bearing_step_rad);
-  return seen_rad >= 2.0 * parameters_.sector_rad * parameters_.seen_ratio;
+  const double step_rad = std::fabs(situation.scan.bearing_step_rad);
+  const double needed_rad = 2.0 * parameters_.sector_rad * parameters_.seen_ratio;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < regions_.size(); ++i) {
+    if (leads_to_target(i) && static_cast<double>(++seen) * step_rad >= needed_rad) return true;
+  }
+  return false;
 }
 
 void NoSafeRegion::save(core::StateWriter& writer) const {
