@@ -12,6 +12,8 @@ using Clock = std::chrono::steady_clock;
 
 // A component reports every 20 ms, whatever the state of the run.
 constexpr auto kFrozenAfter = std::chrono::seconds(2);
+// Discovery takes a second at the most; on a machine under full load three were seen.
+constexpr auto kLonelyAfter = std::chrono::seconds(4);
 // A process that dies so often without coming any further will do so again.
 constexpr std::uint32_t kDeathsInPlace = 2;
 
@@ -86,6 +88,21 @@ std::vector<std::string> Restarts::kill_frozen(Time now) {
                     ") does not report; killing it");
     member.child->signal(SIGKILL);
     member.heard_at = now;
+  }
+  return lines;
+}
+
+std::vector<std::string> Restarts::kill_lonely(Time now) {
+  for (const Member& member : members_) {
+    if (!member.link || !member.child || now - member.joined_at < kLonelyAfter) return {};
+  }
+  std::vector<std::string> lines;
+  for (Member& member : members_) {
+    if (member.ready || member.was_lonely || member.missing.empty()) continue;
+    member.was_lonely = true;
+    lines.push_back(member.missing.front() + ", which is there; killing process " +
+                    std::to_string(member.child->process_id()));
+    member.child->signal(SIGKILL);
   }
   return lines;
 }

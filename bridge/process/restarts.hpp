@@ -32,6 +32,10 @@ class Restarts {
   /// Kills processes that have not reported for two seconds: a frozen process cannot be waited for,
   /// a dead one is restarted. Returns a line for the log for each.
   std::vector<std::string> kill_frozen(Time now);
+  /// Kills processes that do not find the others although all of them have been there for four
+  /// seconds, each once: discovery among processes that come and go can miss one, and then never
+  /// finds it, while another process is found at once. Returns a line for the log for each.
+  std::vector<std::string> kill_lonely(Time now);
 
  private:
   void take_down(Member& member, Time now);

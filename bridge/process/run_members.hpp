@@ -27,7 +27,9 @@ struct Member {
   bool ready = false;
   Progress progress;
   std::optional<Finished> finished;
+  std::chrono::steady_clock::time_point joined_at{};
   std::chrono::steady_clock::time_point heard_at{};
+  bool was_lonely = false;             ///< killed since it did not find the others
   std::deque<Checkpoint> checkpoints;  ///< the newest last, at most kCheckpointsKept
   // While it is down, or has not yet caught up with itself:
   bool down = false;

@@ -82,7 +82,9 @@ class Supervisor {
     if (report_.aborted.empty()) report_.aborted = why;
   }
 
-  static void log(const std::string& line) { std::fprintf(stderr, "clew: %s\n", line.c_str()); }
+  static void log(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) std::fprintf(stderr, "clew: %s\n", line.c_str());
+  }
 
   // ---- start ----
 
@@ -92,7 +94,7 @@ class Supervisor {
       if (!started.ok()) return abort(started.error().text());
     }
     for (Member& member : members_) {
-      member.external ? log(muster_.how_to_start(member)) : start_child(member);
+      member.external ? log({muster_.how_to_start(member)}) : start_child(member);
     }
     auto observer =
         ForeignObserver::create(plan_, muster_.assignment_for("observer", layout_.middleware));
@@ -124,7 +126,8 @@ class Supervisor {
     link->send(FrameType::kAssignment, assignment);
     if (member->starts_ticks) link->send(FrameType::kCredit, Tick{credit_});
     if (last_tick_) link->send(FrameType::kFinish, Tick{*last_tick_});
-    member->heard_at = Clock::now();
+    member->joined_at = Clock::now();
+    member->heard_at = member->joined_at;
     member->link = std::move(link);
   }
 
@@ -172,7 +175,7 @@ class Supervisor {
                                     ? "; in real time it is not restarted"
                                     : restarts_.take(member, Clock::now());
     if (!why_not.empty()) return abort(what + why_not);
-    log(what + "; restarting it");
+    log({what + "; restarting it"});
     ++report_.restarts;
   }
 
@@ -201,7 +204,7 @@ class Supervisor {
       case FrameType::kNotice:
       case FrameType::kFatal:
         if (const auto text = frame.as<Text>()) {
-          frame.type == FrameType::kFatal ? abort(text->text) : log(text->text);
+          frame.type == FrameType::kFatal ? abort(text->text) : log({text->text});
         }
         break;
       default:
@@ -225,7 +228,7 @@ class Supervisor {
 
   void observe() {
     observer_->poll();
-    for (const std::string& line : observer_->take_notices()) log(line);
+    log(observer_->take_notices());
     if (const auto fatal = observer_->fatal()) abort(*fatal);
     std::string spool = observer_->take_spooled();
     if (recorder_) recorder_->add(std::move(spool), observer_->ticks());
@@ -233,14 +236,14 @@ class Supervisor {
 
   void serve_recorder() {
     recorder_->serve(Clock::now());
-    for (const std::string& line : recorder_->take_lines()) log(line);
+    log(recorder_->take_lines());
     // Nothing can go on before it has read again what was there.
     if (!recorder_->ready()) stalled_since_ = Clock::now();
     if (!recorder_->account() || told_of_recording_) return;
     told_of_recording_ = true;
     const std::string what = complaint(*recorder_->account());
     if (what.empty()) return;
-    layout_.on_record_error == OnRecordError::kStop ? abort(what) : log(what);
+    layout_.on_record_error == OnRecordError::kStop ? abort(what) : log({what});
   }
 
   void watch() {
@@ -255,7 +258,8 @@ class Supervisor {
       abort("no tick was completed for 10 s; ticks done:" + ticks_text(members_));
     }
     if (!muster_.patient()) {
-      for (const std::string& line : restarts_.kill_frozen(now)) log(line);
+      log(restarts_.kill_frozen(now));
+      if (layout_.pace != Pace::kRealtime) log(restarts_.kill_lonely(now));
     }
     for (Member* member : restarts_.due(now)) start_child(*member);
     give_credit();
@@ -353,10 +357,7 @@ class Supervisor {
       chains.insert(member.finished->chains.begin(), member.finished->chains.end());
       report_.refused_samples += member.finished->refused_samples;
     }
-    if (observer_ && report_.aborted.empty()) {
-      const auto foreign = observer_->chains();
-      chains.insert(foreign.begin(), foreign.end());
-    }
+    if (observer_ && report_.aborted.empty()) chains.merge(observer_->chains());
     if (layout_.hash && report_.aborted.empty()) report_.hash = run_hash(chains);
     return report_;
   }
