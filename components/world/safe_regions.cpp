@@ -47,15 +47,14 @@ void SafeRegions::update(const domain::Scan& scan) {
 /// Bounds the next level below by what a level holds, which is free again.
 void SafeRegions::hand_down(std::size_t level) {
   const std::size_t half = std::size_t{1} << (level - 1);
-  const std::size_t unwrapped = size() - half;
-  double* const bounds_m = levels_[level].data();
+  const std::size_t wrapped_half = size() - half;
+  const double* const bounds_m = levels_[level].data();
   double* const below_m = levels_[level - 1].data();
-  for (std::size_t i = 0; i < size(); ++i) below_m[i] = std::min(below_m[i], bounds_m[i]);
-  for (std::size_t i = 0; i < unwrapped; ++i) {
-    below_m[i + half] = std::min(below_m[i + half], bounds_m[i]);
+  for (std::size_t i = 0; i < half; ++i) {
+    below_m[i] = std::min(below_m[i], std::min(bounds_m[i], bounds_m[i + wrapped_half]));
   }
-  for (std::size_t i = unwrapped; i < size(); ++i) {
-    below_m[i - unwrapped] = std::min(below_m[i - unwrapped], bounds_m[i]);
+  for (std::size_t i = half; i < size(); ++i) {
+    below_m[i] = std::min(below_m[i], std::min(bounds_m[i], bounds_m[i - half]));
   }
   std::fill(levels_[level].begin(), levels_[level].end(), kFree);
 }
