@@ -6,6 +6,7 @@
 #include "control/krishna_kalra_fuzzy.hpp"
 #include "control/nearest_virtual_target.hpp"
 #include "control/neuro_fuzzy.hpp"
+#include "control/polar_neural_map.hpp"
 
 namespace clew::control {
 
@@ -24,6 +25,9 @@ const runtime::Registry<Controller>& controllers() {
           "neuro_fuzzy", "four infrared readings through four networks (Wang, Yang & Meng)"),
       runtime::registration<Controller, InfraredExpert>(
           "infrared_expert", "the expert whose opinion neuro_fuzzy is trained on"),
+      runtime::registration<Controller, PolarNeuralMap>(
+          "polar_neural_map",
+          "a polar neural map, sonar memory and a dynamic window (Lagoudakis & Maida 1999)"),
   };
   return registry;
 }

@@ -53,6 +53,7 @@ const std::map<std::string, std::set<std::string>> kSensorsFor = {
     {"neuro_fuzzy", {"infrared"}},
     {"infrared_expert", {"infrared"}},
     {"nearest_virtual_target", {"cones", "laser", "sonar_ring"}},
+    {"polar_neural_map", {"laser", "sonar_ring"}},
     {"obstacle_following", {"cones", "laser", "sonar_ring"}},
     {"no_safe_region", {"cones", "laser", "sonar_ring"}},
 };
