@@ -160,4 +160,29 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
   return report;
 }
 
+Result<domain::Picture> picture_at(const RunRecording& recording, const runtime::RunPlan& plan,
+                                   const std::string& stage, std::uint64_t tick) {
+  auto made = fed_node_of(recording, plan, stage);
+  if (!made) return made.error();
+  FedNode& fed = *made;
+  CLEW_RETURN_IF_ERROR(check_recorded(recording, stage, fed.fed_topics()));
+  TickReader reader(recording, fed.fed_topics(), tick);
+  std::optional<std::uint64_t> last;
+  for (;;) {
+    const auto recorded = reader.next();
+    if (!recorded) return recorded.error();
+    if (*recorded == nullptr) break;
+    if (const auto stepped = fed.step(**recorded); !stepped) {
+      return core::Error{stepped.error().message, recording.path(), 0, 0};
+    }
+    last = (*recorded)->tick();
+  }
+  if (last != tick) {
+    return core::Error{fmt::format("has no tick {}; {}", tick,
+                                   last ? fmt::format("its last one is {}", *last) : "it has none"),
+                       recording.path(), 0, 0};
+  }
+  return fed.node().picture();
+}
+
 }  // namespace clew::bridge

@@ -26,6 +26,7 @@ ControlComponent::ControlComponent(std::unique_ptr<Controller> controller,
 void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto& odometry = inputs.get<domain::Odometry>();
   const auto* guidance = inputs.find<domain::Guidance>();
+  steering_ = false;
   domain::Motion& motion = outputs.get<domain::Command>().motion;
   if (guidance != nullptr && guidance->mode == domain::GuidanceMode::kUnreachable) {
     motion.kind = domain::CommandKind::kGiveUp;
@@ -43,6 +44,7 @@ void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
                                        ? core::Vec2(guidance->target_x_m, guidance->target_y_m)
                                        : inputs.get<domain::Target>().position();
     motion = controller_->step(odometry, seen_, target_odom);
+    steering_ = true;
   }
   motion = guard_.limit(motion, odometry, seen_);
 }
@@ -51,6 +53,11 @@ void ControlComponent::save(core::StateWriter& writer) const {
   StepGuard::State guard = guard_.state();
   writer(guard);
   controller_->save(writer);
+}
+
+/// Nothing where recovery steered: what the controller has to show is of another tick.
+domain::Picture ControlComponent::picture() const {
+  return steering_ ? controller_->picture() : domain::Picture{};
 }
 
 void ControlComponent::load(core::StateReader& reader) {

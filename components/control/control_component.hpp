@@ -25,12 +25,14 @@ class ControlComponent final : public runtime::Component {
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
+  domain::Picture picture() const override;
 
  private:
   std::unique_ptr<Controller> controller_;
   StepGuard guard_;
   double radius_m_;
-  domain::Scan seen_;  // scratch: the scan with virtual obstacles in it
+  domain::Scan seen_;      // scratch: the scan with virtual obstacles in it
+  bool steering_ = false;  // scratch: whether the controller was asked in the last step
 };
 
 }  // namespace clew::control

@@ -4,6 +4,7 @@
 #include "core/archive.hpp"
 #include "core/geometry.hpp"
 #include "domain/messages.hpp"
+#include "domain/picture.hpp"
 
 namespace clew::control {
 
@@ -21,6 +22,9 @@ class Controller {
 
   virtual void save(core::StateWriter& writer) const = 0;
   virtual void load(core::StateReader& reader) = 0;
+
+  /// What it shows of its inside as it was in the last step; most show nothing.
+  virtual domain::Picture picture() const { return {}; }
 };
 
 }  // namespace clew::control

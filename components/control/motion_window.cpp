@@ -102,7 +102,7 @@ void MotionWindow::lay_out(double speed_mps, double turn_rate_radps, double cycl
 void MotionWindow::follow(std::size_t cell, double cycle_s) {
   const double speed_mps = cells_[cell].speed_mps;
   const double turn_rate_radps = cells_[cell].turn_rate_radps;
-  const double lasts_s = cycle_s + 0.5 * braking_s(speed_mps, turn_rate_radps);
+  const double lasts_s = this->lasts_s(cells_[cell], cycle_s);
   const double share = 1.0 / static_cast<double>(kSamples);
   const core::Pose2 first =
       along_arc({}, share * speed_mps * lasts_s, share * turn_rate_radps * lasts_s);

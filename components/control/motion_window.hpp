@@ -92,6 +92,10 @@ class MotionWindow {
   /// The window of the last choice: speeds by turn rates, row-major by speed; braking is last.
   const std::vector<WindowCell>& cells() const { return cells_; }
   std::size_t chosen() const { return chosen_; }
+  /// The time that its velocities would take for the way of a cell, braking included.
+  double lasts_s(const WindowCell& cell, double cycle_s) const {
+    return cycle_s + 0.5 * braking_s(cell.speed_mps, cell.turn_rate_radps);
+  }
   std::size_t turn_rates() const { return static_cast<std::size_t>(parameters_.turn_rates); }
 
  private:

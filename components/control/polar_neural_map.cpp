@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "control/polar_picture.hpp"
 #include "core/angle.hpp"
 
 namespace clew::control {
@@ -83,19 +84,18 @@ domain::Motion PolarNeuralMap::step(const domain::Odometry& odometry, const doma
   const core::Pose2& pose = odometry.pose_odom_robot;
   if (!prediction_.observe(odometry.stamp.sim_time_s)) memory_.forget();
   memory_.add(pose, scan);
-  core::Pose2 map_pose =
-      parameters_.predict ? prediction_.predict(pose, odometry.speed_mps, odometry.turn_rate_radps)
-                          : pose;
-  map_pose.heading_rad =
-      core::wrap_angle_rad(map_pose.heading_rad + core::bearing_rad(map_pose, target_odom));
-  const core::Vec2 target_map = seen_from(map_pose, target_odom);
-  draw_map(map_pose, target_map);
+  pose_odom_robot_ = pose;
+  pose_odom_map_ = map_pose(odometry, target_odom);
+  const core::Vec2 target_map = seen_from(pose_odom_map_, target_odom);
+  draw_map(target_map);
   MotionWindow::Goal goal = turn_on_the_spot(odometry, target_odom);
+  subgoal_odom_ = pose.position();
   if (const auto subgoal = landscape_.subgoal()) {
     const MotionWindow::Goal on_map = goal_on_map(*subgoal, target_map);
-    goal.place = seen_from(pose, placed_from(map_pose, on_map.place));
+    subgoal_odom_ = placed_from(pose_odom_map_, on_map.place);
+    goal.place = seen_from(pose, subgoal_odom_);
     goal.heading_rad =
-        core::wrap_angle_rad(on_map.heading_rad + map_pose.heading_rad - pose.heading_rad);
+        core::wrap_angle_rad(on_map.heading_rad + pose_odom_map_.heading_rad - pose.heading_rad);
   }
   look_around(pose, prediction_.cycle_s(), scan);
   const WindowCell& chosen = window_.choose(odometry.speed_mps, odometry.turn_rate_radps,
@@ -107,14 +107,25 @@ domain::Motion PolarNeuralMap::step(const domain::Odometry& odometry, const doma
   return motion;
 }
 
+/// Where the robot will be at the end of the cycle, looking toward the target.
+core::Pose2 PolarNeuralMap::map_pose(const domain::Odometry& odometry,
+                                     const core::Vec2& target_odom) const {
+  core::Pose2 pose = odometry.pose_odom_robot;
+  if (parameters_.predict) {
+    pose = prediction_.predict(pose, odometry.speed_mps, odometry.turn_rate_radps);
+  }
+  pose.heading_rad = core::wrap_angle_rad(pose.heading_rad + core::bearing_rad(pose, target_odom));
+  return pose;
+}
+
 /// With less and less room where activation does not reach the robot, and at last with nothing but
 /// the present scan.
-void PolarNeuralMap::draw_map(const core::Pose2& map_pose, const core::Vec2& target_map) {
-  memory_.returns_seen_from(map_pose, parameters_.scope_m, returns_);
+void PolarNeuralMap::draw_map(const core::Vec2& target_map) {
+  memory_.returns_seen_from(pose_odom_map_, parameters_.scope_m, returns_);
   for (const double share : {1.0, 0.5, 0.0}) {
     if (spread_activation(radius_m_ + share * parameters_.clearance_m, target_map)) return;
   }
-  memory_.newest_seen_from(map_pose, parameters_.scope_m, returns_);
+  memory_.newest_seen_from(pose_odom_map_, parameters_.scope_m, returns_);
   spread_activation(radius_m_, target_map);
 }
 
@@ -161,6 +172,25 @@ void PolarNeuralMap::look_around(const core::Pose2& pose, double cycle_s,
                          core::direction(scan.bearing_rad(i) + end * scan.beam_width_rad));
     }
   }
+}
+
+domain::Picture PolarNeuralMap::picture() const {
+  domain::Picture picture;
+  if (prediction_.state().times_s.empty()) return picture;
+  draw_landscape(landscape_, pose_odom_map_, picture);
+  domain::PictureLayer remembered{
+      "remembered returns", domain::PictureLayer::Kind::kPoints, {}, {}};
+  std::vector<core::Vec2> returns;
+  memory_.returns_seen_from(pose_odom_map_, parameters_.scope_m, returns);
+  for (const core::Vec2& place : returns) {
+    remembered.places_odom.push_back(placed_from(pose_odom_map_, place));
+  }
+  picture.layers.push_back(std::move(remembered));
+  draw_window(window_, pose_odom_robot_, prediction_.cycle_s(), picture);
+  if (landscape_.subgoal()) {
+    picture.layers.push_back({"subgoal", domain::PictureLayer::Kind::kGoal, {}, {subgoal_odom_}});
+  }
+  return picture;
 }
 
 void PolarNeuralMap::save(core::StateWriter& writer) const {

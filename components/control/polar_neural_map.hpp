@@ -80,9 +80,12 @@ class PolarNeuralMap final : public Controller {
                       const core::Vec2& target_odom) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
+  /// The map and the window of the last step; nothing before the first one.
+  domain::Picture picture() const override;
 
  private:
-  void draw_map(const core::Pose2& map_pose, const core::Vec2& target_map);
+  core::Pose2 map_pose(const domain::Odometry& odometry, const core::Vec2& target_odom) const;
+  void draw_map(const core::Vec2& target_map);
   bool spread_activation(double reach_m, const core::Vec2& target_map);
   MotionWindow::Goal goal_on_map(const PolarUnit& subgoal, const core::Vec2& target_map) const;
   MotionWindow::Goal turn_on_the_spot(const domain::Odometry& odometry,
@@ -96,6 +99,10 @@ class PolarNeuralMap final : public Controller {
   PolarLandscape landscape_;
   MotionWindow window_;
   std::vector<core::Vec2> returns_;  // scratch
+  // Scratch, of the last step.
+  core::Pose2 pose_odom_robot_;
+  core::Pose2 pose_odom_map_;
+  core::Vec2 subgoal_odom_ = core::Vec2::Zero();
 };
 
 }  // namespace clew::control

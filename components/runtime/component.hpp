@@ -8,6 +8,7 @@
 
 #include "core/archive.hpp"
 #include "core/check.hpp"
+#include "domain/picture.hpp"
 #include "domain/topics.hpp"
 
 namespace clew::runtime {
@@ -119,6 +120,9 @@ class Component {
   virtual void save(core::StateWriter& writer) const = 0;
   /// Takes up a saved state; the caller checks reader.complete().
   virtual void load(core::StateReader& reader) = 0;
+
+  /// What it shows of its inside as it was in the last step; most show nothing.
+  virtual domain::Picture picture() const { return {}; }
 };
 
 }  // namespace clew::runtime

@@ -44,6 +44,9 @@ class Node {
   /// were written by another.
   void begin_at(std::uint64_t tick) { next_sequence_.fill(tick); }
 
+  /// What the component shows of its last step.
+  domain::Picture picture() const { return component_->picture(); }
+
   /// The component's state and the counts of its outputs, as bytes.
   std::string save() const;
   core::Result<void> load(const std::string& bytes);

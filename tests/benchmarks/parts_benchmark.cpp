@@ -11,6 +11,7 @@
 #include "control/fuzzy_behaviourist.hpp"
 #include "control/nearest_virtual_target.hpp"
 #include "control/neuro_fuzzy.hpp"
+#include "control/polar_neural_map.hpp"
 #include "sense/infrared.hpp"
 #include "sense/laser.hpp"
 #include "sense/sonar_ring.hpp"
@@ -135,6 +136,47 @@ void neuro_fuzzy_gradient(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(neuro_fuzzy_gradient);
+
+/// A cycle in the middle of a drive past pillars, ten scans in memory, at a pace of 0.4 m/s;
+/// sensing is not in it.
+template <typename Sensor>
+void polar_neural_map(benchmark::State& state, std::int64_t rings, std::int64_t sectors) {
+  const Sensor sensor({}, kRadius_m);
+  const world::World world = world_of("lm-fig08-clutter");
+  domain::BehaviourSetup setup;
+  setup.tick_s = 0.1;
+  setup.robot.radius_m = kRadius_m;
+  setup.scan = sensor.layout();
+  control::PolarNeuralMap::Parameters parameters;
+  parameters.rings = rings;
+  parameters.sectors = sectors;
+  control::PolarNeuralMap controller(parameters, setup);
+  constexpr std::size_t kTicks = 50;  // 2 m from the start, past the first two blocks
+  std::vector<domain::Scan> scans(kTicks);
+  std::vector<domain::Odometry> odometries(kTicks);
+  for (std::size_t i = 0; i < kTicks; ++i) {
+    odometries[i].pose_odom_robot = {0.8 + 0.04 * static_cast<double>(i), 3.1, 0.0};
+    odometries[i].speed_mps = 0.4;
+    sensor.measure(world, odometries[i].pose_odom_robot, 0.0, core::Random({1, 0, 1, i}), scans[i]);
+  }
+  std::uint64_t tick = 0;
+  for (auto _ : state) {
+    const std::size_t i = tick % kTicks;
+    odometries[i].stamp.sim_time_s = 0.1 * static_cast<double>(++tick);
+    benchmark::DoNotOptimize(controller.step(odometries[i], scans[i], world.target()));
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
+void polar_neural_map_on_16_sonars(benchmark::State& state) {
+  polar_neural_map<sense::SonarRing>(state, state.range(0), state.range(1));
+}
+BENCHMARK(polar_neural_map_on_16_sonars)->Args({10, 32})->Args({100, 32})->Args({100, 48});
+
+void polar_neural_map_on_361_beams(benchmark::State& state) {
+  polar_neural_map<sense::Laser>(state, state.range(0), state.range(1));
+}
+BENCHMARK(polar_neural_map_on_361_beams)->Args({100, 48});
 
 }  // namespace
 }  // namespace clew

@@ -128,6 +128,21 @@ TEST(PolarNeuralMap, GoesOnAsBeforeAfterSaveAndLoad) {
   EXPECT_EQ(a.turn_rate_radps, b.turn_rate_radps);
 }
 
+TEST(PolarNeuralMap, ShowsMapReturnsWindowAndSubgoalOfItsLastStep) {
+  PolarNeuralMap controller({}, setup());
+  EXPECT_TRUE(controller.picture().empty());
+  controller.step(odometry_at(0.0, {}), wall_scan(0.6), {6.0, 0.1});
+
+  const domain::Picture picture = controller.picture();
+
+  std::vector<std::string> names;
+  for (const auto& layer : picture.layers) names.push_back(layer.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"activation of the map", "obstructed units",
+                                             "remembered returns", "way to a stop", "subgoal"}));
+  EXPECT_EQ(picture.layers[2].places_odom.size(), 5u);  // the beams of the wall
+  EXPECT_EQ(picture.charts.size(), 1u);
+}
+
 TEST(PolarNeuralMap, RefusesASensorThatDoesNotShowWhatIsAround) {
   domain::BehaviourSetup four = setup();
   four.scan = {"infrared", 4, radians(90.0), radians(-90.0), 0.0, 0.8};

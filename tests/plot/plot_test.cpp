@@ -51,7 +51,8 @@ TEST_F(Plot, ExplainsEveryMarkThatIsInIt) {
        {"path", "path under recovery", "robot at the start", "target",
         "moving obstacle at the start", "moving obstacle at the end", "landmark known to the SOM",
         "landmark known to ART", "trap detected", "earlier visit that proves it", "escape begun",
-        "escape ended, way open", "virtual target", "safety stop", "end of the run"}) {
+        "escape ended, way open", "virtual target", "safety stop", "hit by a moving obstacle",
+        "end of the run"}) {
     EXPECT_TRUE(contains(svg, ">" + std::string(entry) + "</text>")) << entry;
   }
   EXPECT_FALSE(contains(svg, ">collision</text>"));

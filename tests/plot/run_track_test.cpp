@@ -64,6 +64,8 @@ TEST(RunTrack, TakesPlacesFromADriftedOdometryToThePath) {
   ASSERT_EQ(track->safety_stops.size(), 1U);
   expect_near(track->safety_stops[0], {5.0, 2.0});
   EXPECT_TRUE(track->collisions.empty());
+  ASSERT_EQ(track->hits.size(), 1U);
+  expect_near(track->hits[0], {2.5, 2.0});
 }
 
 TEST(RunTrack, GoesUpToTheTearOfARecordingThatWasCutOff) {

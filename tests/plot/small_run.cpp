@@ -29,6 +29,7 @@ void fill(std::uint64_t tick, domain::State& state) {
   state.pose_world_robot = world_pose(tick);
   state.path_length_m = 0.5 * static_cast<double>(tick);
   state.safety_stops = tick >= 8 ? 1 : 0;
+  state.hit_by = tick >= 3 ? 1 : 0;
   state.outcome = tick == 9 ? domain::Outcome::kReached : domain::Outcome::kRunning;
 }
 

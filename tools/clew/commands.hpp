@@ -83,6 +83,7 @@ int recorder_command(const RecorderOptions& options);
 struct PlotOptions {
   std::vector<std::string> recordings;
   std::string output;
+  std::optional<std::uint64_t> tick;  ///< what components show of it, instead of the whole run
 };
 int plot_command(const PlotOptions& options);
 

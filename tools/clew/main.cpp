@@ -135,6 +135,8 @@ void add_plot(CLI::App& main, PlotOptions& options, Outcome& outcome) {
   CLI::App* app = main.add_subcommand("plot", "Draw the path of one or more recordings");
   app->add_option("recording", options.recordings)->required();
   app->add_option("-o,--output", options.output, "FILE.svg or FILE.png")->required();
+  app->add_option("--tick", options.tick,
+                  "draw what the components show of this tick, from one recording");
   app->callback([&] { outcome.status = plot_command(options); });
 }
 

@@ -1,11 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include "clew/commands.hpp"
 #include "plot/plot.hpp"
+#include "replay/component_replay.hpp"
+#include "replay/recorded_plan.hpp"
+#include "stages/all.hpp"
 
 namespace clew::tools {
+namespace {
+
+using core::Error;
+using core::Result;
+
+/// What all components of ours show of a tick; their states are built from the recording.
+Result<plot::InsideView> look_inside(const std::string& path, std::uint64_t tick) {
+  const auto recording = bridge::RunRecording::open(path);
+  if (!recording.ok()) return recording.error();
+  const auto plan = bridge::recorded_plan(*recording, stages::all());
+  if (!plan.ok()) return plan.error();
+  plot::InsideView inside;
+  inside.tick = tick;
+  for (const auto& stage : plan->graph.stages) {
+    if (!stage.deployment.exec.empty()) continue;
+    auto picture = bridge::picture_at(*recording, *plan, stage.info->name, tick);
+    if (!picture.ok()) return picture.error();
+    if (!picture->empty()) inside.pictures.push_back(std::move(picture).value());
+  }
+  if (inside.pictures.empty()) {
+    return Error{fmt::format("no component of this run shows anything of tick {}", tick), path, 0,
+                 0};
+  }
+  return inside;
+}
+
+Result<void> plot_inside(const PlotOptions& options) {
+  if (options.recordings.size() != 1) {
+    return Error{
+        fmt::format("--tick looks into one recording; found {}", options.recordings.size()),
+        {},
+        0,
+        0};
+  }
+  const auto inside = look_inside(options.recordings.front(), *options.tick);
+  if (!inside.ok()) return inside.error();
+  return plot::plot_tick(options.recordings.front(), *inside, options.output);
+}
+
+}  // namespace
 
 int plot_command(const PlotOptions& options) {
-  const auto plotted = plot::plot_recordings(options.recordings, options.output);
+  const auto plotted = options.tick ? plot_inside(options)
+                                    : plot::plot_recordings(options.recordings, options.output);
   if (!plotted.ok()) return complain(plotted.error());
   return kExitGood;
 }

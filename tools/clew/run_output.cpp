@@ -132,6 +132,9 @@ std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {
   line += ", " + count_text(report.tally.traps_detected, "trap") + alarms_text(report.tally);
   line += ", " + count_text(truth.collisions, "collision") + ", " +
           count_text(truth.safety_stops, "safety stop");
+  if (truth.hit_by > 0) {
+    line += ", " + count_text(truth.hit_by, "contact") + " by moving obstacles";
+  }
   line += fmt::format(", {:.0f} ticks/s", report.ticks_per_s);
   if (report.hash) line += ", hash " + report.hash->hex();
   return line;

@@ -10,6 +10,7 @@
 #include "plot/png.hpp"
 #include "plot/run_picture.hpp"
 #include "plot/run_track.hpp"
+#include "plot/tick_picture.hpp"
 #include "world/world.hpp"
 
 namespace clew::plot {
@@ -23,15 +24,27 @@ core::Result<void> write_file(const std::string& path, const std::string& bytes)
   return core::Error{std::string("cannot be written: ") + std::strerror(errno), path, 0, 0};
 }
 
+core::Result<void> check_ending(const std::string& output) {
+  const std::string ending = std::filesystem::path(output).extension().string();
+  if (ending == ".svg" || ending == ".png") return {};
+  return core::Error{"found ending '" + ending + "'; allowed: .svg, .png", output, 0, 0};
+}
+
+core::Result<void> write_picture(std::string picture, const std::string& output) {
+  if (std::filesystem::path(output).extension() == ".png") {
+    auto png = render_png(picture);
+    if (!png) return png.error();
+    picture = std::move(png).value();
+  }
+  return write_file(output, picture);
+}
+
 }  // namespace
 
 core::Result<void> plot_recordings(const std::vector<std::string>& recordings,
                                    const std::string& output) {
   CLEW_CHECK(!recordings.empty(), "a picture of no recording");
-  const std::string ending = std::filesystem::path(output).extension().string();
-  if (ending != ".svg" && ending != ".png") {
-    return core::Error{"found ending '" + ending + "'; allowed: .svg, .png", output, 0, 0};
-  }
+  CLEW_RETURN_IF_ERROR(check_ending(output));
   std::vector<RunTrack> tracks;
   for (const std::string& recording : recordings) {
     auto track = read_run_track(recording);
@@ -43,13 +56,20 @@ core::Result<void> plot_recordings(const std::vector<std::string>& recordings,
   }
   const auto world = world::World::parse(tracks.front().world, tracks.front().path + ":world.yaml");
   if (!world) return world.error();
-  std::string picture = draw_runs(*world, tracks);
-  if (ending == ".png") {
-    auto png = render_png(picture);
-    if (!png) return png.error();
-    picture = std::move(png).value();
+  return write_picture(draw_runs(*world, tracks), output);
+}
+
+core::Result<void> plot_tick(const std::string& recording, const InsideView& inside,
+                             const std::string& output) {
+  CLEW_RETURN_IF_ERROR(check_ending(output));
+  const auto track = read_run_track(recording);
+  if (!track) return track.error();
+  if (track->frames.count(inside.tick) == 0) {
+    return core::Error{"has no pose of tick " + std::to_string(inside.tick), recording, 0, 0};
   }
-  return write_file(output, picture);
+  const auto world = world::World::parse(track->world, track->path + ":world.yaml");
+  if (!world) return world.error();
+  return write_picture(draw_tick(*world, *track, inside), output);
 }
 
 }  // namespace clew::plot

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "core/result.hpp"
+#include "domain/picture.hpp"
 
 namespace clew::plot {
 
@@ -17,5 +19,16 @@ namespace clew::plot {
 /// cut off is drawn up to the tear, and the picture says so.
 core::Result<void> plot_recordings(const std::vector<std::string>& recordings,
                                    const std::string& output);
+
+/// What the components of a run showed of a tick.
+struct InsideView {
+  std::uint64_t tick = 0;
+  std::vector<domain::Picture> pictures;
+};
+
+/// Draws a tick of a recorded run: the world, the robot and its way up to there, and what its
+/// components showed. Refused: as above, and a tick of which the recording has no pose.
+core::Result<void> plot_tick(const std::string& recording, const InsideView& inside,
+                             const std::string& output);
 
 }  // namespace clew::plot

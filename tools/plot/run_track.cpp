@@ -2,7 +2,6 @@
 #include "plot/run_track.hpp"
 
 #include <filesystem>
-#include <map>
 #include <utility>
 
 #include "convert/codec.hpp"
@@ -15,19 +14,6 @@ namespace {
 using core::Pose2;
 using core::Vec2;
 using domain::Topic;
-
-/// Where the odometry's frame lies in the world, as the poses of one tick tell.
-struct FramePair {
-  Pose2 world_robot;
-  Pose2 odom_robot;
-
-  Vec2 to_world(double x_m, double y_m) const {
-    const Vec2 turn = core::direction(world_robot.heading_rad - odom_robot.heading_rad);
-    const Vec2 offset = Vec2(x_m, y_m) - odom_robot.position();
-    return world_robot.position() + Vec2(turn.x() * offset.x() - turn.y() * offset.y(),
-                                         turn.y() * offset.x() + turn.x() * offset.y());
-  }
-};
 
 /// Decodes samples into what a track needs, tick by tick.
 class TrackReader {
@@ -54,9 +40,10 @@ class TrackReader {
     if (state_) enter_state(track);
     // Without a pose there is no place to draw anything at.
     if (state_ && odometry_) {
-      frames_[tick] = {state_->pose_world_robot, odometry_->pose_odom_robot};
-      if (guidance_) enter_guidance(frames_[tick], track);
-      if (event_) enter_event(frames_[tick], track);
+      const FramePair frames = {state_->pose_world_robot, odometry_->pose_odom_robot};
+      track.frames[tick] = frames;
+      if (guidance_) enter_guidance(frames, track);
+      if (event_) enter_event(frames, track);
     }
     if (state_ && landmark_) enter_landmark(track);
     state_.reset();
@@ -84,9 +71,8 @@ class TrackReader {
     const domain::State& before = track.last_state;
     const Vec2 position = state_->pose_world_robot.position();
     if (state_->safety_stops > before.safety_stops) track.safety_stops.push_back(position);
-    if (state_->collisions > before.collisions || state_->hit_by > before.hit_by) {
-      track.collisions.push_back(position);
-    }
+    if (state_->collisions > before.collisions) track.collisions.push_back(position);
+    if (state_->hit_by > before.hit_by) track.hits.push_back(position);
     track.poses.push_back(state_->pose_world_robot);
     track.recovering.push_back(guidance_ && guidance_->mode == domain::GuidanceMode::kRecover);
     track.last_state = *state_;
@@ -96,7 +82,7 @@ class TrackReader {
     std::optional<Vec2> target;
     if (guidance_->target_is_virtual) target = Vec2(guidance_->target_x_m, guidance_->target_y_m);
     if (target && target != virtual_target_) {
-      track.virtual_targets.push_back(frames.to_world(target->x(), target->y()));
+      track.virtual_targets.push_back(frames.to_world(*target));
     }
     virtual_target_ = target;
   }
@@ -109,13 +95,13 @@ class TrackReader {
 
   void enter_event(const FramePair& frames, RunTrack& track) {
     for (const auto& entry : event_->entries) {
-      const Vec2 position = frames.to_world(entry.x_m, entry.y_m);
+      const Vec2 position = frames.to_world({entry.x_m, entry.y_m});
       switch (entry.kind) {
         case domain::EventKind::kLandmark:       // told by the landmark topic
         case domain::EventKind::kVirtualTarget:  // told by the guidance topic
           break;
         case domain::EventKind::kTrap:
-          track.traps.push_back({position, earlier_visit(entry, frames), entry.shadow});
+          track.traps.push_back({position, earlier_visit(entry, frames, track), entry.shadow});
           break;
         default:
           track.marks.push_back({entry.kind, position});
@@ -123,11 +109,12 @@ class TrackReader {
     }
   }
 
-  std::optional<Vec2> earlier_visit(const domain::EventEntry& entry, const FramePair& now) const {
+  static std::optional<Vec2> earlier_visit(const domain::EventEntry& entry, const FramePair& now,
+                                           const RunTrack& track) {
     if (!entry.has_earlier) return std::nullopt;
-    const auto then = frames_.find(entry.earlier_tick);
-    const FramePair& frames = then == frames_.end() ? now : then->second;
-    return frames.to_world(entry.earlier_x_m, entry.earlier_y_m);
+    const auto then = track.frames.find(entry.earlier_tick);
+    const FramePair& frames = then == track.frames.end() ? now : then->second;
+    return frames.to_world({entry.earlier_x_m, entry.earlier_y_m});
   }
 
   bridge::Codec<domain::State> states_;
@@ -141,7 +128,6 @@ class TrackReader {
   std::optional<domain::Landmark> landmark_;
   std::optional<domain::Event> event_;
   std::optional<Vec2> virtual_target_;  ///< of the tick before, odometry's frame
-  std::map<std::uint64_t, FramePair> frames_;
 };
 
 core::Result<void> read_samples(const bridge::RunRecording& recording, RunTrack& track) {
@@ -168,6 +154,7 @@ core::Result<void> read_configuration(const bridge::RunDescription& description,
   }
   track.world = world->second;
   track.seed = description.seed;
+  track.tick_s = description.tick_s;
   const auto body = runtime::read_robot({"robot.yaml", robot->second}, "robot");
   if (!body) return body.error();
   track.robot_radius_m = body->radius_m;
@@ -175,6 +162,13 @@ core::Result<void> read_configuration(const bridge::RunDescription& description,
 }
 
 }  // namespace
+
+Vec2 FramePair::to_world(const Vec2& place_odom) const {
+  const Vec2 turn = core::direction(world_robot.heading_rad - odom_robot.heading_rad);
+  const Vec2 offset = place_odom - odom_robot.position();
+  return world_robot.position() + Vec2(turn.x() * offset.x() - turn.y() * offset.y(),
+                                       turn.y() * offset.x() + turn.x() * offset.y());
+}
 
 core::Result<RunTrack> read_run_track(const std::string& path) {
   const auto recording = bridge::RunRecording::open(path);

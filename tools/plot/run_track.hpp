@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,14 @@ struct LandmarkMark {
   domain::Network network = domain::Network::kSom;
 };
 
+/// Where the odometry's frame lies in the world, as the poses of one tick tell.
+struct FramePair {
+  core::Pose2 world_robot;
+  core::Pose2 odom_robot;
+
+  core::Vec2 to_world(const core::Vec2& place_odom) const;
+};
+
 /// What a picture shows of one run. All places are in the world's frame.
 struct RunTrack {
   std::string name;   ///< of the file, without folder and ending
@@ -38,18 +47,21 @@ struct RunTrack {
   std::string world;  ///< the world file's text
   double robot_radius_m = 0.0;
   std::uint64_t seed = 0;
+  double tick_s = 0.0;
   bool cut_off = false;  ///< the recording is not whole
 
   std::vector<core::Pose2> poses;  ///< at the start of each tick, from the first to the last
   std::vector<bool> recovering;    ///< in each tick; as many as poses
   domain::State last_state;
+  std::map<std::uint64_t, FramePair> frames;  ///< by tick, where there is an odometry
 
   std::vector<TrapMark> traps;
   std::vector<LandmarkMark> landmarks;
   std::vector<Mark> marks;  ///< reflexes, escapes begun, ended and failed, unreachable
   std::vector<core::Vec2> virtual_targets;
   std::vector<core::Vec2> safety_stops;
-  std::vector<core::Vec2> collisions;  ///< that the robot moved into, and by moving obstacles
+  std::vector<core::Vec2> collisions;  ///< that the robot moved into
+  std::vector<core::Vec2> hits;        ///< by moving obstacles
 };
 
 /// Reads the track of a recorded run. Places that were recorded in the odometry's frame are taken

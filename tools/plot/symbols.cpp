@@ -70,6 +70,8 @@ std::string_view symbol_name(Symbol symbol) {
       return "safety stop";
     case Symbol::kCollision:
       return "collision";
+    case Symbol::kHitBy:
+      return "hit by a moving obstacle";
     case Symbol::kUnreachable:
       return "called unreachable";
     case Symbol::kEnd:
@@ -116,6 +118,9 @@ void draw_symbol(SvgWriter& svg, Symbol symbol, const Point& centre, std::string
       return;
     case Symbol::kCollision:
       svg.polygon(star(centre, 16, 9.0, 4.5), {kVermilion, kBlack, 1.2});
+      return;
+    case Symbol::kHitBy:
+      svg.polygon(star(centre, 16, 9.0, 4.5), {kWhite, kBlack, 1.2});
       return;
     case Symbol::kUnreachable:
       square(svg, centre, 6.0, {kWhite, outline, 1.6});

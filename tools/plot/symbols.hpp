@@ -21,6 +21,7 @@ enum class Symbol {
   kReflex,
   kSafetyStop,
   kCollision,
+  kHitBy,
   kUnreachable,
   kEnd
 };

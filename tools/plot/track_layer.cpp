@@ -125,6 +125,7 @@ void draw_over_track(SvgWriter& svg, const MapView& view, const RunTrack& track,
   draw_all(svg, view, track.virtual_targets, Symbol::kVirtualTarget, paint.outline);
   draw_all(svg, view, track.safety_stops, Symbol::kSafetyStop, paint.outline);
   draw_all(svg, view, track.collisions, Symbol::kCollision, paint.outline);
+  draw_all(svg, view, track.hits, Symbol::kHitBy, paint.outline);
   draw_symbol(svg, Symbol::kEnd, view.at(track.poses.back().position()), paint.outline);
 }
 
@@ -139,6 +140,7 @@ std::set<Symbol> symbols_of(const RunTrack& track) {
   if (!track.virtual_targets.empty()) symbols.insert(Symbol::kVirtualTarget);
   if (!track.safety_stops.empty()) symbols.insert(Symbol::kSafetyStop);
   if (!track.collisions.empty()) symbols.insert(Symbol::kCollision);
+  if (!track.hits.empty()) symbols.insert(Symbol::kHitBy);
   return symbols;
 }
 

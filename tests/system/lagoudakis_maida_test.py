@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What Lagoudakis & Maida 1999 say of their figures, and the table in control's README."""
+import importlib.machinery
+import importlib.util
+import pathlib
+import tempfile
+import unittest
+
+from clew_command import SOURCE, Run
+
+loader = importlib.machinery.SourceFileLoader("paper_table", str(SOURCE / "tools/paper-table"))
+paper_table = importlib.util.module_from_spec(
+    importlib.util.spec_from_loader("paper_table", loader))
+loader.exec_module(paper_table)
+
+GRAPH = "lagoudakis_maida"
+PAPER = ["lagoudakis_maida"]
+RECOVERS = paper_table.POLAR_VARIANTS["with position_revisit"]
+
+
+class Figures(unittest.TestCase):
+    def reaches(self, world, arguments=None, times_shortest=None):
+        """The report of a run that must reach its target, untouched."""
+        report = paper_table.run(world, arguments or PAPER)
+        self.assertEqual(report["outcome"], "reached", world)
+        self.assertEqual(report["collisions"], 0, world)
+        self.assertEqual(report["safety_stops"], 0, world)
+        if times_shortest:
+            self.assertLess(report["path_length_m"], times_shortest * report["shortest_path_m"])
+        return report
+
+    def test_rooms_and_clutter_are_passed(self):
+        for world in ("lm-fig04-l-obstacle", "lm-fig06-sonar-memory", "lm-fig07-four-targets",
+                      "lm-fig07-lab", "lm-fig08-clutter"):
+            self.reaches(world, times_shortest=1.25)
+
+    def test_a_u_within_the_scope_is_avoided(self):
+        self.reaches("lm-fig08-u-100in", times_shortest=1.7)
+
+    def test_a_u_larger_than_the_scope_traps_what_has_no_memory(self):
+        report = paper_table.run("lm-fig08-u-beyond-range", PAPER)
+
+        self.assertEqual(report["outcome"], "timeout")
+        self.assertEqual(report["collisions"], 0)
+
+    def test_recovery_leads_out_of_what_is_larger_than_the_scope(self):
+        for world in ("lm-fig08-u-beyond-range", "lm-fig02-three-walls"):
+            report = self.reaches(world, RECOVERS)
+            self.assertGreaterEqual(report["traps_detected"], 1)
+
+    def test_slow_movers_are_not_touched(self):
+        for world in ("moving-crossing", "w-fig09-slow-obstacle", "w-fig09-sudden-obstacle"):
+            self.assertEqual(self.reaches(world)["hit_by"], 0, world)
+
+    def test_walking_people_are_not_touched_from_a_wide_berth(self):
+        wide = paper_table.POLAR_VARIANTS["memoryless, wide berth"]
+
+        self.assertEqual(self.reaches("lm-text-walking-people", wide)["hit_by"], 0)
+
+
+class Table(unittest.TestCase):
+    def test_the_readme_holds_what_the_command_prints(self):
+        readme = (SOURCE / "components/control/README.md").read_text(encoding="utf-8")
+
+        self.assertIn(paper_table.table(paper_table.worlds("lm-*"), paper_table.POLAR_VARIANTS),
+                      readme)
+
+
+class Inside(unittest.TestCase):
+    """clew plot --tick"""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def recorded(self, graph, ticks):
+        """A recording of a run's first ticks."""
+        path = self.folder / f"{graph}.mcap"
+        Run(["run", graph, "--layout", "composed", "--max-ticks", ticks, "--record", path])
+        return path
+
+    def test_shows_map_and_window_of_a_tick_the_same_every_time(self):
+        recording = self.recorded(GRAPH, 60)
+        pictures = []
+        for name in ("a.svg", "b.svg"):
+            done = Run(["plot", recording, "--tick", 40, "-o", self.folder / name])
+            self.assertEqual(done.status, 0, done.err)
+            pictures.append((self.folder / name).read_text(encoding="utf-8"))
+
+        for text in ("lm-fig08-u-100in: tick 40 (4 s)", "activation of the map",
+                     "obstructed units", "remembered returns", "way to a stop", "subgoal",
+                     "dynamic window", "upward: speed, m/s", "turn rate, rad/s"):
+            self.assertIn(f">{text}", pictures[0])
+        self.assertEqual(pictures[0], pictures[1])
+
+    def test_refuses_what_it_cannot_show(self):
+        recording = self.recorded(GRAPH, 20)
+        silent = self.recorded("reactive", 20)
+        out = self.folder / "out.svg"
+        for arguments, sentence in (
+                ([recording, "--tick", 99], "has no tick 99; its last one is 20"),
+                ([recording, recording, "--tick", 5],
+                 "--tick looks into one recording; found 2"),
+                ([silent, "--tick", 5], "no component of this run shows anything of tick 5")):
+            done = Run(["plot", *arguments, "-o", out])
+            self.assertEqual(done.status, 2, arguments)
+            self.assertIn(sentence, done.err)
+        self.assertFalse(out.exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
