@@ -49,12 +49,14 @@ double MotionWindow::reach_m(double cycle_s) const {
 }
 
 const WindowCell& MotionWindow::choose(double speed_mps, double turn_rate_radps, double cycle_s,
-                                       const Goal& goal, const std::vector<core::Vec2>& returns) {
+                                       const Goal& goal, const std::vector<core::Vec2>& seen,
+                                       const std::vector<core::Vec2>& remembered) {
   lay_out(std::max(0.0, speed_mps), turn_rate_radps, cycle_s);
   for (std::size_t i = 0; i < cells_.size(); ++i) follow(i, cycle_s);
   std::fill(nearest2_m2_.begin(), nearest2_m2_.end(), kFar);
   std::fill(excess_m2_.begin(), excess_m2_.end(), kFar);
-  for (const core::Vec2& place : returns) measure(place);
+  for (const core::Vec2& place : seen) measure(place, true);
+  for (const core::Vec2& place : remembered) measure(place, false);
   chosen_ = cells_.size() - 1;
   double least_m = kFar;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -121,10 +123,10 @@ void MotionWindow::follow(std::size_t cell, double cycle_s) {
   stops_[cell] = {at.x(), at.y(), core::wrap_angle_rad(turn_rate_radps * lasts_s)};
 }
 
-/// What a return means for all samples.
-void MotionWindow::measure(const core::Vec2& place) {
+/// What a point means for all samples; one that is remembered keeps nothing off.
+void MotionWindow::measure(const core::Vec2& place, bool seen) {
   const double now2_m2 = place.x() * place.x() + place.y() * place.y();
-  const double keep2_m2 = std::min(keep_m_ * keep_m_, now2_m2) - kRounding_m2;
+  const double keep2_m2 = seen ? std::min(keep_m_ * keep_m_, now2_m2) - kRounding_m2 : 0.0;
   const double* const x = x_m_.data();
   const double* const y = y_m_.data();
   double* const nearest = nearest2_m2_.data();

@@ -68,8 +68,10 @@ struct WindowCell {
 /// cycle. Density is that of the returns themselves, not of the units that they obstruct, which lie
 /// a hand's breadth apart where the robot is.
 ///
-/// *Deviation, needed:* a pair is out of question if its way leads nearer to a return than the
-/// robot's radius and the margin, or nearer than now. Where none is left but braking, it brakes.
+/// *Deviation, needed:* a pair is out of question if its way leads nearer to what is seen now than
+/// the robot's radius and the margin, or nearer than now. Where none is left but braking, it
+/// brakes. What is remembered counts in the density only: with a laser, one reading in a hundred
+/// being wrong, ten scans hold so many errors that no way would be left.
 class MotionWindow {
  public:
   /// Where and which way to come to rest, in the robot's frame.
@@ -84,10 +86,11 @@ class MotionWindow {
   /// How far the longest way in the window, and what counts of the density beside it, may reach.
   double reach_m(double cycle_s) const;
 
-  /// The best of the window around the present velocities. returns: obstacles' points in the
-  /// robot's frame.
+  /// The best of the window around the present velocities. Points of obstacles in the robot's
+  /// frame: seen now, and remembered.
   const WindowCell& choose(double speed_mps, double turn_rate_radps, double cycle_s,
-                           const Goal& goal, const std::vector<core::Vec2>& returns);
+                           const Goal& goal, const std::vector<core::Vec2>& seen,
+                           const std::vector<core::Vec2>& remembered);
 
   /// The window of the last choice: speeds by turn rates, row-major by speed; braking is last.
   const std::vector<WindowCell>& cells() const { return cells_; }
@@ -103,7 +106,7 @@ class MotionWindow {
 
   void lay_out(double speed_mps, double turn_rate_radps, double cycle_s);
   void follow(std::size_t cell, double cycle_s);
-  void measure(const core::Vec2& place);
+  void measure(const core::Vec2& place, bool seen);
   double braking_s(double speed_mps, double turn_rate_radps) const;
   double density(std::size_t cell) const;
 
@@ -116,7 +119,7 @@ class MotionWindow {
   std::vector<double> x_m_;
   std::vector<double> y_m_;
   std::vector<double> nearest2_m2_;  // squared distance to the nearest return
-  std::vector<double> excess_m2_;    // least of squared distance less what is to be kept
+  std::vector<double> excess_m2_;    // least of squared distance to what is seen less what is kept
   std::vector<core::Pose2> stops_;   // by cell
 };
 

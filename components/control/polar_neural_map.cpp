@@ -76,7 +76,8 @@ PolarNeuralMap::PolarNeuralMap(const Parameters& parameters, const domain::Behav
               setup.robot.radius_m),
       landscape_(lattice_of(parameters), parameters.gain_ratio),
       window_(parameters.window, setup.limits, setup.robot.radius_m) {
-  returns_.reserve(setup.scan.beam_count * (static_cast<std::size_t>(parameters.memory_scans) + 2));
+  returns_.reserve(setup.scan.beam_count * static_cast<std::size_t>(parameters.memory_scans));
+  seen_.reserve(setup.scan.beam_count * 3);
 }
 
 domain::Motion PolarNeuralMap::step(const domain::Odometry& odometry, const domain::Scan& scan,
@@ -99,7 +100,7 @@ domain::Motion PolarNeuralMap::step(const domain::Odometry& odometry, const doma
   }
   look_around(pose, prediction_.cycle_s(), scan);
   const WindowCell& chosen = window_.choose(odometry.speed_mps, odometry.turn_rate_radps,
-                                            prediction_.cycle_s(), goal, returns_);
+                                            prediction_.cycle_s(), goal, seen_, returns_);
   domain::Motion motion;
   motion.kind = domain::CommandKind::kVelocities;
   motion.speed_mps = chosen.speed_mps;
@@ -158,18 +159,20 @@ MotionWindow::Goal PolarNeuralMap::turn_on_the_spot(const domain::Odometry& odom
   return {core::Vec2::Zero(), side < 0.0 ? -0.5 * core::kPi : 0.5 * core::kPi};
 }
 
-/// What the window must stop before: remembered returns, and the beams of the present scan.
+/// What the window heeds: the beams of the present scan, and the returns of all.
 void PolarNeuralMap::look_around(const core::Pose2& pose, double cycle_s,
                                  const domain::Scan& scan) {
   const double reach_m = window_.reach_m(cycle_s);
   memory_.returns_seen_from(pose, reach_m, returns_);
-  if (scan.beam_width_rad == 0.0) return;
+  seen_.clear();
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
     const double distance_m = radius_m_ + scan.ranges_m[i];
     if (scan.ranges_m[i] >= scan.range_max_m || distance_m > reach_m) continue;
+    seen_.push_back(distance_m * core::direction(scan.bearing_rad(i)));
+    if (scan.beam_width_rad == 0.0) continue;
     for (const double end : {-0.5, 0.5}) {
-      returns_.push_back(distance_m *
-                         core::direction(scan.bearing_rad(i) + end * scan.beam_width_rad));
+      seen_.push_back(distance_m *
+                      core::direction(scan.bearing_rad(i) + end * scan.beam_width_rad));
     }
   }
 }

@@ -99,6 +99,7 @@ class PolarNeuralMap final : public Controller {
   PolarLandscape landscape_;
   MotionWindow window_;
   std::vector<core::Vec2> returns_;  // scratch
+  std::vector<core::Vec2> seen_;     // scratch: where the beams of the present scan end
   // Scratch, of the last step.
   core::Pose2 pose_odom_robot_;
   core::Pose2 pose_odom_map_;

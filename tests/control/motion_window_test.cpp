@@ -27,7 +27,7 @@ MotionWindow::Goal ahead(double x_m) { return {{x_m, 0.0}, 0.0}; }
 TEST(MotionWindow, HoldsWhatTheAccelerationsAllowInACycle) {
   MotionWindow dynamic = window();
 
-  dynamic.choose(0.3, 0.2, kCycle_s, ahead(2.0), {});
+  dynamic.choose(0.3, 0.2, kCycle_s, ahead(2.0), {}, {});
 
   // 0.5 m/s^2 and 90 deg/s^2 over 0.1 s; braking, the last cell, is among it.
   for (const WindowCell& cell : dynamic.cells()) {
@@ -42,7 +42,7 @@ TEST(MotionWindow, HoldsWhatTheAccelerationsAllowInACycle) {
 TEST(MotionWindow, KeepsTheLowerOfItsOwnLimitsAndTheDrives) {
   MotionWindow slow = window({0.2, 0.1, 100.0, 100.0});
 
-  slow.choose(0.2, 0.0, kCycle_s, ahead(2.0), {});
+  slow.choose(0.2, 0.0, kCycle_s, ahead(2.0), {}, {});
 
   for (const WindowCell& cell : slow.cells()) {
     EXPECT_LE(cell.speed_mps, 0.2);
@@ -53,7 +53,7 @@ TEST(MotionWindow, KeepsTheLowerOfItsOwnLimitsAndTheDrives) {
 TEST(MotionWindow, SpeedsUpTowardAFarGoal) {
   MotionWindow dynamic = window();
 
-  const WindowCell& chosen = dynamic.choose(0.3, 0.0, kCycle_s, ahead(2.0), {});
+  const WindowCell& chosen = dynamic.choose(0.3, 0.0, kCycle_s, ahead(2.0), {}, {});
 
   EXPECT_NEAR(chosen.speed_mps, 0.35, kRounding);
   EXPECT_EQ(chosen.turn_rate_radps, 0.0);
@@ -64,7 +64,7 @@ TEST(MotionWindow, ComesToRestAtTheGoal) {
   core::Pose2 pose;
   double speed_mps = 0.5;
   for (int i = 0; i < 60; ++i) {
-    speed_mps = dynamic.choose(speed_mps, 0.0, kCycle_s, ahead(1.0 - pose.x_m), {}).speed_mps;
+    speed_mps = dynamic.choose(speed_mps, 0.0, kCycle_s, ahead(1.0 - pose.x_m), {}, {}).speed_mps;
     pose.x_m += speed_mps * kCycle_s;
   }
 
@@ -76,7 +76,8 @@ TEST(MotionWindow, ComesToRestAtTheGoal) {
 TEST(MotionWindow, TurnsOnTheSpotTowardAGoalBehind) {
   MotionWindow dynamic = window();
 
-  const WindowCell& chosen = dynamic.choose(0.0, 0.0, kCycle_s, {{-1.0, 0.5}, radians(153.0)}, {});
+  const WindowCell& chosen =
+      dynamic.choose(0.0, 0.0, kCycle_s, {{-1.0, 0.5}, radians(153.0)}, {}, {});
 
   EXPECT_EQ(chosen.speed_mps, 0.0);
   EXPECT_NEAR(chosen.turn_rate_radps, radians(9.0), kRounding);
@@ -87,7 +88,7 @@ TEST(MotionWindow, KeepsAwayFromReturnsBesideTheWay) {
   parameters.density_weight_m = 10.0;
   MotionWindow dynamic(parameters, {}, kRadius_m);
 
-  const WindowCell& chosen = dynamic.choose(0.4, 0.0, kCycle_s, ahead(2.0), {{0.45, 0.3}});
+  const WindowCell& chosen = dynamic.choose(0.4, 0.0, kCycle_s, ahead(2.0), {{0.45, 0.3}}, {});
 
   EXPECT_LT(chosen.turn_rate_radps, 0.0);  // the return is on the left
 }
@@ -96,7 +97,7 @@ TEST(MotionWindow, BrakesAlongItsWayWhereNothingElseIsLeft) {
   MotionWindow dynamic = window();
 
   // 0.25 m before it, at a speed that needs 0.36 m to rest.
-  const WindowCell& chosen = dynamic.choose(0.6, 0.3, kCycle_s, ahead(2.0), {{0.25, 0.0}});
+  const WindowCell& chosen = dynamic.choose(0.6, 0.3, kCycle_s, ahead(2.0), {{0.25, 0.0}}, {});
 
   // 1.2 s to rest; both velocities lose a twelfth of what they are.
   EXPECT_NEAR(chosen.speed_mps, 0.6 * 11.0 / 12.0, kRounding);
@@ -132,7 +133,7 @@ TEST(MotionWindow, NeverChoosesWhatItCannotStopFromWhereItCould) {
     MotionWindow dynamic = window();
 
     const WindowCell& chosen =
-        dynamic.choose(0.6 * draw(10), 1.4 * draw(11) - 0.7, kCycle_s, ahead(2.0), returns);
+        dynamic.choose(0.6 * draw(10), 1.4 * draw(11) - 0.7, kCycle_s, ahead(2.0), returns, {});
 
     if (!chosen.stops_in_time) continue;
     // 0.21 m are kept; between two samples the way may come 2 mm nearer (0.06 m apart).
@@ -143,14 +144,26 @@ TEST(MotionWindow, NeverChoosesWhatItCannotStopFromWhereItCould) {
   EXPECT_GT(avoided, 30);  // in some of them there was something to avoid
 }
 
+TEST(MotionWindow, KeepsAwayFromWhatItRemembersButIsNotStoppedByIt) {
+  MotionWindow dynamic = window();
+
+  const WindowCell& chosen = dynamic.choose(0.4, 0.0, kCycle_s, ahead(2.0), {}, {{0.3, 0.0}});
+
+  const auto& cells = dynamic.cells();
+  EXPECT_TRUE(std::all_of(cells.begin(), cells.end(),
+                          [](const WindowCell& cell) { return cell.stops_in_time; }));
+  const double objective_m = chosen.objective_m;
+  EXPECT_LT(dynamic.choose(0.4, 0.0, kCycle_s, ahead(2.0), {}, {}).objective_m, objective_m);
+}
+
 TEST(MotionWindow, MayLeaveWhatItIsTooCloseToButNotGoNearer) {
   const std::vector<core::Vec2> close = {{0.16, 0.0}};
   MotionWindow dynamic = window();
 
-  const WindowCell& toward = dynamic.choose(0.0, 0.0, kCycle_s, ahead(2.0), close);
+  const WindowCell& toward = dynamic.choose(0.0, 0.0, kCycle_s, ahead(2.0), close, {});
   EXPECT_EQ(toward.speed_mps, 0.0);
 
-  const WindowCell& away = dynamic.choose(0.0, 0.0, kCycle_s, ahead(2.0), {{-0.16, 0.0}});
+  const WindowCell& away = dynamic.choose(0.0, 0.0, kCycle_s, ahead(2.0), {{-0.16, 0.0}}, {});
   EXPECT_NEAR(away.speed_mps, 0.05, kRounding);
 }
 

@@ -52,7 +52,7 @@ TEST(PolarPicture, IsDarkestAtTheTarget) {
 
 TEST(PolarPicture, ShowsTheWindowAndTheChosenWay) {
   MotionWindow window({}, {}, 0.15);
-  window.choose(0.4, 0.0, 0.1, {{2.0, 0.0}, 0.0}, {{0.4, 0.05}});
+  window.choose(0.4, 0.0, 0.1, {{2.0, 0.0}, 0.0}, {{0.4, 0.05}}, {});
   domain::Picture picture;
 
   draw_window(window, {1.0, 1.0, 0.0}, 0.1, picture);
