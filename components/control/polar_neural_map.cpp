@@ -164,12 +164,11 @@ void PolarNeuralMap::look_around(const core::Pose2& pose, double cycle_s,
                                  const domain::Scan& scan) {
   const double reach_m = window_.reach_m(cycle_s);
   memory_.returns_seen_from(pose, reach_m, returns_);
-  seen_.clear();
+  memory_.newest_seen_from(pose, reach_m, seen_);
+  if (scan.beam_width_rad == 0.0) return;
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
     const double distance_m = radius_m_ + scan.ranges_m[i];
     if (scan.ranges_m[i] >= scan.range_max_m || distance_m > reach_m) continue;
-    seen_.push_back(distance_m * core::direction(scan.bearing_rad(i)));
-    if (scan.beam_width_rad == 0.0) continue;
     for (const double end : {-0.5, 0.5}) {
       seen_.push_back(distance_m *
                       core::direction(scan.bearing_rad(i) + end * scan.beam_width_rad));

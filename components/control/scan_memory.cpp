@@ -1,7 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "control/scan_memory.hpp"
 
+#include <cmath>
+
 namespace clew::control {
+namespace {
+
+constexpr double kJump_m = 0.3;
+
+/// Whether a ray stands alone: no ray beside it meets anything near to what it meets.
+bool stands_alone(const domain::Scan& scan, std::size_t i) {
+  if (scan.beam_width_rad > 0.0) return false;
+  const auto near = [&](std::size_t other) {
+    return std::fabs(scan.ranges_m[other] - scan.ranges_m[i]) <= kJump_m;
+  };
+  return !(i > 0 && near(i - 1)) && !(i + 1 < scan.ranges_m.size() && near(i + 1));
+}
+
+}  // namespace
 
 ScanMemory::ScanMemory(std::size_t scans, std::size_t beams, double radius_m)
     : radius_m_(radius_m) {
@@ -15,7 +31,7 @@ void ScanMemory::add(const core::Pose2& pose_odom_robot, const domain::Scan& sca
   kept.pose_odom_robot = pose_odom_robot;
   kept.returns_robot.clear();
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
-    if (scan.ranges_m[i] >= scan.range_max_m) continue;
+    if (scan.ranges_m[i] >= scan.range_max_m || stands_alone(scan, i)) continue;
     kept.returns_robot.push_back((radius_m_ + scan.ranges_m[i]) *
                                  core::direction(scan.bearing_rad(i)));
   }

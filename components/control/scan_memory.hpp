@@ -14,7 +14,9 @@ namespace clew::control {
 /// frame as if they had been measured from there.
 ///
 /// A return lies in the middle of its beam (the paper's simplest sensor model), at the reading from
-/// the robot's skin.
+/// the robot's skin. *Deviation, needed* for lasers: a ray from which both neighbours differ by
+/// more than 0.3 m is taken for an error. One in a hundred, over ten scans, would shut the robot
+/// in.
 class ScanMemory {
  public:
   struct Kept {

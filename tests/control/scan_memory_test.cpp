@@ -17,6 +17,7 @@ domain::Scan scan_of(double left_m, double ahead_m, double right_m) {
   domain::Scan scan;
   scan.bearing_first_rad = radians(90.0);
   scan.bearing_step_rad = radians(-90.0);
+  scan.beam_width_rad = radians(15.0);
   scan.range_max_m = 2.0;
   scan.ranges_m = {left_m, ahead_m, right_m};
   return scan;
