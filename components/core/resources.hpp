@@ -13,6 +13,7 @@ namespace clew::core {
 struct Resource {
   std::string file;
   std::string text;
+  std::string image = {};  ///< bytes of the picture that the file names, if it is a map
 };
 
 /// The data files of a run (rule bases, trained networks) by `folder/name`, read beforehand: a

@@ -12,7 +12,7 @@ std::vector<runtime::PortInfo> DriveComponent::ports() {
   return {runtime::delayed_input(Topic::kCommand, "what to do during the tick"),
           runtime::output(Topic::kState, "the truth, for sensing and for judging"),
           runtime::output(Topic::kOdometry, "what the wheels and the bumpers tell"),
-          runtime::output(Topic::kTarget, "where the mission wants the robot")};
+          runtime::fallback_output(Topic::kTarget, "where the mission wants the robot")};
 }
 
 DriveComponent::DriveComponent(std::unique_ptr<DriveModel> model, const SafetyParameters& safety,
@@ -40,10 +40,11 @@ void DriveComponent::step(const runtime::TickInputs& inputs, runtime::TickOutput
   state.outcome = judge(inputs.tick(),
                         command != nullptr && command->motion.kind == domain::CommandKind::kGiveUp);
   write_odometry(outputs.get<domain::Odometry>());
-  auto& target = outputs.get<domain::Target>();
-  target.x_m = world_->target().x();
-  target.y_m = world_->target().y();
-  target.radius_m = world_->target_radius_m();
+  if (auto* target = outputs.find<domain::Target>()) {
+    target->x_m = world_->target().x();
+    target->y_m = world_->target().y();
+    target->radius_m = world_->target_radius_m();
+  }
 }
 
 /// Applies the motion during `tick`.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "core/bounded_vector.hpp"
 #include "map/grid.hpp"
@@ -18,7 +19,7 @@ namespace clew::map {
 enum class Lattice : std::uint8_t {
   kFourNeighbours,   ///< r = 1
   kEightNeighbours,  ///< r = 1.5, the paper's
-  kHexagonal         ///< r = 1; cells of odd rows lie half a cell to the right
+  kHexagonal         ///< r = 1; odd rows lie half a cell to the right, rows 0.87 cells apart
 };
 
 inline constexpr std::size_t kMaxNeighbours = 8;
@@ -36,6 +37,16 @@ RowLinks row_links(Lattice lattice, std::int32_t row);
 /// An upper bound of the largest eigenvalue of the connectivity matrix: its greatest row sum
 /// (Gershgorin), which large maps approach. 4, 6.83 and 6.
 double eigenvalue_bound(Lattice lattice);
+
+/// How far apart rows are, in cells: 1, or the square root of 3/4.
+double row_distance(Lattice lattice);
+
+/// The grid whose cells, laid out in this lattice, cover what `grid` does, as far as whole rows do.
+Grid laid_out(Lattice lattice, const Grid& grid);
+/// The middle of a cell of a grid that is laid out so.
+Vec2 centre(Lattice lattice, const Grid& grid, const Cell& cell);
+/// The cell whose row a place lies in, and whose middle is nearest there; none outside the grid.
+std::optional<Cell> cell_at(Lattice lattice, const Grid& grid, const Vec2& place);
 
 using Neighbours = core::BoundedVector<Cell, kMaxNeighbours>;
 

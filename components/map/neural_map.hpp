@@ -63,6 +63,7 @@ class NeuralMap {
   Evolution evolve(const Grid& grid, const std::vector<std::uint8_t>& passable,
                    const std::vector<Cell>& targets, const std::optional<Cell>& start = {});
 
+  /// Laid out in lattice().
   const Grid& grid() const { return grid_; }
   Lattice lattice() const { return parameters_.lattice; }
 

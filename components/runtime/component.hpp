@@ -22,7 +22,9 @@ struct PortInfo {
   enum class Need : std::uint8_t {
     kRequired,  ///< the graph is refused if nobody writes it
     kOptional,  ///< read if somebody writes it
-    kFallback   ///< read, and then required, only if nobody writes `instead_of`
+    /// Of an input: read, and then required, only if nobody writes `instead_of`. Of an output:
+    /// written only if no other stage writes the topic.
+    kFallback
   };
 
   Topic topic = Topic::kState;
@@ -51,6 +53,12 @@ inline PortInfo delayed_input(Topic topic, std::string doc) {
 }
 inline PortInfo output(Topic topic, std::string doc) {
   return {topic,         PortInfo::Direction::kOutput, PortInfo::Need::kRequired, topic, false,
+          std::move(doc)};
+}
+
+/// A stage that is there for it takes the topic over.
+inline PortInfo fallback_output(Topic topic, std::string doc) {
+  return {topic,         PortInfo::Direction::kOutput, PortInfo::Need::kFallback, topic, false,
           std::move(doc)};
 }
 
@@ -94,12 +102,19 @@ class TickOutputs {
   TickOutputs(domain::Messages& messages, TopicSet declared)
       : messages_(messages), declared_(declared) {}
 
+  /// The sample, or null if another stage has taken this fallback output over.
+  template <typename Message>
+  Message* find() {
+    constexpr auto kIndex = static_cast<std::size_t>(domain::topic_of<Message>());
+    return declared_[kIndex] ? &std::get<kIndex>(messages_) : nullptr;
+  }
+  /// The sample of a declared output.
   template <typename Message>
   Message& get() {
-    constexpr auto kIndex = static_cast<std::size_t>(domain::topic_of<Message>());
-    CLEW_CHECK(declared_[kIndex], std::string(domain::topic_name(domain::topic_of<Message>())) +
-                                      " is not a declared output");
-    return std::get<kIndex>(messages_);
+    Message* message = find<Message>();
+    CLEW_CHECK(message != nullptr, std::string(domain::topic_name(domain::topic_of<Message>())) +
+                                       " is not a declared output");
+    return *message;
   }
 
  private:

@@ -11,12 +11,15 @@
 #include <sstream>
 
 #include "core/nearest_name.hpp"
+#include "core/yaml_reader.hpp"
 
 namespace clew::runtime {
 namespace {
 
 namespace fs = std::filesystem;
 constexpr char kExtension[] = ".yaml";
+constexpr char kImageExtension[] = ".image";
+constexpr char kMapFolder[] = "maps";
 
 // A configuration beyond this is a mistake (a device, a recording); 100,000 segments are 4 MB.
 constexpr std::uintmax_t kMaxFileBytes = 256u << 20;
@@ -37,6 +40,21 @@ core::Result<core::Resource> read_file(const std::string& path) {
   text << stream.rdbuf();
   if (stream.bad()) return refuse(std::strerror(errno));
   return core::Resource{path, text.str()};
+}
+
+// A map's file with its picture; any other as it is. What is wrong with the map's own text is said
+// by who reads it.
+core::Result<core::Resource> with_image(const std::string& folder,
+                                        core::Result<core::Resource> file) {
+  if (!file.ok() || folder != kMapFolder) return file;
+  const auto root = core::YamlNode::parse(file->text, file->file);
+  if (!root.ok()) return file;
+  const auto node = root->find("image");
+  if (!node.has_value() || !node->string().ok()) return file;
+  const auto image = read_file((fs::path(file->file).parent_path() / *node->string()).string());
+  if (!image.ok()) return node->error("image " + image.error().text());
+  file->image = image->text;
+  return file;
 }
 
 std::vector<std::string> names_in(const fs::path& directory) {
@@ -71,11 +89,11 @@ ConfigPath ConfigPath::from_environment() {
 
 core::Result<core::Resource> ConfigPath::find(const std::string& folder,
                                               const std::string& name) const {
-  if (is_path(name)) return read_file(name);
+  if (is_path(name)) return with_image(folder, read_file(name));
   for (const std::string& root : roots_) {
     const fs::path path = fs::path(root) / folder / (name + kExtension);
     std::error_code code;
-    if (fs::exists(path, code)) return read_file(path.string());
+    if (fs::exists(path, code)) return with_image(folder, read_file(path.string()));
   }
   std::string searched;
   for (const std::string& root : roots_) {
@@ -101,7 +119,16 @@ core::Result<core::Resource> BundleSource::find(const std::string& folder,
   if (folder == "robots") key = "robot.yaml";
   const auto found = bundle_.find(key);
   if (found == bundle_.end()) return core::Error{"the bundle has no " + key, {}, 0, 0};
-  return core::Resource{key, found->second};
+  core::Resource file{key, found->second};
+  const auto image = bundle_.find(folder + '/' + name + kImageExtension);
+  if (image != bundle_.end()) file.image = image->second;
+  return file;
+}
+
+void add_to_bundle(const std::string& folder, const std::string& name, const core::Resource& file,
+                   Bundle& bundle) {
+  bundle[folder + '/' + name + kExtension] = file.text;
+  if (!file.image.empty()) bundle[folder + '/' + name + kImageExtension] = file.image;
 }
 
 }  // namespace clew::runtime

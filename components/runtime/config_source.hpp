@@ -20,7 +20,8 @@ class ConfigSource {
 };
 
 /// Files on disk. A name with a slash or ending in .yaml is a path; any other is looked up as
-/// `<root>/<folder>/<name>.yaml` in each root in turn.
+/// `<root>/<folder>/<name>.yaml` in each root in turn. A file of `maps` comes with the picture that
+/// its `image` names, a path from where the file is.
 class ConfigPath : public ConfigSource {
  public:
   explicit ConfigPath(std::vector<std::string> roots) : roots_(std::move(roots)) {}
@@ -38,9 +39,14 @@ class ConfigPath : public ConfigSource {
 };
 
 /// The files that a run was made of, by name: `graph.yaml` (fully expanded), `world.yaml`,
-/// `robot.yaml`, and data files as `rulebases/krishna_kalra_som.yaml`. A recording carries it, and
+/// `robot.yaml`, and data files as `rulebases/krishna_kalra_som.yaml`, with a map's picture as
+/// `maps/office.image`. A recording carries it, and
 /// a run's processes get it from their supervisor.
 using Bundle = std::map<std::string, std::string>;
+
+/// Adds a data file to a bundle.
+void add_to_bundle(const std::string& folder, const std::string& name, const core::Resource& file,
+                   Bundle& bundle);
 
 /// A bundle as a source: every graph, world and robot is the one that it holds.
 class BundleSource : public ConfigSource {

@@ -12,11 +12,13 @@ std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
 
 }  // namespace
 
-NodePorts resolve_ports(const StageInfo& stage, const TopicSet& written) {
+NodePorts resolve_ports(const StageInfo& stage, const TopicSet& written,
+                        const TopicSet& taken_over) {
   NodePorts ports;
   for (const PortInfo& port : stage.ports) {
     const std::size_t index = index_of(port.topic);
     if (port.direction == PortInfo::Direction::kOutput) {
+      if (port.need == PortInfo::Need::kFallback && taken_over[index]) continue;
       ports.outputs.set(index);
       ports.output_order.push_back(port.topic);
       continue;

@@ -24,8 +24,10 @@ struct NodePorts {
   TopicSet all_inputs() const { return inputs | delayed_inputs; }
 };
 
-/// The ports of a stage where `written` are the topics that have a writer.
-NodePorts resolve_ports(const StageInfo& stage, const TopicSet& written);
+/// The ports of a stage where `written` are the topics that have a writer, and `taken_over` those
+/// of its fallback outputs that have another.
+NodePorts resolve_ports(const StageInfo& stage, const TopicSet& written,
+                        const TopicSet& taken_over = {});
 
 /// A component at its ports: stamps its outputs and keeps count of them. It knows nothing of where
 /// samples come from and go to.

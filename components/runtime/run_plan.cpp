@@ -74,7 +74,7 @@ Result<void> load_data_files(const ConfigSource& source, RunPlan& plan) {
   for (const auto& [folder, name] : data_files(plan.graph)) {
     auto file = source.find(folder, name);
     if (!file.ok()) return file.error();
-    plan.bundle[folder + '/' + name + ".yaml"] = file->text;
+    add_to_bundle(folder, name, *file, plan.bundle);
     plan.setup.behaviour.resources.add(folder, name, std::move(file).value());
   }
   return {};

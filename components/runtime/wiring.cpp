@@ -14,12 +14,13 @@ std::string quoted(Topic topic) { return "'" + std::string(domain::topic_name(to
 
 Error wiring_error(std::string message) { return {std::move(message), {}, 0, 0}; }
 
-Result<TopicSet> written_topics(const Graph& graph) {
+// The topics that stages write with outputs of this need. Two writers are an error.
+Result<TopicSet> written_topics(const Graph& graph, PortInfo::Need need) {
   TopicSet written;
   std::array<std::string, domain::kTopicCount> writers;
   for (const GraphStage& stage : graph.stages) {
     for (const PortInfo& port : stage.info->ports) {
-      if (port.direction != PortInfo::Direction::kOutput) continue;
+      if (port.direction != PortInfo::Direction::kOutput || port.need != need) continue;
       std::string& writer = writers[index_of(port.topic)];
       if (!writer.empty()) {
         return wiring_error(quoted(port.topic) + " has two writers: " + writer + " and " +
@@ -52,8 +53,9 @@ Result<void> check_needs(const GraphStage& stage, const TopicSet& written) {
   return {};
 }
 
-Result<void> check_ports(GraphStage& stage, const TopicSet& written, Graph& graph) {
-  stage.ports = resolve_ports(*stage.info, written);
+Result<void> check_ports(GraphStage& stage, const TopicSet& written, const TopicSet& taken_over,
+                         Graph& graph) {
+  stage.ports = resolve_ports(*stage.info, written, taken_over);
   for (const PortInfo& port : stage.info->ports) {
     const bool is_written = written[index_of(port.topic)];
     if (port.direction == PortInfo::Direction::kOutput || is_written) continue;
@@ -101,10 +103,12 @@ Result<void> order_stages(Graph& graph) {
 }  // namespace
 
 Result<void> wire(Graph& graph) {
-  const auto written = written_topics(graph);
-  if (!written.ok()) return written.error();
+  const auto firm = written_topics(graph, PortInfo::Need::kRequired);
+  if (!firm.ok()) return firm.error();
+  const auto fallback = written_topics(graph, PortInfo::Need::kFallback);
+  if (!fallback.ok()) return fallback.error();
   for (GraphStage& stage : graph.stages) {
-    CLEW_RETURN_IF_ERROR(check_ports(stage, *written, graph));
+    CLEW_RETURN_IF_ERROR(check_ports(stage, *firm | *fallback, *firm, graph));
   }
   return order_stages(graph);
 }

@@ -222,6 +222,14 @@ std::optional<double> World::corner_distance_m(const Vec2& apex, double bearing_
 }
 
 double World::clearance_m(const Vec2& point, double max_distance_m, double time_s) const {
+  double nearest = max_distance_m;
+  for (const MovingObstacle& obstacle : content_->file.moving) {
+    nearest = std::min(nearest, surface_distance(content_->disc_at(obstacle, time_s), point));
+  }
+  return standing_clearance_m(point, std::max(nearest, 0.0));
+}
+
+double World::standing_clearance_m(const Vec2& point, double max_distance_m) const {
   const Content& content = *content_;
   if (content.areas.contains(point)) return 0.0;
   double nearest = max_distance_m;
@@ -229,8 +237,6 @@ double World::clearance_m(const Vec2& point, double max_distance_m, double time_
   const auto look = [&](const auto& shape) {
     nearest = std::min(nearest, surface_distance(shape, point));
   };
-  for (const MovingObstacle& obstacle : content.file.moving)
-    look(content.disc_at(obstacle, time_s));
   for (const Segment& side : content.boundary) look(side);
   content.circles.tree.visit_nearest_first(
       bound, nearest, [&](std::uint32_t i) { look(content.circles.shapes[i]); });

@@ -122,6 +122,8 @@ class World {
   /// Distance from `point` to the nearest obstacle's surface; 0 inside one. Capped at
   /// max_distance_m.
   double clearance_m(const Vec2& point, double max_distance_m, double time_s) const;
+  /// The same of what does not move: what a map can know.
+  double standing_clearance_m(const Vec2& point, double max_distance_m) const;
 
   /// Moves a disc of `radius_m` from `from` to `to` during [time_s, time_s + duration_s], obstacles
   /// moving meanwhile. Touching at the start and moving away, or along, is no contact; touching and

@@ -246,6 +246,27 @@ TEST(NeuralMap, RefusesAGainThatIsNotStable) {
             "this lattice would not come to rest");
 }
 
+TEST(Lattice, LaysItsCellsOneCellApart) {
+  const Grid grid{{-1.0, 2.0}, 0.5, 12, 13};
+  for (const Lattice lattice : kLattices) {
+    const Grid laid = laid_out(lattice, grid);
+    // Rows of a hexagonal lattice are 0.866 cells apart: 15 fit into the height of 13.
+    EXPECT_EQ(laid.rows, lattice == Lattice::kHexagonal ? 15 : 13);
+    for (std::size_t i = 0; i < laid.size(); ++i) {
+      const Cell cell = laid.cell(i);
+      const Vec2 middle = centre(lattice, laid, cell);
+
+      EXPECT_TRUE(cell_at(lattice, laid, middle) == cell);
+      for (const Cell& other : neighbours(lattice, cell)) {
+        const double distance_m = core::length(centre(lattice, laid, other) - middle);
+        const bool diagonal = other.row != cell.row && other.column != cell.column;
+        const double expected = lattice == Lattice::kEightNeighbours && diagonal ? std::sqrt(2) : 1;
+        EXPECT_NEAR(distance_m, 0.5 * expected, 1e-12);
+      }
+    }
+  }
+}
+
 TEST(Lattice, LinksBothWays) {
   for (const Lattice lattice : kLattices) {
     for (const Cell cell : {Cell{4, 4}, Cell{4, 5}}) {

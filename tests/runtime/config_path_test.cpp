@@ -53,6 +53,32 @@ TEST_F(ConfigPathTest, TakesWhatHasASlashOrAnExtensionForAPath) {
             "./no-such-a: cannot be read: No such file or directory");
 }
 
+TEST_F(ConfigPathTest, BringsAMapWithItsPicture) {
+  const std::string map = write("first/maps/hall.yaml", "image: hall.pgm");
+  write("first/maps/hall.pgm", "P5 bytes");
+  write("first/maps/bare.yaml", "image: none.pgm");
+
+  const auto file = both().find("maps", "hall");
+
+  EXPECT_EQ(file->text, "image: hall.pgm");
+  EXPECT_EQ(file->image, "P5 bytes");
+  EXPECT_EQ(both().find("maps", map)->image, "P5 bytes");
+  EXPECT_EQ(both().find("maps", "bare").error().text(),
+            path("first/maps/bare.yaml") + ":1:8: image " + path("first/maps/none.pgm") +
+                ": cannot be read: No such file or directory");
+}
+
+TEST_F(ConfigPathTest, FindsThePictureOfAMapInABundle) {
+  Bundle bundle;
+  add_to_bundle("maps", "hall", {"hall.yaml", "image: hall.pgm", "P5 bytes"}, bundle);
+
+  const auto file = BundleSource(bundle).find("maps", "hall");
+
+  EXPECT_EQ(bundle.size(), 2u);
+  EXPECT_EQ(file->text, "image: hall.pgm");
+  EXPECT_EQ(file->image, "P5 bytes");
+}
+
 TEST_F(ConfigPathTest, AnswersAnUnknownNameWithTheKnownOnes) {
   write("first/worlds/u-trap.yaml", "");
   write("second/worlds/u-trap.yaml", "");

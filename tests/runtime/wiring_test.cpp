@@ -89,6 +89,31 @@ TEST_F(Wiring, RefusesTwoWritersOfATopic) {
   EXPECT_EQ(wire_it(), "'scan' has two writers: sense and lidar");
 }
 
+TEST_F(Wiring, LeavesAFallbackOutputToAnotherWriter) {
+  add("drive", {output(Topic::kState, ""), fallback_output(Topic::kTarget, "")});
+  add("plan", {required_input(Topic::kState, ""), output(Topic::kTarget, "")});
+
+  EXPECT_EQ(wire_it(), "wired");
+
+  EXPECT_EQ(graph_.writer_of(Topic::kTarget)->info->name, "plan");
+  EXPECT_EQ(graph_.find("drive")->ports.output_order, std::vector<Topic>{Topic::kState});
+}
+
+TEST_F(Wiring, KeepsAFallbackOutputWithoutAnotherWriter) {
+  add("drive", {fallback_output(Topic::kTarget, "")});
+
+  EXPECT_EQ(wire_it(), "wired");
+
+  EXPECT_EQ(graph_.writer_of(Topic::kTarget)->info->name, "drive");
+}
+
+TEST_F(Wiring, RefusesTwoFallbackWritersOfATopic) {
+  add("drive", {fallback_output(Topic::kTarget, "")});
+  add("watch", {fallback_output(Topic::kTarget, "")});
+
+  EXPECT_EQ(wire_it(), "'target' has two writers: drive and watch");
+}
+
 TEST_F(Wiring, RefusesARequiredInputThatNobodyWrites) {
   add("control", {required_input(Topic::kScan, ""), output(Topic::kCommand, "")});
 

@@ -90,7 +90,8 @@ TEST(Stages, StandInTheOrderOfTheFlow) {
   std::vector<std::string> names;
   for (const runtime::StageInfo& stage : all()) names.push_back(stage.name);
 
-  EXPECT_EQ(names, (std::vector<std::string>{"sense", "classify", "recover", "control", "drive"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"sense", "classify", "plan", "recover", "control", "drive"}));
 }
 
 /// All parameters that a stage and its variants declare.

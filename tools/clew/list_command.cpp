@@ -48,7 +48,9 @@ void print_port(const PortInfo& port) {
   std::string kind = port.direction == PortInfo::Direction::kOutput ? "out" : "in";
   if (port.need == PortInfo::Need::kOptional) kind += ", optional";
   if (port.need == PortInfo::Need::kFallback) {
-    kind += ", if there is no " + std::string(domain::topic_name(port.instead_of));
+    kind += port.direction == PortInfo::Direction::kOutput
+                ? ", if no other stage writes it"
+                : ", if there is no " + std::string(domain::topic_name(port.instead_of));
   }
   if (port.delayed) kind += ", of the tick before";
   fmt::print("    {} ({}, {})  {}\n", domain::topic_name(port.topic), kind,

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "map/ros_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string_view>
+
+#include "core/yaml_reader.hpp"
+
+namespace clew::map {
+namespace {
+
+using core::Error;
+using core::Result;
+using core::YamlNode;
+
+/// A grey picture, rows from the top.
+struct Picture {
+  std::int32_t columns = 0;
+  std::int32_t rows = 0;
+  double white = 255.0;  ///< the greatest grey there can be
+  std::vector<std::uint16_t> greys;
+};
+
+/// Reads a PGM file (netpbm.sourceforge.net/doc/pgm.html).
+class PgmReader {
+ public:
+  PgmReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
+
+  Result<Picture> read() {
+    const std::string_view kind = bytes_.substr(0, 2);
+    if (kind != "P2" && kind != "P5") {
+      return refuse("is no PGM picture: it does not begin with P2 or P5");
+    }
+    at_ = 2;
+    const auto columns = header("width", 1, 65536);
+    if (!columns.ok()) return columns.error();
+    const auto rows = header("height", 1, 65536);
+    if (!rows.ok()) return rows.error();
+    const auto white = header("greatest grey", 1, 65535);
+    if (!white.ok()) return white.error();
+    Picture picture{*columns, *rows, static_cast<double>(*white), {}};
+    const std::size_t size = static_cast<std::size_t>(*columns) * static_cast<std::size_t>(*rows);
+    if (size > kMaxMapCells) {
+      return refuse(fmt::format("has {} pixels; allowed: at most {}", size, kMaxMapCells));
+    }
+    const auto read =
+        kind == "P2" ? read_text(size, *white, picture) : read_binary(size, *white, picture);
+    if (!read.ok()) return read.error();
+    return picture;
+  }
+
+ private:
+  Error refuse(const std::string& what) const { return {what, file_, line_, 0}; }
+
+  // The next whole number, past white space and comments; none at the end or at anything else.
+  std::optional<std::int32_t> number() {
+    for (; at_ < bytes_.size(); ++at_) {
+      const char c = bytes_[at_];
+      if (c == '#') {
+        while (at_ + 1 < bytes_.size() && bytes_[at_ + 1] != '\n') ++at_;
+      } else if (std::isspace(static_cast<unsigned char>(c)) == 0) {
+        break;
+      }
+      if (c == '\n') ++line_;
+    }
+    std::optional<std::int32_t> value;
+    for (; at_ < bytes_.size() && bytes_[at_] >= '0' && bytes_[at_] <= '9'; ++at_) {
+      value = std::min(value.value_or(0) * 10 + (bytes_[at_] - '0'), 1'000'000);
+    }
+    return value;
+  }
+  Result<std::int32_t> header(const char* what, std::int32_t least, std::int32_t greatest) {
+    const auto value = number();
+    if (value.has_value() && *value >= least && *value <= greatest) return *value;
+    return refuse(fmt::format("{} is {}; allowed: {} to {}", what,
+                              value.has_value() ? std::to_string(*value) : "missing", least,
+                              greatest));
+  }
+  Result<void> check_grey(std::int32_t grey, std::int32_t white, std::size_t pixel) const {
+    if (grey <= white) return {};
+    return refuse(fmt::format("pixel {} is {}; allowed: 0 to {}", pixel, grey, white));
+  }
+  Error cut_short(std::size_t pixel, std::size_t size) const {
+    return refuse(fmt::format("ends at pixel {} of {}", pixel, size));
+  }
+  Result<void> read_text(std::size_t size, std::int32_t white, Picture& picture) {
+    picture.greys.reserve(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto grey = number();
+      if (!grey.has_value()) return cut_short(i, size);
+      CLEW_RETURN_IF_ERROR(check_grey(*grey, white, i));
+      picture.greys.push_back(static_cast<std::uint16_t>(*grey));
+    }
+    return {};
+  }
+  // After one byte of white space, one byte a pixel, or two if one does not do, the high one first.
+  Result<void> read_binary(std::size_t size, std::int32_t white, Picture& picture) {
+    ++at_;
+    const std::size_t width = white < 256 ? 1 : 2;
+    const std::size_t there = at_ < bytes_.size() ? (bytes_.size() - at_) / width : 0;
+    if (there < size) return cut_short(there, size);
+    picture.greys.reserve(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      std::int32_t grey = 0;
+      for (std::size_t k = 0; k < width; ++k) {
+        grey = grey * 256 + static_cast<unsigned char>(bytes_[at_++]);
+      }
+      CLEW_RETURN_IF_ERROR(check_grey(grey, white, i));
+      picture.greys.push_back(static_cast<std::uint16_t>(grey));
+    }
+    return {};
+  }
+
+  std::string_view bytes_;
+  const std::string& file_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+};
+
+Result<double> number_in(const YamlNode& root, const char* key, double least, double greatest) {
+  const auto node = root.at(key);
+  if (!node.ok()) return node.error();
+  const auto number = node->number();
+  if (!number.ok()) return number.error();
+  if (*number >= least && *number <= greatest) return *number;
+  return node->error(
+      fmt::format("{} is {}; allowed: {} to {}", key, node->found(), least, greatest));
+}
+
+/// What the map's own file says.
+struct MapHead {
+  double resolution_m = 0.0;
+  Vec2 origin = Vec2::Zero();
+  bool negate = false;
+  double occupied_ratio = 0.0;
+  double free_ratio = 0.0;
+};
+
+Result<void> check_mode(const YamlNode& root) {
+  const auto mode = root.find("mode");
+  if (!mode.has_value()) return {};
+  const auto name = mode->string();
+  if (name.ok() && *name == "trinary") return {};
+  return mode->error("mode is " + mode->found() + "; allowed: trinary");
+}
+
+Result<Vec2> read_origin(const YamlNode& root) {
+  const auto node = root.at("origin");
+  if (!node.ok()) return node.error();
+  const auto numbers = node->numbers(3, "[x, y, yaw]");
+  if (!numbers.ok()) return numbers.error();
+  if ((*numbers)[2] != 0.0) {
+    return node->error(fmt::format("origin is turned by {} rad; allowed: 0", (*numbers)[2]));
+  }
+  return Vec2((*numbers)[0], (*numbers)[1]);
+}
+
+Result<bool> read_negate(const YamlNode& root) {
+  const auto node = root.at("negate");
+  if (!node.ok()) return node.error();
+  const auto number = node->integer();
+  if (number.ok() && (*number == 0 || *number == 1)) return *number == 1;
+  return node->error("negate is " + node->found() + "; allowed: 0 or 1");
+}
+
+Result<MapHead> read_head(const core::Resource& file) {
+  const auto root = YamlNode::parse(file.text, file.file);
+  if (!root.ok()) return root.error();
+  CLEW_RETURN_IF_ERROR(root->check_keys({"about", "image", "resolution", "origin", "negate",
+                                         "occupied_thresh", "free_thresh", "mode"}));
+  const auto image = root->at("image");
+  if (!image.ok()) return image.error();
+  CLEW_RETURN_IF_ERROR(check_mode(*root));
+  const auto resolution_m = number_in(*root, "resolution", 0.001, 100.0);
+  if (!resolution_m.ok()) return resolution_m.error();
+  const auto origin = read_origin(*root);
+  if (!origin.ok()) return origin.error();
+  const auto negate = read_negate(*root);
+  if (!negate.ok()) return negate.error();
+  const auto occupied = number_in(*root, "occupied_thresh", 0.0, 1.0);
+  if (!occupied.ok()) return occupied.error();
+  const auto free = number_in(*root, "free_thresh", 0.0, 1.0);
+  if (!free.ok()) return free.error();
+  if (*free > *occupied) {
+    return root->at("free_thresh")
+        ->error(fmt::format("free_thresh is {}; allowed: at most occupied_thresh, {}", *free,
+                            *occupied));
+  }
+  return MapHead{*resolution_m, *origin, *negate, *occupied, *free};
+}
+
+}  // namespace
+
+Result<BlockedMap> read_ros_map(const core::Resource& file) {
+  const auto head = read_head(file);
+  if (!head.ok()) return head.error();
+  const std::string image_file = "image of " + file.file;
+  const auto picture = PgmReader(file.image, image_file).read();
+  if (!picture.ok()) return picture.error();
+  BlockedMap map{{head->origin, head->resolution_m, picture->columns, picture->rows}, {}};
+  map.blocked.resize(map.grid.size());
+  for (std::size_t i = 0; i < map.blocked.size(); ++i) {
+    const Cell cell = map.grid.cell(i);
+    const std::size_t pixel = map.grid.index({cell.column, map.grid.rows - 1 - cell.row});
+    const double grey = picture->greys[pixel];
+    const double occupied = (head->negate ? grey : picture->white - grey) / picture->white;
+    map.blocked[i] = occupied < head->free_ratio ? 0 : 1;
+  }
+  return map;
+}
+
+}  // namespace clew::map

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "domain/setup.hpp"
+#include "map/neural_map.hpp"
+#include "plan/planner.hpp"
+
+namespace clew::plan {
+
+/// Subgoals along the path of steepest ascent of a neural map (Lagoudakis & Maida 1999; the paper
+/// places those of its figure 9 by hand).
+///
+/// The map is spread from the target over all places where the robot has room, with `margin_m` to
+/// spare; if that leaves no way, over those where it just fits. The subgoal is the farthest point
+/// of the path within `look_ahead_m` that a straight line over such places leads to, and is kept
+/// until the robot is within `arrive_m` of it, or no straight line leads to it any more for
+/// `replan_s`, when the path is made anew from where the robot is. Where there is no way, the
+/// target itself is the subgoal.
+class NeuralMapPlanner final : public Planner {
+ public:
+  struct Parameters {
+    map::Lattice lattice = map::Lattice::kEightNeighbours;
+    double gain = 0.1;
+    double margin_m = 0.1;
+    double look_ahead_m = 3.0;
+    double arrive_m = 0.3;
+    double replan_s = 1.5;
+  };
+
+  struct State {
+    std::vector<core::Vec2> path;  ///< from where it was made to the target's place
+    std::uint32_t subgoal = 0;     ///< index in the path
+    double room_m = 0.0;           ///< that the path keeps clear around it
+    bool planned = false;
+    bool astray = false;             ///< no straight line leads to the subgoal
+    std::uint64_t astray_since = 0;  ///< tick, if astray
+  };
+
+  static core::Result<std::unique_ptr<NeuralMapPlanner>> create(
+      const Parameters& parameters, const domain::BehaviourSetup& setup);
+
+  Subgoal step(const Situation& situation) override;
+  void save(core::StateWriter& writer) const override;
+  void load(core::StateReader& reader) override { reader(state_); }
+
+ private:
+  NeuralMapPlanner(const Parameters& parameters, map::NeuralMap landscape,
+                   const domain::BehaviourSetup& setup)
+      : parameters_(parameters),
+        radius_m_(setup.robot.radius_m),
+        tick_s_(setup.tick_s),
+        landscape_(std::move(landscape)) {}
+
+  void plan(const Situation& situation);
+  bool plan_with_room(const Situation& situation, double room_m);
+  void find_room(const MapSource& source, double room_m);
+  std::vector<map::Cell> target_units(const Situation& situation) const;
+  std::optional<map::Cell> nearest_unit(const core::Vec2& place) const;
+  void choose_subgoal(const core::Vec2& robot);
+  void notice_astray(const Situation& situation);
+
+  Parameters parameters_;
+  double radius_m_;
+  double tick_s_;
+  map::NeuralMap landscape_;
+  map::RoomMap map_;                    // read at the first need
+  std::vector<std::uint8_t> passable_;  // where there is passable_room_m_
+  double passable_room_m_ = -1.0;
+  map::Grid units_;                           // of the landscape
+  std::vector<std::uint8_t> units_passable_;  // by the cell of the map that a unit lies in
+  State state_;
+};
+
+template <typename Visitor>
+void visit_parameters(Visitor& visit, NeuralMapPlanner::Parameters& p) {
+  visit.choice("lattice", p.lattice,
+               {{"four", map::Lattice::kFourNeighbours},
+                {"eight", map::Lattice::kEightNeighbours},
+                {"hexagonal", map::Lattice::kHexagonal}},
+               "how the neurons are linked: square with four or eight neighbours, or hexagonal");
+  visit.number(
+      "gain", p.gain, "1", {0.001, 0.25},
+      "steepest slope of the activation, below 0.25 (four), 0.146 (eight), 0.166 (hexagonal)");
+  visit.number("margin_m", p.margin_m, "m", {0.0, 2.0}, "room to spare beside the robot");
+  visit.number("look_ahead_m", p.look_ahead_m, "m", {0.1, 100.0}, "how far off a subgoal may be");
+  visit.number("arrive_m", p.arrive_m, "m", {0.01, 10.0}, "this near to a subgoal, take the next");
+  visit.number("replan_s", p.replan_s, "s", {0.0, 60.0},
+               "how long a subgoal may be out of straight reach before the path is made anew");
+}
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, NeuralMapPlanner::State& s) {
+  visit(s.path, s.subgoal, s.room_m, s.planned, s.astray, s.astray_since);
+}
+
+}  // namespace clew::plan

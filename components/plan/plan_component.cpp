@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan/plan_component.hpp"
+
+#include <utility>
+
+#include "world/world.hpp"
+
+namespace clew::plan {
+
+using domain::Topic;
+
+std::vector<runtime::PortInfo> PlanComponent::ports() {
+  return {
+      runtime::required_input(Topic::kOdometry, "where the robot believes it is"),
+      runtime::output(Topic::kTarget, "where to steer for, on the way to the mission's target")};
+}
+
+PlanComponent::PlanComponent(std::unique_ptr<Planner> planner, std::unique_ptr<MapSource> map,
+                             const runtime::RunSetup& setup)
+    : planner_(std::move(planner)),
+      map_(std::move(map)),
+      target_(setup.world->target()),
+      target_radius_m_(setup.world->target_radius_m()) {}
+
+void PlanComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
+  const Subgoal subgoal =
+      planner_->step({inputs.get<domain::Odometry>(), *map_, target_, target_radius_m_});
+  auto& target = outputs.get<domain::Target>();
+  target.x_m = subgoal.place.x();
+  target.y_m = subgoal.place.y();
+  target.radius_m = subgoal.radius_m;
+}
+
+}  // namespace clew::plan

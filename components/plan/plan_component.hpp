@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "plan/map_source.hpp"
+#include "plan/planner.hpp"
+#include "runtime/component.hpp"
+#include "runtime/stage.hpp"
+
+namespace clew::plan {
+
+/// Writes the target in drive's place: subgoals on the way to the mission's target, which it knows
+/// from the run's set-up as drive does. Drive still judges by that one.
+class PlanComponent final : public runtime::Component {
+ public:
+  static std::vector<runtime::PortInfo> ports();
+
+  PlanComponent(std::unique_ptr<Planner> planner, std::unique_ptr<MapSource> map,
+                const runtime::RunSetup& setup);
+
+  void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
+  void save(core::StateWriter& writer) const override { planner_->save(writer); }
+  void load(core::StateReader& reader) override { planner_->load(reader); }
+
+ private:
+  std::unique_ptr<Planner> planner_;
+  std::unique_ptr<MapSource> map_;
+  core::Vec2 target_;
+  double target_radius_m_;
+};
+
+}  // namespace clew::plan

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan/registry.hpp"
+
+#include "plan/neural_map_planner.hpp"
+
+namespace clew::plan {
+
+const runtime::Registry<Planner>& planners() {
+  static const runtime::Registry<Planner> registry = {
+      runtime::registration<Planner, NeuralMapPlanner>(
+          "neural_map", "subgoals along the ascent of a neural map (Lagoudakis & Maida 1999)"),
+  };
+  return registry;
+}
+
+}  // namespace clew::plan

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan/neural_map_planner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "plan/known_map.hpp"
+#include "world/world.hpp"
+
+namespace clew::plan {
+namespace {
+
+constexpr double kRadiusM = 0.15;
+
+/// A room of 6 m x 4 m with `obstacles`, and a planner in it.
+class Room {
+ public:
+  explicit Room(const std::string& obstacles, const NeuralMapPlanner::Parameters& parameters = {})
+      : parameters_(parameters) {
+    auto world =
+        world::World::parse("format: clew-world/1\nname: room\nbounds: [0, 0, 6, 4]\n" + obstacles +
+                                "\nstart: [1, 2, 0]\ntarget: [5, 2]\ntarget_radius: 0.1\n",
+                            "room.yaml");
+    EXPECT_TRUE(world.ok()) << world.error().text();
+    world_ = std::make_shared<const world::World>(std::move(world).value());
+    map_ = WorldMap::create(world_, 0.05).value();
+    planner_ = make_planner();
+  }
+
+  std::unique_ptr<NeuralMapPlanner> make_planner() const {
+    domain::BehaviourSetup setup;
+    setup.robot.radius_m = kRadiusM;
+    setup.tick_s = 0.5;
+    return NeuralMapPlanner::create(parameters_, setup).value();
+  }
+  /// The subgoal in the next tick, with the robot at `robot`.
+  Subgoal step(const core::Vec2& robot) { return step(robot, *planner_); }
+  Subgoal step(const core::Vec2& robot, NeuralMapPlanner& planner) {
+    domain::Odometry odometry;
+    odometry.stamp.tick = tick_++;
+    odometry.pose_odom_robot = {robot.x(), robot.y(), 0.0};
+    return planner.step({odometry, *map_, world_->target(), world_->target_radius_m()});
+  }
+  /// Goes straight from subgoal to subgoal, and says how many there were on the way to the target.
+  int walk() {
+    core::Vec2 robot = world_->start().position();
+    for (int subgoals = 1; subgoals < 100; ++subgoals) {
+      const Subgoal next = step(robot);
+      EXPECT_EQ(world_->sweep_disc(robot, next.place, kRadiusM, 0.0, 0.0).free_fraction, 1.0)
+          << robot.transpose() << " to " << next.place.transpose();
+      if (next.place == world_->target()) return subgoals;
+      robot = next.place;
+    }
+    return 100;
+  }
+
+  NeuralMapPlanner& planner() { return *planner_; }
+
+ private:
+  NeuralMapPlanner::Parameters parameters_;
+  std::shared_ptr<const world::World> world_;
+  std::unique_ptr<WorldMap> map_;
+  std::unique_ptr<NeuralMapPlanner> planner_;
+  std::uint64_t tick_ = 0;
+};
+
+constexpr char kWall[] = "walls: [[3, 0, 3, 3.2]]";
+
+TEST(NeuralMapPlanner, SteersForTheTargetWhereNothingIsInTheWay) {
+  NeuralMapPlanner::Parameters far_sighted;
+  far_sighted.look_ahead_m = 10.0;
+  Room room("", far_sighted);
+
+  const Subgoal subgoal = room.step({1.0, 2.0});
+
+  EXPECT_EQ(subgoal.place, core::Vec2(5.0, 2.0));
+  EXPECT_EQ(subgoal.radius_m, 0.1);
+}
+
+TEST(NeuralMapPlanner, LooksNoFartherThanItMay) {
+  Room room("");
+
+  const Subgoal subgoal = room.step({1.0, 2.0});
+
+  // 3 m ahead, less the size of a cell.
+  EXPECT_NEAR(core::length(subgoal.place - core::Vec2(1.0, 2.0)), 3.0, 0.05);
+  EXPECT_EQ(subgoal.radius_m, 0.3);
+}
+
+TEST(NeuralMapPlanner, LeadsAroundAWallByPlacesThatCanBeReachedStraight) {
+  for (const map::Lattice lattice :
+       {map::Lattice::kFourNeighbours, map::Lattice::kEightNeighbours, map::Lattice::kHexagonal}) {
+    NeuralMapPlanner::Parameters parameters;
+    parameters.lattice = lattice;
+    Room room(kWall, parameters);
+
+    const int subgoals = room.walk();
+
+    EXPECT_GE(subgoals, 2);
+    EXPECT_LE(subgoals, 8);
+  }
+}
+
+TEST(NeuralMapPlanner, GoesThroughAGapThatLeavesNoMargin) {
+  // 0.36 m wide, for a disc of 0.3 m.
+  Room room("walls: [[3, 0, 3, 1.80], [3, 2.16, 3, 4]]");
+
+  EXPECT_LE(room.walk(), 8);
+}
+
+TEST(NeuralMapPlanner, KeepsASubgoalUntilItIsNear) {
+  Room room(kWall);
+  const core::Vec2 subgoal = room.step({1.0, 2.0}).place;
+  const core::Vec2 back = (core::Vec2(1.0, 2.0) - subgoal).normalized();
+
+  EXPECT_EQ(room.step(subgoal + 0.5 * back).place, subgoal);
+  EXPECT_NE(room.step(subgoal + 0.29 * back).place, subgoal);
+}
+
+TEST(NeuralMapPlanner, PlansAnewAfterAWhileOutOfStraightReach) {
+  Room room(kWall);
+  room.step({1.0, 2.0});
+  // Behind the wall's other side, where the subgoal, on this side or above the wall, is hidden.
+  const core::Vec2 displaced(3.6, 0.4);
+  const core::Vec2 before = room.step(displaced).place;
+
+  // Out of reach from tick 1 on, of 0.5 s: 1.5 s later is tick 4.
+  EXPECT_EQ(room.step(displaced).place, before);
+  EXPECT_EQ(room.step(displaced).place, before);
+  const core::Vec2 after = room.step(displaced).place;
+
+  EXPECT_EQ(after, core::Vec2(5.0, 2.0));  // 2.1 m off, with nothing in between
+}
+
+TEST(NeuralMapPlanner, SteersForTheTargetItselfWhereThereIsNoWay) {
+  Room room("walls: [[3, 0, 3, 4]]");
+
+  const Subgoal subgoal = room.step({1.0, 2.0});
+
+  EXPECT_EQ(subgoal.place, core::Vec2(5.0, 2.0));
+  EXPECT_EQ(subgoal.radius_m, 0.1);
+}
+
+TEST(NeuralMapPlanner, DoesNotTakeMovingObstaclesForStandingOnes) {
+  Room room("moving: [{circle: [3, 2, 0.3], path: [[0, 3, 2], [10, 3, 3]]}]");
+
+  const Subgoal subgoal = room.step({1.0, 2.0});
+
+  EXPECT_NEAR(subgoal.place.y(), 2.0, 0.05);
+}
+
+TEST(NeuralMapPlanner, GoesOnFromASavedState) {
+  Room room(kWall);
+  const core::Vec2 subgoal = room.step({1.0, 2.0}).place;
+  core::StateWriter writer;
+  room.planner().save(writer);
+  const auto restored = room.make_planner();
+  core::StateReader reader(writer.bytes());
+  restored->load(reader);
+  ASSERT_TRUE(reader.complete());
+
+  EXPECT_EQ(room.step({1.1, 2.0}, *restored).place, subgoal);
+  EXPECT_EQ(room.step(subgoal, *restored).place, room.step(subgoal).place);
+}
+
+TEST(NeuralMapPlanner, RefusesAGainThatIsNotStable) {
+  NeuralMapPlanner::Parameters parameters;
+  parameters.gain = 0.2;
+
+  const auto planner = NeuralMapPlanner::create(parameters, {});
+
+  ASSERT_FALSE(planner.ok());
+  EXPECT_EQ(planner.error().message.substr(0, 33), "plan.neural_map: gain is 0.200000");
+}
+
+}  // namespace
+}  // namespace clew::plan
