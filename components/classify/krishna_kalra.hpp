@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "classify/spatial_classes.hpp"
 #include "core/result.hpp"
 #include "domain/setup.hpp"
+#include "world/seven_cones.hpp"
 
 namespace clew::classify {
 
@@ -75,7 +77,8 @@ class KrishnaKalra final : public Classifier {
     FuzzyArt::State art;
   };
 
-  /// Refuses scans that are not of seven beams, and a trained map that is not well formed.
+  /// Refuses sensors that leave one of the seven sectors without a beam, and a trained map that is
+  /// not well formed.
   static core::Result<std::unique_ptr<KrishnaKalra>> create(const Parameters& parameters,
                                                             const domain::BehaviourSetup& setup);
 
@@ -94,6 +97,7 @@ class KrishnaKalra final : public Classifier {
   std::optional<Som> som_;
   bool art_runs_;
   RunLengths art_bounds_;
+  world::SevenCones eyes_{std::numeric_limits<double>::infinity()};
   ClassSequence sequence_;
   FuzzyArt art_;
   bool presented_ = false;

@@ -26,7 +26,7 @@ Side obstacle_side(const Situation& situation) {
 
 core::Result<std::unique_ptr<ObstacleFollowing>> ObstacleFollowing::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
-  CLEW_RETURN_IF_ERROR(SevenCones::check(setup.scan, "obstacle_following"));
+  CLEW_RETURN_IF_ERROR(world::SevenCones::check(setup.scan, "obstacle_following"));
   const auto resource = setup.resources.find("rulebases", parameters.rules);
   if (!resource.ok()) return resource.error();
   const auto rules = WallRules::parse(*resource);
@@ -43,8 +43,9 @@ ObstacleFollowing::ObstacleFollowing(const Parameters& parameters, const WallRul
 
 /// The situation as seven cones see it.
 Situation ObstacleFollowing::as_seen(const Situation& situation) {
-  return {situation.tick,     situation.odometry,    eyes_.see(situation.scan),
-          situation.landmark, situation.target_odom, situation.pursued_odom};
+  return {situation.tick,           situation.odometry,    eyes_.see(situation.scan),
+          situation.landmark,       situation.target_odom, situation.pursued_odom,
+          situation.target_radius_m};
 }
 
 void ObstacleFollowing::begin(const Situation& all, const TrapEvidence&) {

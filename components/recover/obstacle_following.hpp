@@ -11,8 +11,8 @@
 #include "recover/boundary_memory.hpp"
 #include "recover/circuit.hpp"
 #include "recover/escape.hpp"
-#include "recover/seven_cones.hpp"
 #include "recover/wall_follower.hpp"
+#include "world/seven_cones.hpp"
 
 namespace clew::recover {
 
@@ -145,7 +145,7 @@ class ObstacleFollowing final : public Escape {
   Parameters parameters_;
   WallFollower follower_;
   WallFollower close_follower_;
-  SevenCones eyes_;
+  world::SevenCones eyes_;
   Circuit circuit_;
   BoundaryMemory boundary_;
   State state_;  // but for the circuit and the boundary, which keep their own

@@ -79,13 +79,15 @@ std::vector<runtime::PortInfo> RecoverComponent::ports() {
 }
 
 void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
-  const core::Vec2 target_odom = inputs.get<domain::Target>().position();
+  const auto& target = inputs.get<domain::Target>();
+  const core::Vec2 target_odom = target.position();
   const Situation situation{inputs.tick(),
                             inputs.get<domain::Odometry>(),
                             inputs.get<domain::Scan>(),
                             inputs.find<domain::Landmark>(),
                             target_odom,
-                            state_.virtual_target_odom.value_or(target_odom)};
+                            state_.virtual_target_odom.value_or(target_odom),
+                            target.radius_m};
   auto& guidance = outputs.get<Guidance>();
   auto& event = outputs.get<Event>();
   seek(situation, guidance);

@@ -3,6 +3,7 @@
 
 #include "recover/fixed_sequence.hpp"
 #include "recover/heading_reversal.hpp"
+#include "recover/known_detour.hpp"
 #include "recover/landmark_revisit.hpp"
 #include "recover/local_minimum_planner.hpp"
 #include "recover/no_progress.hpp"
@@ -11,6 +12,7 @@
 #include "recover/obstacle_following.hpp"
 #include "recover/oscillation.hpp"
 #include "recover/position_revisit.hpp"
+#include "recover/remembered_map.hpp"
 #include "recover/virtual_obstacle.hpp"
 
 namespace clew::recover {
@@ -35,6 +37,8 @@ const runtime::Registry<TrapDetector>& detectors() {
           "no_progress", "nowhere else for a while (Nav2's SimpleProgressChecker)"),
       runtime::registration<TrapDetector, Oscillation>("oscillation",
                                                        "to and fro between the same two places"),
+      runtime::registration<TrapDetector, KnownDetour>(
+          "known_detour", "on all that was seen, every way to the target first leads away from it"),
       runtime::registration<TrapDetector, NoDetector>("none", "never says trap"),
   };
   return registry;
@@ -53,6 +57,11 @@ const runtime::Registry<Escape>& escapes() {
           "fills the trap with virtual obstacles, and a stack of goals (Pin & Bender 1996)"),
       runtime::registration<Escape, FixedSequence>(
           "fixed_sequence", "clear, spin, wait, back up by turns (Nav2's default behaviour tree)"),
+      runtime::registration<Escape, RememberedMap>(
+          "remembered_map",
+          "the neural map of all that was seen (ours, on Lagoudakis & Maida 1999)"),
+      runtime::registration<Escape, RememberedAStar>(
+          "remembered_astar", "replanning A* on all that was seen (Hart, Nilsson & Raphael 1968)"),
       runtime::registration<Escape, NoEscape>("none", "lets the robot go on seeking"),
   };
   return registry;

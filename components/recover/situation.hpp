@@ -16,6 +16,7 @@ struct Situation {
   const domain::Landmark* landmark = nullptr;  ///< null if nobody classifies
   core::Vec2 target_odom;                      ///< the mission's
   core::Vec2 pursued_odom;  ///< the target in force in the tick before: an escape's own, or that
+  double target_radius_m = 0.0;  ///< arrival within this distance of the mission's
 
   const core::Pose2& pose() const { return odometry.pose_odom_robot; }
   double target_bearing_rad() const { return core::bearing_rad(pose(), target_odom); }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/angle.hpp"
 #include "data_files.hpp"
 
 namespace clew::classify {
@@ -146,16 +147,19 @@ TEST(KrishnaKalra, GoesOnAsBeforeAfterSaveAndLoad) {
   EXPECT_FALSE(landmark.recognitions[0].created);
 }
 
-TEST(KrishnaKalra, RefusesASensorThatHasNotSevenBeams) {
+TEST(KrishnaKalra, RefusesASensorThatLeavesASectorOut) {
   domain::BehaviourSetup setup;
-  setup.scan.sensor = "lidar";
-  setup.scan.beam_count = 360;
+  setup.scan.sensor = "four rays";
+  setup.scan.beam_count = 4;
+  setup.scan.bearing_first_rad = core::radians(90.0);
+  setup.scan.bearing_step_rad = core::radians(-90.0);
 
   const auto made = KrishnaKalra::create({}, setup);
 
   ASSERT_FALSE(made.ok());
-  EXPECT_EQ(made.error().message,
-            "classify krishna_kalra needs scans of seven beams; 'lidar' gives 360");
+  EXPECT_NE(
+      made.error().message.find("classify krishna_kalra needs a beam in each of seven sectors"),
+      std::string::npos);
 }
 
 }  // namespace

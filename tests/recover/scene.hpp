@@ -64,7 +64,7 @@ class Scene {
   }
 
   Situation situation() const {
-    return {tick_, odometry_, scan_, &landmark_, target_, pursued_.value_or(target_)};
+    return {tick_, odometry_, scan_, &landmark_, target_, pursued_.value_or(target_), 0.2};
   }
   const domain::Odometry& odometry() const { return odometry_; }
   const domain::Scan& scan() const { return scan_; }

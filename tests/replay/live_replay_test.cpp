@@ -77,7 +77,7 @@ std::vector<std::string> received_bytes(const std::string& path,
 class LiveReplay : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    record_run(plan_of("default", in_world("u-trap", 300)), path("run.mcap"));
+    record_run(plan_of("krishna_kalra", in_world("u-trap", 300)), path("run.mcap"));
     recording_.emplace(open_recording(path("run.mcap")));
     plan_ = replay_plan(*recording_);
     options_.middleware = GetParam();

@@ -15,7 +15,7 @@ GONE_WITHIN_S = 2.0
 class LongRun:
     """A run that would last minutes, in a session of its own."""
 
-    def __init__(self, *arguments, graph="default", pace="5x"):
+    def __init__(self, *arguments, graph="krishna_kalra", pace="5x"):
         self.process = subprocess.Popen([CLEW, "run", graph, *IN_WORLD, "--pace", pace, *arguments], text=True,
                                         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE, start_new_session=True)
@@ -74,7 +74,7 @@ class Endings(unittest.TestCase):
                 run.assert_nothing_left(self)
 
     def test_interrupt_of_a_composed_run(self):
-        process = subprocess.Popen([CLEW, "run", "default", *IN_WORLD, "--pace", "5x", "--layout",
+        process = subprocess.Popen([CLEW, "run", "krishna_kalra", *IN_WORLD, "--pace", "5x", "--layout",
                                     "composed"], text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.assertTrue(wait_until(lambda: catches(process.pid, signal.SIGINT)))
@@ -159,25 +159,25 @@ class Endings(unittest.TestCase):
         status, _, err = run.finish()
 
         self.assertEqual(status, 130)
-        self.assertIn("clew component default control --domain", err)
+        self.assertIn("clew component krishna_kalra control --domain", err)
         run.assert_nothing_left(self)
 
 
 class External(unittest.TestCase):
     def test_a_person_starts_a_component(self):
-        whole = Run(["run", "default", "--json"]).report["hash"]
-        run = subprocess.Popen([CLEW, "run", "default", "--json", "--external", "control",
+        whole = Run(["run", "krishna_kalra", "--json"]).report["hash"]
+        run = subprocess.Popen([CLEW, "run", "krishna_kalra", "--json", "--external", "control",
                                 "--domain", "77"], text=True, stdout=subprocess.PIPE,
                                stderr=subprocess.DEVNULL)
 
-        component = Run(["component", "default", "control", "--domain", "77"])
+        component = Run(["component", "krishna_kalra", "control", "--domain", "77"])
         out, _ = run.communicate(timeout=60)
 
         self.assertEqual(component.status, 0, component.err)
         self.assertIn(whole, out)
 
     def test_a_prefix_goes_before_the_component(self):
-        run = Run(["run", "default", "--json", "--prefix", "control=env CLEW_TEST_PREFIX=1"])
+        run = Run(["run", "krishna_kalra", "--json", "--prefix", "control=env CLEW_TEST_PREFIX=1"])
 
         self.assertEqual(run.status, 0, run.err)
         self.assertEqual(run.report["outcome"], "reached")

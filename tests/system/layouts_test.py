@@ -22,7 +22,7 @@ def all_worlds():
 class Layouts(unittest.TestCase):
     def test_every_layout_gives_the_same_hash(self):
         for world in all_worlds() if SOAK else WORLDS:
-            hashes = {name: run_graph("default", "--world", world, "--max-ticks", TICKS,
+            hashes = {name: run_graph("krishna_kalra", "--world", world, "--max-ticks", TICKS,
                                       *layout)["hash"]
                       for name, layout in LAYOUTS.items()}
 
@@ -42,8 +42,8 @@ class Layouts(unittest.TestCase):
         for world in all_worlds() if SOAK else WORLDS:
             arguments = ["--world", world, "--layout", "composed", "--max-ticks", TICKS]
 
-            release = run_graph("default", *arguments, command=CLEW)
-            debug = run_graph("default", *arguments, command=DEBUG_CLEW)
+            release = run_graph("krishna_kalra", *arguments, command=CLEW)
+            debug = run_graph("krishna_kalra", *arguments, command=DEBUG_CLEW)
 
             self.assertEqual(debug["hash"], release["hash"], world)
 
@@ -56,7 +56,7 @@ class Layouts(unittest.TestCase):
                 hashes = set()
                 for repeat in range(REPEATS):
                     layout = list(LAYOUTS.values())[repeat % len(LAYOUTS)]
-                    hashes.add(run_graph("default", "--world", world, "--max-ticks", TICKS,
+                    hashes.add(run_graph("krishna_kalra", "--world", world, "--max-ticks", TICKS,
                                          *layout)["hash"])
                 self.assertEqual(len(hashes), 1, world)
         finally:
@@ -67,9 +67,9 @@ class Layouts(unittest.TestCase):
     def test_noise_depends_on_the_seed_alone(self):
         arguments = ["--set", "sense.noise_stddev_m=0.02", "--set", "sense.drop_out_ratio=0.05"]
 
-        first = run_graph("default", *arguments, "--seed", "7", *LAYOUTS["composed"])
-        again = run_graph("default", *arguments, "--seed", "7", *LAYOUTS["mixed"])
-        other = run_graph("default", *arguments, "--seed", "8", *LAYOUTS["composed"])
+        first = run_graph("krishna_kalra", *arguments, "--seed", "7", *LAYOUTS["composed"])
+        again = run_graph("krishna_kalra", *arguments, "--seed", "7", *LAYOUTS["mixed"])
+        other = run_graph("krishna_kalra", *arguments, "--seed", "8", *LAYOUTS["composed"])
 
         self.assertEqual(again["hash"], first["hash"])
         self.assertNotEqual(other["hash"], first["hash"])
@@ -79,7 +79,7 @@ class Layouts(unittest.TestCase):
             contents = set()
             for name, layout in LAYOUTS.items():
                 path = pathlib.Path(directory) / (name.replace(" ", "-") + ".mcap")
-                report = run_graph("default", "--record", path, *layout)
+                report = run_graph("krishna_kalra", "--record", path, *layout)
                 self.assertEqual(report["recording"], str(path))
                 contents.add(path.read_bytes())
 
@@ -87,8 +87,8 @@ class Layouts(unittest.TestCase):
 
     def test_recording_changes_no_hash(self):
         with tempfile.TemporaryDirectory() as directory:
-            plain = run_graph("default", "--middleware", "fastdds")
-            recorded = run_graph("default", "--middleware", "fastdds", "--record",
+            plain = run_graph("krishna_kalra", "--middleware", "fastdds")
+            recorded = run_graph("krishna_kalra", "--middleware", "fastdds", "--record",
                                  pathlib.Path(directory) / "r.mcap")
 
             self.assertEqual(recorded["hash"], plain["hash"])
@@ -96,9 +96,9 @@ class Layouts(unittest.TestCase):
 
 class Isolation(unittest.TestCase):
     def test_runs_at_the_same_time_do_not_meet(self):
-        alone = {vendor: run_graph("default", "--middleware", vendor)["hash"]
+        alone = {vendor: run_graph("krishna_kalra", "--middleware", vendor)["hash"]
                  for vendor in ("cyclonedds", "fastdds")}
-        together = [(vendor, subprocess.Popen([CLEW, "run", "default", "--json", "--middleware",
+        together = [(vendor, subprocess.Popen([CLEW, "run", "krishna_kalra", "--json", "--middleware",
                                                vendor], stdout=subprocess.PIPE, text=True))
                     for vendor in ("cyclonedds", "fastdds", "cyclonedds", "fastdds")]
 
@@ -110,18 +110,18 @@ class Isolation(unittest.TestCase):
         before = set(os.listdir("/dev/shm"))
 
         for vendor in ("cyclonedds", "fastdds"):
-            run_graph("default", "--middleware", vendor)
+            run_graph("krishna_kalra", "--middleware", vendor)
 
         self.assertEqual(set(os.listdir("/dev/shm")) - before, set())
 
     def test_a_domain_that_is_held_is_refused(self):
-        holder = subprocess.Popen([CLEW, "run", "default", "--world", "unsolvable-box", "--pace", "1x",
+        holder = subprocess.Popen([CLEW, "run", "krishna_kalra", "--world", "unsolvable-box", "--pace", "1x",
                                    "--domain", "42"], stderr=subprocess.DEVNULL,
                                   stdout=subprocess.DEVNULL, start_new_session=True)
         try:
             # Its components come after it has taken the domain.
             self.assertTrue(wait_until(lambda: components_of(holder.pid)))
-            refused = Run(["run", "default", "--domain", "42", "--max-ticks", "1"])
+            refused = Run(["run", "krishna_kalra", "--domain", "42", "--max-ticks", "1"])
             self.assertEqual(refused.status, 2)
             self.assertIn("domain 42 is held by another run", refused.err)
         finally:
@@ -131,9 +131,9 @@ class Isolation(unittest.TestCase):
 
 class Paces(unittest.TestCase):
     def test_a_scaled_run_has_the_same_hash_and_takes_its_time(self):
-        free = run_graph("default", "--world", "pillar-on-line")
+        free = run_graph("krishna_kalra", "--world", "pillar-on-line")
         for layout in ("composed", "cyclonedds"):
-            scaled = run_graph("default", "--world", "pillar-on-line", "--pace", "20x",
+            scaled = run_graph("krishna_kalra", "--world", "pillar-on-line", "--pace", "20x",
                                *LAYOUTS[layout])
 
             self.assertEqual(scaled["hash"], free["hash"])

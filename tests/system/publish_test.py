@@ -59,7 +59,7 @@ class Published(unittest.TestCase):
     def setUpClass(cls):
         cls.directory = pathlib.Path(tempfile.mkdtemp(prefix="clew-publish-"))
         cls.recording = cls.directory / "a.mcap"
-        run_graph("default", "--layout", "composed", "--record", cls.recording)
+        run_graph("krishna_kalra", "--layout", "composed", "--record", cls.recording)
         cls.comb = cls.directory / "comb.mcap"
         run_graph("reactive", "--world", "comb", "--max-ticks", "150", "--layout", "composed",
                   "--record", cls.comb)
@@ -116,7 +116,7 @@ class Component(Published):
                 replay.wait_for("start it with: clew component - recover --domain ")
                 domain = replay.err.split("--domain ")[1].split()[0]
 
-                component = Run(["component", "default", "recover", "--domain", domain])
+                component = Run(["component", "krishna_kalra", "recover", "--domain", domain])
                 out = replay.end()
 
                 self.assertEqual(component.status, 0, component.err)

@@ -12,7 +12,7 @@ from clew_command import (CLEW, LAYOUTS, THIRD_PARTY, Run, components_of, proces
                           recorder_of, start, wait_until, write_file)
 
 # 4.5 MB of samples.
-RUN = ["run", "default", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none",
+RUN = ["run", "krishna_kalra", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none",
        "--max-ticks", "4000", "--json"]
 SHORT = [LAYOUTS["composed"], LAYOUTS["cyclonedds"]]
 
@@ -144,7 +144,7 @@ class Compression(Scratch):
         for compression in ("none", "zstd", "lz4"):
             contents = set()
             for layout in SHORT:
-                run = Run(["run", "default", "--json", *layout, "--record", self.path, "--force",
+                run = Run(["run", "krishna_kalra", "--json", *layout, "--record", self.path, "--force",
                            "--compression", compression])
                 self.assertEqual(run.status, 0, run.err)
                 hashes.add(run.report["hash"])
@@ -161,16 +161,16 @@ class Compression(Scratch):
 
     def test_recordings_of_different_compressions_are_the_same_run(self):
         other = self.directory / "zstd.mcap"
-        Run(["run", "default", *LAYOUTS["composed"], "--record", self.path])
-        Run(["run", "default", *LAYOUTS["composed"], "--record", other, "--compression", "zstd"])
+        Run(["run", "krishna_kalra", *LAYOUTS["composed"], "--record", self.path])
+        Run(["run", "krishna_kalra", *LAYOUTS["composed"], "--record", other, "--compression", "zstd"])
 
         diff = Run(["diff", self.path, other])
 
         self.assertEqual(diff.status, 0, diff.out)
 
     def test_an_unknown_choice_is_refused_with_the_known_ones(self):
-        compression = Run(["run", "default", "--compression", "zst"])
-        choice = Run(["run", "default", "--on-record-error", "ignore"])
+        compression = Run(["run", "krishna_kalra", "--compression", "zst"])
+        choice = Run(["run", "krishna_kalra", "--on-record-error", "ignore"])
 
         self.assertEqual((compression.status, choice.status), (2, 2))
         self.assertIn("--compression", compression.err)

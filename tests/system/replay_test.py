@@ -206,7 +206,7 @@ class Replay(Recordings):
 
     def test_of_a_run_over_dds(self):
         recording = self.directory / "processes.mcap"
-        run_graph("default", "--max-ticks", "150", "--record", recording)
+        run_graph("krishna_kalra", "--max-ticks", "150", "--record", recording)
 
         self.assertTrue(self.ran(["replay", recording, "--json"], 0).report["identical"])
 

@@ -13,7 +13,7 @@ import unittest
 from clew_command import (CLEW, SOAK, Run, components_of, recorder_of, wait_until, write_file)
 
 # Some seconds of ticks; the robot wanders before a wall.
-RUN = ["default", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none",
+RUN = ["krishna_kalra", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none",
        "--max-ticks", "4000"]
 STAGES = ["sense", "classify", "recover", "control", "drive", "recorder"]
 KILLS = 200 if SOAK else 12

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recover/seven_cones.hpp"
+#include "world/seven_cones.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-namespace clew::recover {
+namespace clew::world {
 namespace {
 
 // Beams that only touch a sector's edge do not see it.
@@ -61,4 +61,4 @@ const domain::Scan& SevenCones::see(const domain::Scan& scan) {
   return cones_;
 }
 
-}  // namespace clew::recover
+}  // namespace clew::world

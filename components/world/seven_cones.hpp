@@ -7,7 +7,7 @@
 #include "core/result.hpp"
 #include "domain/setup.hpp"
 
-namespace clew::recover {
+namespace clew::world {
 
 /// Seven sectors of 15 degrees, from 45 degrees on the left to 45 on the right: what Krishna &
 /// Kalra's rules see. Other sensors serve them if they see each of the sectors.
@@ -31,4 +31,4 @@ class SevenCones {
   domain::Scan cones_;
 };
 
-}  // namespace clew::recover
+}  // namespace clew::world

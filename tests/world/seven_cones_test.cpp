@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "recover/seven_cones.hpp"
+#include "world/seven_cones.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/angle.hpp"
-#include "scene.hpp"
 
-namespace clew::recover {
+namespace clew::world {
 namespace {
 
 using core::radians;
@@ -23,13 +22,18 @@ domain::Scan laser() {
 
 TEST(SevenCones, GiveConesAsTheyAre) {
   SevenCones eyes(1.5);
-  const Scene scene = Scene().sees({0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 1.0});
+  domain::Scan scan;
+  scan.bearing_first_rad = radians(45.0);
+  scan.bearing_step_rad = radians(-15.0);
+  scan.beam_width_rad = radians(15.0);
+  scan.range_max_m = 1.0;
+  scan.ranges_m = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 1.0};
 
-  const domain::Scan& cones = eyes.see(scene.scan());
+  const domain::Scan& cones = eyes.see(scan);
 
-  EXPECT_EQ(cones.ranges_m, scene.scan().ranges_m);
+  EXPECT_EQ(cones.ranges_m, scan.ranges_m);
   EXPECT_EQ(cones.range_max_m, 1.0);
-  EXPECT_EQ(cones.bearing_first_rad, scene.scan().bearing_first_rad);
+  EXPECT_EQ(cones.bearing_first_rad, scan.bearing_first_rad);
 }
 
 TEST(SevenCones, TakeTheLeastReadingOfASector) {
@@ -58,4 +62,4 @@ TEST(SevenCones, AskForABeamInEachSector) {
 }
 
 }  // namespace
-}  // namespace clew::recover
+}  // namespace clew::world

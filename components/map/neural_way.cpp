@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "map/neural_way.hpp"
+
+#include <cmath>
+
+namespace clew::map {
+namespace {
+
+// Around a robot that stands closer to an obstacle than it would go, so that it can get away.
+constexpr std::int32_t kStartCells = 3;
+
+}  // namespace
+
+const std::vector<Vec2>& NeuralWay::find(const CostGrid& costs, const Vec2& from, const Vec2& to,
+                                         double goal_radius_m) {
+  way_.clear();
+  const auto start = costs.grid.cell_at(from);
+  if (!start) return way_;
+  take_targets(costs, to, goal_radius_m);
+  for (const Room least : {Room::kOpen, Room::kNarrow, Room::kSuspected, Room::kTouching}) {
+    take_passable(costs, least, *start);
+    landscape_.evolve(costs.grid, passable_, targets_, start);
+    if (!landscape_.path(*start, cells_)) continue;
+    for (const Cell& cell : cells_) way_.push_back(costs.grid.centre(cell));
+    break;
+  }
+  return way_;
+}
+
+void NeuralWay::take_targets(const CostGrid& costs, const Vec2& to, double goal_radius_m) {
+  targets_.clear();
+  const Grid& grid = costs.grid;
+  const auto reach = static_cast<std::int32_t>(std::ceil(goal_radius_m / grid.cell_m));
+  const auto middle = grid.cell_at(to);
+  if (!middle) return;
+  for (std::int32_t rows = -reach; rows <= reach; ++rows) {
+    for (std::int32_t columns = -reach; columns <= reach; ++columns) {
+      const Cell cell{middle->column + columns, middle->row + rows};
+      if (grid.contains(cell) && core::length(grid.centre(cell) - to) <= goal_radius_m) {
+        targets_.push_back(cell);
+      }
+    }
+  }
+}
+
+void NeuralWay::take_passable(const CostGrid& costs, Room least, const Cell& start) {
+  passable_.resize(costs.room.size());
+  for (std::size_t i = 0; i < passable_.size(); ++i) passable_[i] = costs.room[i] >= least;
+  for (std::int32_t rows = -kStartCells; rows <= kStartCells; ++rows) {
+    for (std::int32_t columns = -kStartCells; columns <= kStartCells; ++columns) {
+      const Cell cell{start.column + columns, start.row + rows};
+      if (!costs.grid.contains(cell)) continue;
+      const std::size_t index = costs.grid.index(cell);
+      passable_[index] = costs.room[index] != Room::kNone;
+    }
+  }
+}
+
+}  // namespace clew::map

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "map/neural_map.hpp"
+#include "map/way_search.hpp"
+
+namespace clew::map {
+
+/// Steepest ascent on the neural map of the cells that are open, or, where that leads nowhere, of
+/// the narrow and then the suspected ones besides, and at last of all that have any room. A
+/// landscape knows cells that are passable or not, and no costs: so these are tried in turn.
+class NeuralWay final : public WaySearch {
+ public:
+  explicit NeuralWay(NeuralMap landscape) : landscape_(std::move(landscape)) {}
+
+  const std::vector<Vec2>& find(const CostGrid& costs, const Vec2& from, const Vec2& to,
+                                double goal_radius_m) override;
+
+ private:
+  void take_targets(const CostGrid& costs, const Vec2& to, double goal_radius_m);
+  void take_passable(const CostGrid& costs, Room least, const Cell& start);
+
+  NeuralMap landscape_;
+  std::vector<std::uint8_t> passable_;
+  std::vector<Cell> targets_;
+  std::vector<Cell> cells_;
+  std::vector<Vec2> way_;
+};
+
+}  // namespace clew::map

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "map/scan_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clew::map {
+namespace {
+
+// Rays farther apart than this tell nothing of what is between them.
+constexpr double kMostBetweenRays_rad = core::radians(2.5);
+// Rays are taken together over this angle.
+constexpr double kRayGroup_rad = core::radians(6.0);
+// Where a contact is beyond the skin: the drive's bumpers feel within a centimetre.
+constexpr double kContactReach_m = 0.005;
+
+}  // namespace
+
+void ScanEvidence::mark(const domain::Odometry& odometry, const domain::Scan& scan,
+                        SeenMap& seen) const {
+  const core::Pose2& pose = odometry.pose_odom_robot;
+  seen.mark_free(Sector(pose.position(), radius_m_));
+  mark_free_parts(pose, scan, seen);
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+    if (scan.ranges_m[i] >= scan.range_max_m) continue;
+    mark_arc(pose, radius_m_ + scan.ranges_m[i], pose.heading_rad + scan.bearing_rad(i),
+             scan.beam_width_rad, seen);
+  }
+  for (const double bearing_rad : odometry.contact_bearings_rad) {
+    seen.mark_hit(pose.position() +
+                  (radius_m_ + kContactReach_m) * core::direction(pose.heading_rad + bearing_rad));
+  }
+}
+
+void ScanEvidence::mark_free_parts(const core::Pose2& pose, const domain::Scan& scan,
+                                   SeenMap& seen) const {
+  const std::size_t count = scan.ranges_m.size();
+  if (scan.beam_width_rad > 0.0) {
+    for (std::size_t i = 0; i < count; ++i) mark_between(pose, scan, i, i, seen);
+    const bool side_by_side =
+        std::fabs(scan.bearing_step_rad) <= scan.beam_width_rad * (1.0 + 1e-9);
+    for (std::size_t i = 1; side_by_side && i < count; ++i)
+      mark_between(pose, scan, i - 1, i, seen);
+    return;
+  }
+  const double step_rad = std::fabs(scan.bearing_step_rad);
+  if (count < 2 || step_rad > kMostBetweenRays_rad) return;
+  const auto group = static_cast<std::size_t>(std::max(2.0, kRayGroup_rad / step_rad));
+  for (std::size_t i = 0; i + 1 < count; i += group / 2) {
+    mark_between(pose, scan, i, std::min(count - 1, i + group), seen);
+  }
+}
+
+/// Marks what the beams from `first` to `last` see free together: from the middle of the one to
+/// that of the other, or all of a single one.
+void ScanEvidence::mark_between(const core::Pose2& pose, const domain::Scan& scan,
+                                std::size_t first, std::size_t last, SeenMap& seen) const {
+  const auto begin = scan.ranges_m.begin();
+  const double shortest_m = *std::min_element(begin + static_cast<std::ptrdiff_t>(first),
+                                              begin + static_cast<std::ptrdiff_t>(last) + 1);
+  if (shortest_m <= scan.range_min_m) return;
+  const bool ends = shortest_m < scan.range_max_m;
+  const double radius_m = radius_m_ + shortest_m - (ends ? parameters_.clear_margin_m : 0.0);
+  const double widening_rad = first == last ? 0.5 * scan.beam_width_rad : 0.0;
+  const double right_rad = std::min(scan.bearing_rad(first), scan.bearing_rad(last)) - widening_rad;
+  const double opening_rad =
+      std::fabs(scan.bearing_rad(last) - scan.bearing_rad(first)) + 2.0 * widening_rad;
+  seen.mark_free(Sector(pose.position(), radius_m, pose.heading_rad + right_rad, opening_rad));
+}
+
+void ScanEvidence::mark_arc(const core::Pose2& pose, double distance_m, double bearing_rad,
+                            double width_rad, SeenMap& seen) const {
+  const double most_apart_m = 0.5 * seen.cell_m();
+  const auto pieces = static_cast<std::size_t>(std::ceil(width_rad * distance_m / most_apart_m));
+  const auto place = [&](std::size_t i) -> Vec2 {
+    const double share = pieces == 0 ? 0.0 : static_cast<double>(i) / static_cast<double>(pieces);
+    return pose.position() + distance_m * core::direction(bearing_rad + (share - 0.5) * width_rad);
+  };
+  std::size_t first = pieces + 1;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i <= pieces; ++i) {
+    if (seen.is(Mark::kFree, place(i))) continue;
+    first = std::min(first, i);
+    last = i;
+  }
+  const bool nothing_left = first > last;
+  if (nothing_left) {
+    first = 0;
+    last = pieces;
+  }
+  const double spread_m = pieces == 0 ? 0.0
+                                      : static_cast<double>(last - first) /
+                                            static_cast<double>(pieces) * width_rad * distance_m;
+  if (spread_m <= parameters_.hit_spread_m) {
+    seen.mark_hit(place((first + last) / 2));
+    return;
+  }
+  for (std::size_t i = first; i <= last; ++i) {
+    if (nothing_left || !seen.is(Mark::kFree, place(i))) seen.mark_suspected(place(i));
+  }
+}
+
+}  // namespace clew::map

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "core/archive.hpp"
+#include "core/geometry.hpp"
+#include "map/sector.hpp"
+
+namespace clew::map {
+
+using core::Vec2;
+
+/// What is known of a cell. A cell that nothing was learnt of is unknown: none of the three.
+enum class Mark : std::uint8_t {
+  kFree,      ///< all of it lay within a beam's free part
+  kHit,       ///< an obstacle is here: a place known to within kHitSpread_m / 2
+  kSuspected  ///< an obstacle may be here, or elsewhere on the same arc
+};
+inline constexpr std::size_t kMarks = 3;
+
+/// What was seen of the plane, in square cells that lie side by side from the origin of the frame.
+/// It grows by tiles of 64 by 64 cells as the robot sees more, so that memory is a matter of the
+/// area seen: 1.5 KiB for 64^2 cells, 2.6 square metres of cells of 25 mm. Beyond the capacity,
+/// area not seen before stays unknown.
+///
+/// The newest evidence wins: what is seen free is no longer an obstacle, and the other way round.
+class SeenMap {
+ public:
+  static constexpr std::int32_t kTileCells = 64;
+
+  struct Tile {
+    /// By mark, then by row from below; bit i is column i from the left.
+    std::array<std::array<std::uint64_t, kTileCells>, kMarks> rows{};
+  };
+  using TileKey = std::pair<std::int32_t, std::int32_t>;  ///< column and row of a tile
+  struct State {
+    std::map<TileKey, Tile> tiles;
+  };
+
+  /// Cells of side `cell_m`, and at most `capacity` tiles.
+  SeenMap(double cell_m, std::size_t capacity) : cell_m_(cell_m), capacity_(capacity) {}
+
+  double cell_m() const { return cell_m_; }
+  double tile_m() const { return cell_m_ * kTileCells; }
+
+  /// Marks the cells that lie wholly within the sector as free.
+  void mark_free(const Sector& sector);
+  /// Marks the cell of a place as an obstacle, or as a suspected one.
+  void mark_hit(const Vec2& place) { mark_obstacle(place, Mark::kHit); }
+  /// Does nothing where an obstacle is known already.
+  void mark_suspected(const Vec2& place) { mark_obstacle(place, Mark::kSuspected); }
+
+  /// Whether the cell of a place has a mark.
+  bool is(Mark mark, const Vec2& place) const;
+
+  /// Calls `visit(place)` with the middle of each cell of that mark within the rectangle, tile by
+  /// tile.
+  template <typename Visit>
+  void for_each(Mark mark, const Vec2& least, const Vec2& most, Visit&& visit) const;
+
+  State& state() { return state_; }
+  const State& state() const { return state_; }
+
+ private:
+  struct Place {
+    TileKey tile;
+    std::size_t column = 0;
+    std::size_t row = 0;
+  };
+  Place place_of(const Vec2& point) const;
+  std::int32_t tile_number(double coordinate_m) const;
+  Tile* tile_at(const TileKey& key);
+  void mark_obstacle(const Vec2& place, Mark mark);
+
+  double cell_m_;
+  std::size_t capacity_;
+  State state_;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, SeenMap::Tile& t) {
+  visit(t.rows);
+}
+template <typename Visitor>
+void visit_fields(Visitor& visit, SeenMap::State& s) {
+  visit(s.tiles);
+}
+
+template <typename Visit>
+void SeenMap::for_each(Mark mark, const Vec2& least, const Vec2& most, Visit&& visit) const {
+  for (const auto& [key, tile] : state_.tiles) {
+    const Vec2 corner(key.first * tile_m(), key.second * tile_m());
+    if (corner.x() > most.x() || corner.y() > most.y() || corner.x() + tile_m() < least.x() ||
+        corner.y() + tile_m() < least.y()) {
+      continue;
+    }
+    const auto& rows = tile.rows[static_cast<std::size_t>(mark)];
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      for (std::uint64_t bits = rows[row]; bits != 0; bits &= bits - 1) {
+        const Vec2 place =
+            corner + cell_m_ * Vec2(__builtin_ctzll(bits) + 0.5, static_cast<double>(row) + 0.5);
+        if (place.x() < least.x() || place.y() < least.y() || place.x() > most.x() ||
+            place.y() > most.y()) {
+          continue;
+        }
+        visit(place);
+      }
+    }
+  }
+}
+
+}  // namespace clew::map

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recover/known_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clew::recover {
+namespace {
+
+// Free room around all that was seen, wide enough to go round it.
+constexpr double kMargin_m = 1.0;
+// The way is looked over this far ahead for obstacles seen since.
+constexpr double kLookAhead_m = 1.0;
+// A centre this near to where the robot was held does not pass either.
+constexpr double kRefused_m = 0.06;
+constexpr std::size_t kMostRefused = 4096;
+constexpr double kTouching_m = 0.01;
+
+map::Passage passage_of(const KnownWayParameters& p, double radius_m) {
+  map::Passage passage;
+  // A hit stands for a piece of arc, lies anywhere in its cell, and a way passes anywhere in its.
+  const double rounding_m = 0.5 * p.hit_spread_m + 0.5 * std::sqrt(2.0) * p.cell_m;
+  passage.impossible_m = std::max(0.3 * radius_m, radius_m - rounding_m);
+  passage.touching_m = radius_m - kTouching_m;
+  passage.comfortable_m = radius_m + p.comfortable_m;
+  passage.narrow_cost = p.narrow_cost;
+  passage.known_cost = p.known_cost;
+  passage.suspected_cost = p.suspected_cost;
+  return passage;
+}
+
+/// What going straight costs; infinite through what is blocked, except where the way begins.
+double straight_cost_m(const map::CostGrid& costs, const core::Vec2& from, const core::Vec2& to) {
+  const double length_m = core::length(to - from);
+  const auto pieces = static_cast<int>(std::ceil(length_m / (0.5 * costs.grid.cell_m)));
+  double sum = 0.0;
+  for (int i = 0; i < pieces; ++i) {
+    const core::Vec2 place = from + (i + 0.5) / pieces * (to - from);
+    const auto cell = costs.grid.cell_at(place);
+    const float cost = cell ? costs.cost[costs.grid.index(*cell)] : map::CostGrid::kBlocked;
+    if (cost == map::CostGrid::kBlocked) return HUGE_VAL;
+    sum += cost;
+  }
+  return pieces == 0 ? 0.0 : sum * length_m / pieces;
+}
+
+}  // namespace
+
+KnownWay::KnownWay(const KnownWayParameters& parameters, const domain::BehaviourSetup& setup,
+                   std::unique_ptr<map::WaySearch> search)
+    : parameters_(parameters),
+      radius_m_(setup.robot.radius_m),
+      replan_ticks_(parameters.replan_s / setup.tick_s),
+      evidence_({parameters.hit_spread_m, 0.01}, setup.robot.radius_m),
+      seen_(parameters.cell_m, static_cast<std::size_t>(parameters.capacity_tiles)),
+      passage_(passage_of(parameters, setup.robot.radius_m)),
+      clearance_(passage_, parameters.cell_m),
+      search_(std::move(search)) {}
+
+void KnownWay::see(const Situation& situation) {
+  evidence_.mark(situation.odometry, situation.scan, seen_);
+}
+
+bool KnownWay::keep_up(const Situation& situation) {
+  const auto age = static_cast<double>(situation.tick - state_.planned_tick);
+  if (state_.planned && age + 0.5 < replan_ticks_ && !is_cut(situation)) return false;
+  plan(situation);
+  return true;
+}
+
+void KnownWay::plan(const Situation& situation) {
+  state_.planned = true;
+  state_.planned_tick = situation.tick;
+  state_.next = 1;
+  state_.corners_odom.clear();
+  const core::Vec2 from = situation.pose().position();
+  map::CostGrid& costs = clearance_.update(seen_, from, situation.target_odom, kMargin_m);
+  close_refused(costs);
+  open_own_place(costs, from);
+  const auto& way =
+      search_->find(costs, from, situation.target_odom, 0.8 * situation.target_radius_m);
+  if (!way.empty()) pull_tight(costs, way, from);
+}
+
+void KnownWay::refuse(const core::Vec2& place_odom) {
+  if (state_.refused_odom.size() < kMostRefused) state_.refused_odom.push_back(place_odom);
+}
+
+void KnownWay::forget_all() {
+  state_ = {};
+  seen_.state() = {};
+}
+
+void KnownWay::close_refused(map::CostGrid& costs) const {
+  const map::Grid& grid = costs.grid;
+  const auto reach = static_cast<std::int32_t>(std::ceil(kRefused_m / grid.cell_m));
+  for (const core::Vec2& place : state_.refused_odom) {
+    const auto middle = grid.cell_at(place);
+    if (!middle) continue;
+    for (std::int32_t rows = -reach; rows <= reach; ++rows) {
+      for (std::int32_t columns = -reach; columns <= reach; ++columns) {
+        const map::Cell cell{middle->column + columns, middle->row + rows};
+        if (!grid.contains(cell) || core::length(grid.centre(cell) - place) > kRefused_m) continue;
+        costs.cost[grid.index(cell)] = map::CostGrid::kBlocked;
+        costs.room[grid.index(cell)] = map::Room::kNone;
+      }
+    }
+  }
+}
+
+/// Where the robot stands it can be, whatever is believed.
+void KnownWay::open_own_place(map::CostGrid& costs, const core::Vec2& place) {
+  const auto cell = costs.grid.cell_at(place);
+  if (!cell || costs.room[costs.grid.index(*cell)] != map::Room::kNone) return;
+  costs.room[costs.grid.index(*cell)] = map::Room::kTouching;
+  costs.cost[costs.grid.index(*cell)] = static_cast<float>(passage_.touching_cost);
+}
+
+/// Keeps of a way from cell to cell the corners that going straight between does not cost more.
+void KnownWay::pull_tight(const map::CostGrid& costs, const std::vector<core::Vec2>& way,
+                          const core::Vec2& from) {
+  state_.corners_odom.push_back(from);
+  core::Vec2 corner = from;
+  double along_m = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const core::Vec2 before = i == 1 ? from : way[i - 1];
+    // A diagonal may brush a cell that is blocked: the search has allowed it.
+    const double step_m = std::min(straight_cost_m(costs, before, way[i]),
+                                   passage_.touching_cost * core::length(way[i] - before));
+    if (i > 1 && straight_cost_m(costs, corner, way[i]) > 1.001 * (along_m + step_m)) {
+      corner = way[i - 1];
+      state_.corners_odom.push_back(corner);
+      along_m = 0.0;
+    }
+    along_m += step_m;
+  }
+  state_.corners_odom.push_back(way.back());
+}
+
+/// Whether something that was seen lies on the next piece of the way.
+bool KnownWay::is_cut(const Situation& situation) const {
+  core::Vec2 from = situation.pose().position();
+  double left_m = kLookAhead_m;
+  const double room_m = radius_m_ - 2.0 * kTouching_m;
+  for (std::size_t i = state_.next; i < state_.corners_odom.size() && left_m > 0.0; ++i) {
+    const core::Vec2 to = state_.corners_odom[i];
+    const double length_m = core::length(to - from);
+    if (length_m <= 0.0) continue;
+    const core::Vec2 along = (to - from) / length_m;
+    const double end_m = std::min(length_m, left_m);
+    const core::Vec2 end = from + end_m * along;
+    const core::Vec2 margin(room_m, room_m);
+    bool cut = false;
+    seen_.for_each(map::Mark::kHit, from.cwiseMin(end) - margin, from.cwiseMax(end) + margin,
+                   [&](const core::Vec2& place) {
+                     const core::Vec2 off = place - from;
+                     const double ahead_m = std::clamp(off.dot(along), 0.0, end_m);
+                     cut = cut || core::length(off - ahead_m * along) < room_m;
+                   });
+    if (cut) return true;
+    left_m -= length_m;
+    from = to;
+  }
+  return false;
+}
+
+const core::Vec2& KnownWay::next_corner(const Situation& situation, double reach_m) {
+  const auto last = static_cast<std::uint32_t>(state_.corners_odom.size() - 1);
+  while (state_.next < last &&
+         core::distance_m(situation.pose(), state_.corners_odom[state_.next]) <= reach_m) {
+    ++state_.next;
+  }
+  return state_.corners_odom[std::min(state_.next, last)];
+}
+
+double KnownWay::length_m(const Situation& situation) const {
+  double length_m = 0.0;
+  core::Vec2 from = situation.pose().position();
+  for (std::size_t i = state_.next; i < state_.corners_odom.size(); ++i) {
+    length_m += core::length(state_.corners_odom[i] - from);
+    from = state_.corners_odom[i];
+  }
+  return length_m;
+}
+
+double KnownWay::rise_m(const Situation& situation) const {
+  core::Vec2 from = situation.pose().position();
+  double nearest_m = core::length(from - situation.target_odom);
+  double rise_m = 0.0;
+  for (std::size_t i = state_.next; i < state_.corners_odom.size(); ++i) {
+    const core::Vec2 to = state_.corners_odom[i];
+    const core::Vec2 way = to - from;
+    // On a straight piece the distance falls to the foot of the target's perpendicular, then rises.
+    const double square = way.dot(way);
+    const double foot =
+        square > 0.0 ? std::clamp((situation.target_odom - from).dot(way) / square, 0.0, 1.0) : 0.0;
+    nearest_m = std::min(nearest_m, core::length(from + foot * way - situation.target_odom));
+    rise_m = std::max(rise_m, core::length(to - situation.target_odom) - nearest_m);
+    from = to;
+  }
+  return rise_m;
+}
+
+void KnownWay::save(core::StateWriter& writer) const {
+  State state = state_;
+  map::SeenMap::State seen = seen_.state();
+  writer(seen, state);
+}
+
+void KnownWay::load(core::StateReader& reader) { reader(seen_.state(), state_); }
+
+}  // namespace clew::recover

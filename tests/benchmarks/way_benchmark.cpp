@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a tick of recovery on all that was seen costs, with the neural map and with A* at the same
+/// rate of replanning: each leads a robot with a laser of 4 m from the start to the target.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "recover/remembered_map.hpp"
+#include "sense/laser.hpp"
+
+namespace clew::recover {
+namespace {
+
+constexpr double kTick_s = 0.3;
+constexpr int kMostTicks = 2000;
+
+world::World world_of(const std::string& name) {
+  const std::string path = "configs/worlds/" + name + ".yaml";
+  std::ifstream stream(std::string(CLEW_SOURCE_DIR) + '/' + path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return world::World::parse(text, path).value();
+}
+
+/// Leads a robot through the world, and times each tick.
+template <typename EscapeKind>
+std::vector<double> times_of_trip_us(const world::World& world, double& path_m) {
+  domain::BehaviourSetup setup;
+  setup.tick_s = kTick_s;
+  setup.limits.speed_mps = 0.5;
+  sense::Laser::Parameters laser;
+  laser.range_m = 4.0;
+  const sense::Laser sensor(laser, setup.robot.radius_m);
+  const auto escape = EscapeKind::create({}, setup).value();
+  domain::Odometry odometry;
+  odometry.pose_odom_robot = world.start();
+  domain::Scan scan;
+  std::vector<double> times_us;
+  bool begun = false;
+  while (times_us.size() < kMostTicks) {
+    const std::uint64_t tick = times_us.size();
+    core::Pose2& pose = odometry.pose_odom_robot;
+    sensor.measure(world, pose, 0.0, core::Random({1, 0, 1, tick}), scan);
+    const Situation situation{
+        tick, odometry, scan, nullptr, world.target(), world.target(), world.target_radius_m()};
+    if (situation.target_distance_m() <= world.target_radius_m()) break;
+    domain::Guidance guidance;
+    const auto before = std::chrono::steady_clock::now();
+    escape->watch(situation);
+    if (!begun) escape->begin(situation, {});
+    begun = escape->step(situation, guidance) == EscapeStatus::kActive;
+    const auto after = std::chrono::steady_clock::now();
+    times_us.push_back(std::chrono::duration<double, std::micro>(after - before).count());
+    const domain::Motion& motion = guidance.override_motion;
+    const core::Vec2 goal = begun ? core::Vec2(pose.position()) : world.target();
+    pose.heading_rad = begun ? core::wrap_angle_rad(pose.heading_rad + motion.turn_rad)
+                             : core::atan2(goal.y() - pose.y_m, goal.x() - pose.x_m);
+    const double step_m = begun ? motion.step_m : 0.15;
+    pose.x_m += step_m * core::cos(pose.heading_rad);
+    pose.y_m += step_m * core::sin(pose.heading_rad);
+    path_m += step_m;
+  }
+  return times_us;
+}
+
+template <typename EscapeKind>
+void trip(benchmark::State& state, const char* world_name) {
+  const world::World world = world_of(world_name);
+  std::vector<double> times_us;
+  double path_m = 0.0;
+  for (auto _ : state) {
+    path_m = 0.0;
+    const auto trip_us = times_of_trip_us<EscapeKind>(world, path_m);
+    times_us.insert(times_us.end(), trip_us.begin(), trip_us.end());
+  }
+  std::sort(times_us.begin(), times_us.end());
+  double sum_us = 0.0;
+  for (const double time_us : times_us) sum_us += time_us;
+  state.counters["mean_us"] = sum_us / static_cast<double>(times_us.size());
+  state.counters["p99_us"] = times_us[times_us.size() * 99 / 100];
+  state.counters["path_m"] = path_m;
+}
+
+void remembered_map(benchmark::State& state, const char* world_name) {
+  trip<RememberedMap>(state, world_name);
+}
+void remembered_astar(benchmark::State& state, const char* world_name) {
+  trip<RememberedAStar>(state, world_name);
+}
+BENCHMARK_CAPTURE(remembered_map, office, "office");
+BENCHMARK_CAPTURE(remembered_astar, office, "office");
+BENCHMARK_CAPTURE(remembered_map, maze_16x16, "maze-16x16");
+BENCHMARK_CAPTURE(remembered_astar, maze_16x16, "maze-16x16");
+BENCHMARK_CAPTURE(remembered_map, bug_trap, "bug-trap");
+BENCHMARK_CAPTURE(remembered_astar, bug_trap, "bug-trap");
+
+}  // namespace
+}  // namespace clew::recover

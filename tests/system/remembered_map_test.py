@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Recovery by all that was seen: it reaches what can be reached, and proves what cannot."""
+import unittest
+
+from clew_command import SOAK, SOURCE, run_graph
+
+# Pockets, a maze, a gap of 1.2 robot diameters, and a world without a way.
+SAMPLE = ["u-trap", "n-fig04-invisible-minimum", "maze-8x8", "narrow-gap", "unsolvable-box"]
+SENSORS = {
+    "cones": [],
+    "laser": ["--with", "sense=laser", "--set", "sense.range_m=4"],
+}
+
+
+def worlds():
+    """Name and text of each static world to be tried."""
+    for path in sorted((SOURCE / "configs" / "worlds").glob("*.yaml")):
+        text = path.read_text(encoding="utf-8")
+        if "moving:" not in text and (SOAK or path.stem in SAMPLE):
+            yield path.stem, text
+
+
+class RememberedWays(unittest.TestCase):
+    def run_everywhere(self, escape, sensor):
+        for world, text in worlds():
+            with self.subTest(escape=escape, sensor=sensor, world=world):
+                run = run_graph("default", "--world", world, "--layout", "composed", "--no-hash",
+                                "--max-ticks", "6000", "--with", f"recover.escape={escape}",
+                                *SENSORS[sensor])
+
+                solvable = "solvable: false" not in text
+                self.assertEqual(run["outcome"], "reached" if solvable else "unreachable")
+                self.assertEqual(run["collisions"], 0)
+
+    def test_the_neural_map_with_seven_cones(self):
+        self.run_everywhere("remembered_map", "cones")
+
+    def test_the_neural_map_with_a_laser(self):
+        self.run_everywhere("remembered_map", "laser")
+
+    def test_astar_with_seven_cones(self):
+        self.run_everywhere("remembered_astar", "cones")
+
+    def test_astar_with_a_laser(self):
+        self.run_everywhere("remembered_astar", "laser")
+
+
+if __name__ == "__main__":
+    unittest.main()
