@@ -13,10 +13,10 @@ extern const char* const kWorld;
 
 /// Writes the recording of a run of ten ticks of 0.5 s. At tick k the robot stands at (1 + 0.5 k,
 /// 2), looking along x; its odometry begins at (0, 0) and has drifted by 0.1 k to the left. Ticks 4
-/// to 6 are under recovery. At tick 3 a moving obstacle runs into it. At tick 4 a trap is found, proved by a visit at tick 1, an escape
-/// begins and both networks know a landmark; at tick 6 a virtual target is set 2 m ahead of the
-/// robot; at tick 7 the escape ends; at tick 8 there is a safety stop; at tick 9 the target is
-/// reached.
+/// to 6 are under recovery. At tick 3 a moving obstacle runs into it. At tick 4 a trap is found,
+/// proved by a visit at tick 1, an escape begins and both networks know a landmark; at tick 6 a
+/// virtual target is set 2 m ahead of the robot; at tick 7 the escape ends; at tick 8 there is a
+/// safety stop; at tick 9 the target is reached.
 struct SmallRun {
   bridge::RunDescription description;
 

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What plan's README says of the neural map's paths beside those of other methods, but for the times."""
+import os
+import subprocess
+import unittest
+
+from clew_command import SOURCE
+
+PATH_TABLE = os.environ.get("CLEW_PATH_TABLE", str(SOURCE / "build/path-table"))
+
+
+def rows(text):
+    """The table's cells by method, without the last column, which is the time."""
+    table = [[cell.strip() for cell in line.strip("| ").split(" | ")]
+             for line in text.splitlines() if line.startswith("| ")]
+    return {cells[0]: cells[1:-1] for cells in table}
+
+
+class PathTable(unittest.TestCase):
+    def test_the_readme_tells_the_table(self):
+        printed = rows(subprocess.run([PATH_TABLE], capture_output=True, text=True,
+                                      check=True).stdout)
+        told = rows((SOURCE / "components/plan/README.md").read_text(encoding="utf-8"))
+
+        self.assertEqual(len(printed), 8)
+        for method, cells in printed.items():
+            self.assertEqual(told.get(method), cells, method)
+
+
+if __name__ == "__main__":
+    unittest.main()
