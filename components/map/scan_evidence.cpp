@@ -9,8 +9,15 @@ namespace {
 
 // Rays farther apart than this tell nothing of what is between them.
 constexpr double kMostBetweenRays_rad = core::radians(2.5);
-// Rays are taken together over this angle.
-constexpr double kRayGroup_rad = core::radians(6.0);
+// Rays are taken together over these angles. A cell near the robot is wider than a narrow group:
+// without the wide ones nothing there would ever be seen free, and what an outlier has left there
+// would stay.
+struct RayGroup {
+  double width_rad;
+  double reach_m;  // from the robot's centre; beyond it the narrower ones see as much
+};
+constexpr RayGroup kRayGroups[] = {
+    {core::radians(6.0), HUGE_VAL}, {core::radians(24.0), 0.9}, {core::radians(96.0), 0.35}};
 // Where a contact is beyond the skin: the drive's bumpers feel within a centimetre.
 constexpr double kContactReach_m = 0.005;
 
@@ -36,31 +43,35 @@ void ScanEvidence::mark_free_parts(const core::Pose2& pose, const domain::Scan& 
                                    SeenMap& seen) const {
   const std::size_t count = scan.ranges_m.size();
   if (scan.beam_width_rad > 0.0) {
-    for (std::size_t i = 0; i < count; ++i) mark_between(pose, scan, i, i, seen);
+    for (std::size_t i = 0; i < count; ++i) mark_between(pose, scan, i, i, HUGE_VAL, seen);
     const bool side_by_side =
         std::fabs(scan.bearing_step_rad) <= scan.beam_width_rad * (1.0 + 1e-9);
     for (std::size_t i = 1; side_by_side && i < count; ++i)
-      mark_between(pose, scan, i - 1, i, seen);
+      mark_between(pose, scan, i - 1, i, HUGE_VAL, seen);
     return;
   }
   const double step_rad = std::fabs(scan.bearing_step_rad);
   if (count < 2 || step_rad > kMostBetweenRays_rad) return;
-  const auto group = static_cast<std::size_t>(std::max(2.0, kRayGroup_rad / step_rad));
-  for (std::size_t i = 0; i + 1 < count; i += group / 2) {
-    mark_between(pose, scan, i, std::min(count - 1, i + group), seen);
+  for (const RayGroup& wide : kRayGroups) {
+    const auto group = static_cast<std::size_t>(std::max(2.0, wide.width_rad / step_rad));
+    for (std::size_t i = 0; i + 1 < count; i += group / 2) {
+      mark_between(pose, scan, i, std::min(count - 1, i + group), wide.reach_m, seen);
+    }
   }
 }
 
 /// Marks what the beams from `first` to `last` see free together: from the middle of the one to
 /// that of the other, or all of a single one.
 void ScanEvidence::mark_between(const core::Pose2& pose, const domain::Scan& scan,
-                                std::size_t first, std::size_t last, SeenMap& seen) const {
+                                std::size_t first, std::size_t last, double reach_m,
+                                SeenMap& seen) const {
   const auto begin = scan.ranges_m.begin();
   const double shortest_m = *std::min_element(begin + static_cast<std::ptrdiff_t>(first),
                                               begin + static_cast<std::ptrdiff_t>(last) + 1);
   if (shortest_m <= scan.range_min_m) return;
   const bool ends = shortest_m < scan.range_max_m;
-  const double radius_m = radius_m_ + shortest_m - (ends ? parameters_.clear_margin_m : 0.0);
+  const double radius_m =
+      std::min(reach_m, radius_m_ + shortest_m - (ends ? parameters_.clear_margin_m : 0.0));
   const double widening_rad = first == last ? 0.5 * scan.beam_width_rad : 0.0;
   const double right_rad = std::min(scan.bearing_rad(first), scan.bearing_rad(last)) - widening_rad;
   const double opening_rad =

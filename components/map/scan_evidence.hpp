@@ -34,7 +34,7 @@ class ScanEvidence {
  private:
   void mark_free_parts(const core::Pose2& pose, const domain::Scan& scan, SeenMap& seen) const;
   void mark_between(const core::Pose2& pose, const domain::Scan& scan, std::size_t first,
-                    std::size_t last, SeenMap& seen) const;
+                    std::size_t last, double reach_m, SeenMap& seen) const;
   void mark_arc(const core::Pose2& pose, double distance_m, double bearing_rad, double width_rad,
                 SeenMap& seen) const;
 

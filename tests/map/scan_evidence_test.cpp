@@ -114,6 +114,21 @@ TEST_F(ScanEvidenceTest, RaysHitAndSeeFreeBetweenThem) {
   EXPECT_TRUE(seen_.is(Mark::kFree, {1.0, 0.0}));
 }
 
+TEST_F(ScanEvidenceTest, WhatOutliersLeaveNearTheRobotIsSeenFreeByTheNextScan) {
+  use_laser();
+  // One ray in ten within 60 degrees of the heading, from 0.05 to 0.8 m beyond the skin.
+  for (std::size_t i = 60; i <= 300; i += 10) {
+    scan_.ranges_m[i] = 0.05 + 0.03 * static_cast<double>((i - 60) / 10);
+  }
+  mark();
+  EXPECT_EQ(obstacles(Mark::kHit), 25);
+
+  scan_.ranges_m.assign(361, 1.5);
+  mark();
+
+  EXPECT_EQ(obstacles(Mark::kHit), 0);
+}
+
 TEST_F(ScanEvidenceTest, RaysFarApartTellNothingOfWhatIsBetween) {
   scan_.bearing_first_rad = core::radians(90.0);
   scan_.bearing_step_rad = core::radians(-90.0);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -129,9 +130,15 @@ void expect_no_collision(const Combination& combination) {
 
 class EveryCombination : public ::testing::TestWithParam<std::tuple<std::string, std::string>> {};
 
+/// All are checked. Driven is one in nine, another for each sensor and drive, and all in
+/// tools/soak.
+std::size_t combinations_for_one_driven() { return std::getenv("CLEW_SOAK") != nullptr ? 1 : 9; }
+
 TEST_P(EveryCombination, FitsAndDoesNotCollideOrIsRefusedWithASentence) {
   const auto& [sensor, drive] = GetParam();
+  std::size_t number = sensor.size() + drive.size();
   for (const Combination& combination : combinations_of(sensor, drive)) {
+    ++number;
     const std::string refusal = Mission::refusal(combination.graph(), kWorld, combination.with());
 
     if (!combination.misfits().empty()) {
@@ -139,7 +146,7 @@ TEST_P(EveryCombination, FitsAndDoesNotCollideOrIsRefusedWithASentence) {
       expect_a_sentence(combination, refusal);
     } else {
       ASSERT_EQ(refusal, "") << combination.text();
-      expect_no_collision(combination);
+      if (number % combinations_for_one_driven() == 0) expect_no_collision(combination);
     }
   }
 }
