@@ -239,7 +239,9 @@ class Rogues(BadInput):
                          vendor]
             alone = Run(arguments).report
 
-            run = Run([*arguments, "--prefix", f"sense={THIRD_PARTY}/rogue_writer --beside"])
+            # Slow enough for discovery to tell of the writer while the run lasts.
+            run = Run([*arguments, "--pace", "10x", "--prefix",
+                       f"sense={THIRD_PARTY}/rogue_writer --beside"])
 
             self.assertEqual(run.status, 0, run.err)
             self.assertEqual(run.report["hash"], alone["hash"])
