@@ -102,11 +102,10 @@ void BlackBox::watch_event(const SpooledSample& sample) {
 
 void BlackBox::watch_state(const SpooledSample& sample) {
   if (!state_codec_.decode(sample.cdr, state_)) return;
-  const bool counted = truth_.has_value();
-  if (counted && state_.collisions > truth_->collisions) happened(sample.tick, "a collision");
-  if (counted && state_.hit_by > truth_->hit_by) happened(sample.tick, "hit by an obstacle");
+  if (contacts_ && state_.collisions > contacts_->first) happened(sample.tick, "a collision");
+  if (contacts_ && state_.hit_by > contacts_->second) happened(sample.tick, "hit by an obstacle");
   if (const std::string end = bad_end(state_.outcome); !end.empty()) happened(sample.tick, end);
-  truth_ = state_;
+  contacts_ = {state_.collisions, state_.hit_by};
 }
 
 // Of several in a tick the text that sorts first: the topics come in any order.

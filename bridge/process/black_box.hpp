@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "process/recording_sink.hpp"
 #include "runtime/component.hpp"
@@ -68,7 +69,7 @@ class BlackBox : public RunSink {
   std::deque<Held> held_;            ///< in the order of arrival
   std::map<std::uint64_t, std::map<std::string, std::string>> states_;  ///< by tick and stage
   std::optional<Happening> next_;  ///< the earliest that has not settled
-  std::optional<domain::State> truth_;
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> contacts_;  ///< made, and suffered
   Codec<domain::Event> event_codec_;
   Codec<domain::State> state_codec_;
   domain::Event event_;

@@ -76,8 +76,6 @@ class RecordingSink : public RunSink {
   Kept kept() const override { return {recorder_.durable_ticks(), recorder_.durable_ticks()}; }
   RecordingAccount close(const RunEnding& ending = {}) override;
 
-  RunRecorder& recorder() { return recorder_; }
-
  private:
   explicit RecordingSink(RunRecorder recorder) : recorder_(std::move(recorder)) {}
 

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <deque>
 #include <string>
 #include <vector>
 
@@ -50,6 +48,20 @@ class Tape : public SampleSink {
   bool wants_states() const override { return true; }
   void add_state(const SpooledState& state) override {
     states.push_back({std::string(state.stage), state.tick, std::string(state.state)});
+  }
+
+  /// Gives the ticks from `from` to before `to` as a composed run does.
+  void play(RunSink& sink, std::uint64_t from, std::uint64_t to) const {
+    auto state = states.begin();
+    for (const Sample& s : samples) {
+      for (; state != states.end() && state->tick <= s.tick; ++state) {
+        if (state->tick >= from && state->tick < to) {
+          sink.add_state({state->stage, state->tick, state->bytes});
+        }
+      }
+      if (s.tick < from || s.tick >= to) continue;
+      ASSERT_TRUE(sink.add({s.topic, s.tick, s.sequence, s.cdr}).ok());
+    }
   }
 
   std::vector<Sample> samples;
@@ -200,31 +212,17 @@ TEST_F(BlackBoxOfRun, RecordersThatDieLeaveTheSameBytes) {
   for (const std::uint64_t death : {std::uint64_t{90}, kTrapTick + 1, kTrapTick + 20}) {
     const std::string other = scratch_.file("other" + std::to_string(death) + ".mcap");
     const RecordingOrder what = order(plan_, other);
-    const auto give = [&](RunSink& sink, std::uint64_t from, std::uint64_t to) {
-      for (const Sample& s : tape.samples) {
-        const auto state = std::find_if(
-            tape.states.begin(), tape.states.end(),
-            [&](const State& candidate) { return candidate.tick == s.tick && s.tick >= from; });
-        if (state != tape.states.end() && s.topic == Topic::kState && s.tick < to) {
-          for (const State& each : tape.states) {
-            if (each.tick == s.tick) sink.add_state({each.stage, each.tick, each.bytes});
-          }
-        }
-        if (s.tick < from || s.tick >= to) continue;
-        ASSERT_TRUE(sink.add({s.topic, s.tick, s.sequence, s.cdr}).ok());
-      }
-    };
     Kept kept;
     {
       auto first = open_sink(what);
       ASSERT_TRUE(first.ok());
-      give(**first, 0, death);
+      tape.play(**first, 0, death);
       ASSERT_TRUE((*first)->write_ahead().ok());
       kept = (*first)->kept();
     }
     auto second = open_sink(what, kept.durable_ticks);
     ASSERT_TRUE(second.ok()) << second.error().text();
-    give(**second, kept.durable_ticks, UINT64_MAX);
+    tape.play(**second, kept.durable_ticks, UINT64_MAX);
     EXPECT_EQ((*second)->close({}).failure, "");
 
     EXPECT_EQ(read_bytes(other), read_bytes(path_)) << "died at tick " << death;

@@ -7,6 +7,7 @@ import random
 import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 from clew_command import (CLEW, LAYOUTS, SOAK, Run, components_of, recorder_of, wait_until)
@@ -79,7 +80,7 @@ class BlackBox(unittest.TestCase):
             self.assertTrue(wait_until(lambda: len(components_of(process.pid)) == 5))
             for _ in range(3):
                 # A moment of the run, not a wait for a result.
-                subprocess.run(["sleep", str(numbers.uniform(0.0, 0.3))], check=True)
+                time.sleep(numbers.uniform(0.0, 0.3))
                 victims = {**components_of(process.pid), "recorder": recorder_of(process.pid)}
                 victim = numbers.choice(["recorder", "recover", "drive"])
                 if process.poll() is None and victims.get(victim):
@@ -107,7 +108,7 @@ class BlackBox(unittest.TestCase):
         self.addCleanup(process.kill)
         self.assertTrue(wait_until(lambda: len(components_of(process.pid)) == 5))
         # Long enough for a few ticks of 0.3 s; how many does not matter.
-        subprocess.run(["sleep", "2"], check=True)
+        time.sleep(2.0)
         process.send_signal(signal.SIGTERM)
         _, err = process.communicate(timeout=30)
 

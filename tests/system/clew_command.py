@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the clew command as a user would, and looks at what it leaves behind."""
+import importlib.machinery
+import importlib.util
 import json
 import os
 import pathlib
@@ -25,6 +27,16 @@ LAYOUTS = {
     "mixed the other way": ["--middleware", "classify=fastdds", "--middleware", "control=fastdds"],
 }
 
+
+
+def load_tool(name):
+    """One of the project's Python programs, as a module."""
+    loader = importlib.machinery.SourceFileLoader(name.replace("-", "_"),
+                                                  str(SOURCE / "tools" / name))
+    module = importlib.util.module_from_spec(
+        importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
 
 
 def layouts_of(graph):

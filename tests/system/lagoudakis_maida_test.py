@@ -1,17 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """What Lagoudakis & Maida 1999 say of their figures, and the table in control's README."""
-import importlib.machinery
-import importlib.util
 import pathlib
 import tempfile
 import unittest
 
-from clew_command import SOURCE, Run
+from clew_command import SOURCE, Run, load_tool
 
-loader = importlib.machinery.SourceFileLoader("paper_table", str(SOURCE / "tools/paper-table"))
-paper_table = importlib.util.module_from_spec(
-    importlib.util.spec_from_loader("paper_table", loader))
-loader.exec_module(paper_table)
+paper_table = load_tool("paper-table")
 
 GRAPH = "lagoudakis_maida"
 PAPER = ["lagoudakis_maida"]

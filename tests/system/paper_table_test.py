@@ -1,15 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What Krishna & Kalra 2000 say of their figures, and what the tables in recover's README say."""
-import importlib.machinery
-import importlib.util
 import unittest
 
-from clew_command import SOURCE
+from clew_command import SOURCE, load_tool
 
-loader = importlib.machinery.SourceFileLoader("paper_table", str(SOURCE / "tools/paper-table"))
-paper_table = importlib.util.module_from_spec(
-    importlib.util.spec_from_loader("paper_table", loader))
-loader.exec_module(paper_table)
+paper_table = load_tool("paper-table")
 
 TRAPS = ["kk-fig10-bends-and-kinks", "kk-fig11a-oscillation", "kk-fig11c-double-wall",
          "kk-fig12-hooks", "kk-fig14-som-cannot-detect", "kk-fig16a-concave-obstacle",
