@@ -6,12 +6,43 @@
 #include <cmath>
 #include <utility>
 
+#include "map/straight_way.hpp"
+
 namespace clew::plan {
 
 using core::Result;
 
+void KnownMap::measure_once() {
+  if (!room_.empty()) return;
+  const map::RoomMap measured = measure(needs_.radius_m + needs_.margin_m);
+  grid_ = measured.grid;
+  room_.assign(grid_.size(), map::Room::kNone);
+  const auto mark = [&](double room_m, map::Room room) {
+    measured.passable(room_m, passable_);
+    for (std::size_t i = 0; i < room_.size(); ++i) {
+      if (passable_[i] != 0) room_[i] = room;
+    }
+  };
+  mark(needs_.radius_m, map::Room::kNarrow);
+  mark(needs_.radius_m + needs_.margin_m, map::Room::kOpen);
+}
+
+RoomView KnownMap::read(const core::Vec2&, const core::Vec2&) {
+  measure_once();
+  return {grid_, room_};
+}
+
+bool KnownMap::straight_way(const core::Vec2& from, const core::Vec2& to, map::Room least) {
+  measure_once();
+  if (passable_room_ != least) {
+    for (std::size_t i = 0; i < room_.size(); ++i) passable_[i] = room_[i] >= least ? 1 : 0;
+    passable_room_ = least;
+  }
+  return map::straight_way(grid_, passable_, from, to);
+}
+
 Result<std::unique_ptr<WorldMap>> WorldMap::create(std::shared_ptr<const world::World> world,
-                                                   double cell_m) {
+                                                   double cell_m, const RoomNeeds& needs) {
   const core::Vec2 size = world->bounds_max() - world->bounds_min();
   const double columns = std::ceil(size.x() / cell_m);
   const double rows = std::ceil(size.y() / cell_m);
@@ -29,25 +60,25 @@ Result<std::unique_ptr<WorldMap>> WorldMap::create(std::shared_ptr<const world::
   }
   const map::Grid grid{world->bounds_min(), cell_m, static_cast<std::int32_t>(columns),
                        static_cast<std::int32_t>(rows)};
-  return std::unique_ptr<WorldMap>(new WorldMap(std::move(world), grid));
+  return std::unique_ptr<WorldMap>(new WorldMap(std::move(world), grid, needs));
 }
 
-map::RoomMap WorldMap::read(double reach_m) const {
-  map::RoomMap map{grid_, std::vector<float>(grid_.size())};
-  for (std::size_t i = 0; i < grid_.size(); ++i) {
-    const core::Vec2 middle = grid_.centre(grid_.cell(i));
+map::RoomMap WorldMap::measure(double reach_m) const {
+  map::RoomMap map{cells_, std::vector<float>(cells_.size())};
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const core::Vec2 middle = cells_.centre(cells_.cell(i));
     map.room_m[i] = static_cast<float>(world_->standing_clearance_m(middle, reach_m));
   }
   return map;
 }
 
 Result<std::unique_ptr<FileMap>> FileMap::create(const core::Resources& resources,
-                                                 const std::string& name) {
+                                                 const std::string& name, const RoomNeeds& needs) {
   const auto file = resources.find("maps", name);
   if (!file.ok()) return file.error();
   auto map = map::read_ros_map(*file);
   if (!map.ok()) return map.error();
-  return std::unique_ptr<FileMap>(new FileMap(std::move(map).value()));
+  return std::unique_ptr<FileMap>(new FileMap(std::move(map).value(), needs));
 }
 
 }  // namespace clew::plan

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/resources.hpp"
 #include "core/result.hpp"
@@ -12,33 +14,67 @@
 
 namespace clew::plan {
 
+/// The room that a robot asks for.
+struct RoomNeeds {
+  double radius_m = 0.15;  ///< of the robot; with less room, there is none
+  double margin_m = 0.1;   ///< beside the body; with less, a place is narrow
+};
+
+/// A map that is known from the start and does not change. It is measured at the first need, so
+/// that to make one, and to check a graph, costs nothing; it has no state.
+class KnownMap : public MapSource {
+ public:
+  void see(const domain::Odometry&, const domain::Scan&) override {}
+  bool changes() const override { return false; }
+  RoomView read(const core::Vec2& from, const core::Vec2& to) override;
+  bool straight_way(const core::Vec2& from, const core::Vec2& to, map::Room least) override;
+  void save(core::StateWriter&) const override {}
+  void load(core::StateReader&) override {}
+
+ protected:
+  explicit KnownMap(const RoomNeeds& needs) : needs_(needs) {}
+
+  /// The room around each cell, as far as `reach_m`.
+  virtual map::RoomMap measure(double reach_m) const = 0;
+
+ private:
+  void measure_once();
+
+  RoomNeeds needs_;
+  map::Grid grid_;
+  std::vector<map::Room> room_;
+  std::vector<std::uint8_t> passable_;  // with passable_room_
+  std::optional<map::Room> passable_room_;
+};
+
 /// The obstacles of a world that do not move; room is exact at the middles of its cells.
-class WorldMap final : public MapSource {
+class WorldMap final : public KnownMap {
  public:
   /// The error says which cells would do, if these are more than map::kMaxMapCells.
   static core::Result<std::unique_ptr<WorldMap>> create(std::shared_ptr<const world::World> world,
-                                                        double cell_m);
-
-  map::RoomMap read(double reach_m) const override;
+                                                        double cell_m, const RoomNeeds& needs);
 
  private:
-  WorldMap(std::shared_ptr<const world::World> world, const map::Grid& grid)
-      : world_(std::move(world)), grid_(grid) {}
+  WorldMap(std::shared_ptr<const world::World> world, const map::Grid& grid, const RoomNeeds& needs)
+      : KnownMap(needs), world_(std::move(world)), cells_(grid) {}
+
+  map::RoomMap measure(double reach_m) const override;
 
   std::shared_ptr<const world::World> world_;
-  map::Grid grid_;
+  map::Grid cells_;
 };
 
 /// A map of ROS's map_server.
-class FileMap final : public MapSource {
+class FileMap final : public KnownMap {
  public:
   static core::Result<std::unique_ptr<FileMap>> create(const core::Resources& resources,
-                                                       const std::string& name);
-
-  map::RoomMap read(double reach_m) const override { return map::room_around(map_, reach_m); }
+                                                       const std::string& name,
+                                                       const RoomNeeds& needs);
 
  private:
-  explicit FileMap(map::BlockedMap map) : map_(std::move(map)) {}
+  FileMap(map::BlockedMap map, const RoomNeeds& needs) : KnownMap(needs), map_(std::move(map)) {}
+
+  map::RoomMap measure(double reach_m) const override { return map::room_around(map_, reach_m); }
 
   map::BlockedMap map_;
 };

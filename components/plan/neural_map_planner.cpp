@@ -5,10 +5,13 @@
 #include <cmath>
 #include <utility>
 
-#include "map/straight_way.hpp"
+#include "map/smooth_path.hpp"
 
 namespace clew::plan {
 namespace {
+
+// A robot that stands nearer to obstacles than a path may lead is this many radii from one at most.
+constexpr double kWithinBodies = 3.5;
 
 // The cells around a place, all within `reach_m` and some more, and their distances from it.
 template <typename Visit>
@@ -42,10 +45,10 @@ core::Result<std::unique_ptr<NeuralMapPlanner>> NeuralMapPlanner::create(
 
 Subgoal NeuralMapPlanner::step(const Situation& situation) {
   const core::Vec2 robot = situation.odometry.pose_odom_robot.position();
-  if (!state_.planned) plan(situation);
+  if (!state_.planned || is_old(situation)) plan(situation);
   if (!state_.path.empty()) {
     if (core::length(state_.path[state_.subgoal] - robot) <= parameters_.arrive_m) {
-      choose_subgoal(robot);
+      choose_subgoal(situation);
     }
     notice_astray(situation);
   }
@@ -54,47 +57,63 @@ Subgoal NeuralMapPlanner::step(const Situation& situation) {
   return {state_.path[state_.subgoal], parameters_.arrive_m};
 }
 
+bool NeuralMapPlanner::is_old(const Situation& situation) const {
+  if (!situation.map.changes()) return false;
+  const auto age = static_cast<double>(situation.odometry.stamp.tick - state_.planned_tick);
+  return (age + 0.5) * tick_s_ >= parameters_.refresh_s;
+}
+
 /// Makes the path anew. It stays empty if there is none.
 void NeuralMapPlanner::plan(const Situation& situation) {
   state_.planned = true;
+  state_.planned_tick = situation.odometry.stamp.tick;
   state_.astray = false;
   state_.path.clear();
   state_.subgoal = 0;
-  if (!plan_with_room(situation, radius_m_ + parameters_.margin_m) &&
-      !plan_with_room(situation, radius_m_)) {
+  const RoomView view =
+      situation.map.read(situation.odometry.pose_odom_robot.position(), situation.target);
+  std::size_t tried_units = 0;
+  for (const map::Room least :
+       {map::Room::kOpen, map::Room::kNarrow, map::Room::kSuspected, map::Room::kTouching}) {
+    const std::size_t units = find_passable(view, least);
+    if (units == tried_units) continue;
+    tried_units = units;
+    if (!make_path(situation)) continue;
+    state_.room = least;
+    choose_subgoal(situation);
     return;
   }
-  choose_subgoal(situation.odometry.pose_odom_robot.position());
 }
 
-bool NeuralMapPlanner::plan_with_room(const Situation& situation, double room_m) {
-  find_room(situation.map, room_m);
+/// Makes the path over passable_, from the unit nearest to the robot. False if there is none.
+bool NeuralMapPlanner::make_path(const Situation& situation) {
   const auto start = nearest_unit(situation.odometry.pose_odom_robot.position());
   if (!start.has_value()) return false;
-  landscape_.evolve(units_, units_passable_, target_units(situation), start);
-  std::vector<map::Cell> cells;
-  if (!landscape_.path(*start, cells)) return false;
-  state_.room_m = room_m;
-  for (const map::Cell& cell : cells)
-    state_.path.push_back(map::centre(parameters_.lattice, units_, cell));
+  landscape_.evolve(units_, passable_, target_units(situation), start);
+  if (parameters_.smooth) {
+    if (!map::smooth_path(landscape_, *start, state_.path)) return false;
+  } else {
+    if (!landscape_.path(*start, cells_)) return false;
+    for (const map::Cell& cell : cells_)
+      state_.path.push_back(map::centre(parameters_.lattice, units_, cell));
+  }
   state_.path.push_back(situation.target);
   return true;
 }
 
-/// Makes passable_ tell where there is so much room.
-void NeuralMapPlanner::find_room(const MapSource& source, double room_m) {
-  if (map_.room_m.empty()) map_ = source.read(radius_m_ + parameters_.margin_m);
-  if (passable_room_m_ == room_m) return;
-  map_.passable(room_m, passable_);
-  passable_room_m_ = room_m;
-  units_ = map::laid_out(parameters_.lattice, map_.grid);
-  units_passable_.resize(units_.size());
-  for (std::size_t i = 0; i < units_passable_.size(); ++i) {
+/// Makes passable_ tell which units have at least this room, and counts them.
+std::size_t NeuralMapPlanner::find_passable(const RoomView& view, map::Room least) {
+  units_ = map::laid_out(parameters_.lattice, view.grid);
+  passable_.resize(units_.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < passable_.size(); ++i) {
     // The last unit of a shifted row has its middle on the border of the map.
     const core::Vec2 middle = map::centre(parameters_.lattice, units_, units_.cell(i));
-    const auto cell = map_.grid.cell_at(middle);
-    units_passable_[i] = cell.has_value() ? passable_[map_.grid.index(*cell)] : 0;
+    const auto cell = view.grid.cell_at(middle);
+    passable_[i] = cell.has_value() && view.room[view.grid.index(*cell)] >= least ? 1 : 0;
+    count += passable_[i];
   }
+  return count;
 }
 
 /// All units where the mission is done, or the one nearest to its target if cells are too coarse.
@@ -115,10 +134,10 @@ std::vector<map::Cell> NeuralMapPlanner::target_units(const Situation& situation
 /// obstacle than a path would lead it.
 std::optional<map::Cell> NeuralMapPlanner::nearest_unit(const core::Vec2& place) const {
   std::optional<map::Cell> nearest;
-  double nearest_m = 2.0 * (radius_m_ + parameters_.margin_m) + units_.cell_m;
+  double nearest_m = kWithinBodies * radius_m_ + units_.cell_m;
   visit_around(parameters_.lattice, units_, place, nearest_m,
                [&](const map::Cell& cell, double distance_m) {
-                 if (units_passable_[units_.index(cell)] == 0) return;
+                 if (passable_[units_.index(cell)] == 0) return;
                  if (!(distance_m < nearest_m)) return;
                  nearest = cell;
                  nearest_m = distance_m;
@@ -126,25 +145,27 @@ std::optional<map::Cell> NeuralMapPlanner::nearest_unit(const core::Vec2& place)
   return nearest;
 }
 
-/// The farthest point of the path, from the subgoal on, that a straight line leads to; the next
-/// point if there is none.
-void NeuralMapPlanner::choose_subgoal(const core::Vec2& robot) {
+/// The farthest point of the path, from the subgoal on, that a straight line leads to; if there is
+/// none, the next that the robot is not at yet.
+void NeuralMapPlanner::choose_subgoal(const Situation& situation) {
+  const core::Vec2 robot = situation.odometry.pose_odom_robot.position();
+  const auto distance_m = [&](std::uint32_t i) { return core::length(state_.path[i] - robot); };
   const auto last = static_cast<std::uint32_t>(state_.path.size()) - 1;
-  const std::uint32_t next = std::min(state_.subgoal + 1, last);
+  std::uint32_t next = std::min(state_.subgoal + 1, last);
+  while (next < last && distance_m(next) <= parameters_.arrive_m) ++next;
   for (std::uint32_t i = last; i > next; --i) {
-    if (core::length(state_.path[i] - robot) > parameters_.look_ahead_m) continue;
-    if (map::straight_way(map_.grid, passable_, robot, state_.path[i])) {
-      state_.subgoal = i;
-      return;
+    if (distance_m(i) > parameters_.look_ahead_m) continue;
+    if (situation.map.straight_way(robot, state_.path[i], state_.room)) {
+      next = i;
+      break;
     }
   }
   state_.subgoal = next;
 }
 
 void NeuralMapPlanner::notice_astray(const Situation& situation) {
-  find_room(situation.map, state_.room_m);
   const core::Vec2 robot = situation.odometry.pose_odom_robot.position();
-  if (map::straight_way(map_.grid, passable_, robot, state_.path[state_.subgoal])) {
+  if (situation.map.straight_way(robot, state_.path[state_.subgoal], state_.room)) {
     state_.astray = false;
     return;
   }

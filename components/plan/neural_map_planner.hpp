@@ -15,28 +15,32 @@ namespace clew::plan {
 /// Subgoals along the path of steepest ascent of a neural map (Lagoudakis & Maida 1999; the paper
 /// places those of its figure 9 by hand).
 ///
-/// The map is spread from the target over all places where the robot has room, with `margin_m` to
-/// spare; if that leaves no way, over those where it just fits. The subgoal is the farthest point
-/// of the path within `look_ahead_m` that a straight line over such places leads to, and is kept
-/// until the robot is within `arrive_m` of it, or no straight line leads to it any more for
-/// `replan_s`, when the path is made anew from where the robot is. Where there is no way, the
-/// target itself is the subgoal.
+/// The map is spread from the target over all places where the robot has room to spare; if that
+/// leaves no way, over those where it just fits, and on what was seen over those where it is not
+/// believed, and then not proved, to touch. The ascent is followed over the interpolated landscape
+/// (map/smooth_path.hpp), or from cell to cell. The subgoal is the farthest point of the path
+/// within `look_ahead_m` that a straight line over such places leads to, and is kept until the
+/// robot is within `arrive_m` of it, or no straight line leads to it any more for `replan_s`, when
+/// the path is made anew from where the robot is. Where the map changes, that happens every
+/// `refresh_s`, too. Where there is no way, the target itself is the subgoal.
 class NeuralMapPlanner final : public Planner {
  public:
   struct Parameters {
     map::Lattice lattice = map::Lattice::kEightNeighbours;
     double gain = 0.1;
-    double margin_m = 0.1;
+    bool smooth = true;
     double look_ahead_m = 3.0;
     double arrive_m = 0.3;
     double replan_s = 1.5;
+    double refresh_s = 1.0;
   };
 
   struct State {
-    std::vector<core::Vec2> path;  ///< from where it was made to the target's place
-    std::uint32_t subgoal = 0;     ///< index in the path
-    double room_m = 0.0;           ///< that the path keeps clear around it
+    std::vector<core::Vec2> path;       ///< from where it was made to the target's place
+    std::uint32_t subgoal = 0;          ///< index in the path
+    map::Room room = map::Room::kOpen;  ///< that all of the path has
     bool planned = false;
+    std::uint64_t planned_tick = 0;
     bool astray = false;             ///< no straight line leads to the subgoal
     std::uint64_t astray_since = 0;  ///< tick, if astray
   };
@@ -57,22 +61,21 @@ class NeuralMapPlanner final : public Planner {
         landscape_(std::move(landscape)) {}
 
   void plan(const Situation& situation);
-  bool plan_with_room(const Situation& situation, double room_m);
-  void find_room(const MapSource& source, double room_m);
+  bool make_path(const Situation& situation);
+  std::size_t find_passable(const RoomView& view, map::Room least);
+  bool is_old(const Situation& situation) const;
   std::vector<map::Cell> target_units(const Situation& situation) const;
   std::optional<map::Cell> nearest_unit(const core::Vec2& place) const;
-  void choose_subgoal(const core::Vec2& robot);
+  void choose_subgoal(const Situation& situation);
   void notice_astray(const Situation& situation);
 
   Parameters parameters_;
   double radius_m_;
   double tick_s_;
   map::NeuralMap landscape_;
-  map::RoomMap map_;                    // read at the first need
-  std::vector<std::uint8_t> passable_;  // where there is passable_room_m_
-  double passable_room_m_ = -1.0;
-  map::Grid units_;                           // of the landscape
-  std::vector<std::uint8_t> units_passable_;  // by the cell of the map that a unit lies in
+  map::Grid units_;                     // of the landscape
+  std::vector<map::Cell> cells_;        // of the path
+  std::vector<std::uint8_t> passable_;  // by the cell of the map that a unit lies in
   State state_;
 };
 
@@ -86,16 +89,18 @@ void visit_parameters(Visitor& visit, NeuralMapPlanner::Parameters& p) {
   visit.number(
       "gain", p.gain, "1", {0.001, 0.25},
       "steepest slope of the activation, below 0.25 (four), 0.146 (eight), 0.166 (hexagonal)");
-  visit.number("margin_m", p.margin_m, "m", {0.0, 2.0}, "room to spare beside the robot");
+  visit.flag("smooth", p.smooth, "whether the path is interpolated, or leads from cell to cell");
   visit.number("look_ahead_m", p.look_ahead_m, "m", {0.1, 100.0}, "how far off a subgoal may be");
   visit.number("arrive_m", p.arrive_m, "m", {0.01, 10.0}, "this near to a subgoal, take the next");
   visit.number("replan_s", p.replan_s, "s", {0.0, 60.0},
                "how long a subgoal may be out of straight reach before the path is made anew");
+  visit.number("refresh_s", p.refresh_s, "s", {0.0, 60.0},
+               "where the map changes, the path is made anew after this time");
 }
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, NeuralMapPlanner::State& s) {
-  visit(s.path, s.subgoal, s.room_m, s.planned, s.astray, s.astray_since);
+  visit(s.path, s.subgoal, s.room, s.planned, s.planned_tick, s.astray, s.astray_since);
 }
 
 }  // namespace clew::plan

@@ -21,14 +21,15 @@ class PlanComponent final : public runtime::Component {
                 const runtime::RunSetup& setup);
 
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
-  void save(core::StateWriter& writer) const override { planner_->save(writer); }
-  void load(core::StateReader& reader) override { planner_->load(reader); }
+  void save(core::StateWriter& writer) const override;
+  void load(core::StateReader& reader) override;
 
  private:
   std::unique_ptr<Planner> planner_;
   std::unique_ptr<MapSource> map_;
   core::Vec2 target_;
   double target_radius_m_;
+  std::vector<core::Vec2> subgoals_;
 };
 
 }  // namespace clew::plan

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "core/archive.hpp"
 #include "domain/messages.hpp"
 #include "plan/map_source.hpp"
@@ -11,9 +13,10 @@ namespace clew::plan {
 /// to be in, as the mission's target is.
 struct Situation {
   const domain::Odometry& odometry;
-  const MapSource& map;
+  MapSource& map;
   core::Vec2 target;
   double target_radius_m = 0.0;
+  const std::vector<core::Vec2>& subgoals;  ///< that the world gives on the way, in order
 };
 
 /// Where to steer for.

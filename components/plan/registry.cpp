@@ -2,6 +2,7 @@
 #include "plan/registry.hpp"
 
 #include "plan/neural_map_planner.hpp"
+#include "plan/world_subgoals.hpp"
 
 namespace clew::plan {
 
@@ -9,6 +10,8 @@ const runtime::Registry<Planner>& planners() {
   static const runtime::Registry<Planner> registry = {
       runtime::registration<Planner, NeuralMapPlanner>(
           "neural_map", "subgoals along the ascent of a neural map (Lagoudakis & Maida 1999)"),
+      runtime::registration<Planner, WorldSubgoals>(
+          "world_subgoals", "the subgoals that the world gives, in their order"),
   };
   return registry;
 }

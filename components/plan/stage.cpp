@@ -7,40 +7,58 @@
 #include "plan/known_map.hpp"
 #include "plan/plan_component.hpp"
 #include "plan/registry.hpp"
+#include "plan/seen_source.hpp"
 
 namespace clew::plan {
 namespace {
 
-enum class MapKind : std::uint8_t { kWorld, kFile };
+enum class MapKind : std::uint8_t { kWorld, kFile, kSeen };
 
 /// Parameters of every plan stage: what is known of the place.
 struct MapParameters {
   MapKind map = MapKind::kWorld;
   std::string map_file;
   double cell_m = 0.05;
+  double margin_m = 0.1;
+  std::int64_t capacity_tiles = 4096;
+  double hit_spread_m = 0.1;
 };
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, MapParameters& p) {
-  visit.choice("map", p.map, {{"world", MapKind::kWorld}, {"file", MapKind::kFile}},
-               "what is known: the world's obstacles that do not move, or the map in map_file");
+  visit.choice(
+      "map", p.map,
+      {{"world", MapKind::kWorld}, {"file", MapKind::kFile}, {"seen", MapKind::kSeen}},
+      "what is known: the world's obstacles that do not move, the map in map_file, or what "
+      "the robot has seen so far");
   visit.file("map_file", p.map_file, "maps", "a map of ROS's map_server, for map: file");
-  visit.number("cell_m", p.cell_m, "m", {0.01, 1.0}, "side of the cells, for map: world");
+  visit.number("cell_m", p.cell_m, "m", {0.01, 1.0}, "side of the cells, for map: world and seen");
+  visit.number("margin_m", p.margin_m, "m", {0.0, 2.0}, "room to spare beside the robot");
+  visit.integer("capacity_tiles", p.capacity_tiles, "1", {1, 1000000},
+                "tiles of 32 by 32 cells that are remembered, for map: seen");
+  visit.number("hit_spread_m", p.hit_spread_m, "m", {0.0, 0.3},
+               "an obstacle on a piece of arc at most this long is certain, for map: seen");
 }
 
-core::Result<std::unique_ptr<MapSource>> make_map(const MapParameters& parameters,
-                                                  const runtime::RunSetup& setup) {
-  if (parameters.map == MapKind::kWorld) {
-    auto map = WorldMap::create(setup.world, parameters.cell_m);
-    if (!map.ok()) return map.error();
-    return std::unique_ptr<MapSource>(std::move(map).value());
-  }
-  if (parameters.map_file.empty()) {
-    return core::Error{"plan.map is file, and plan.map_file names none", {}, 0, 0};
-  }
-  auto map = FileMap::create(setup.behaviour.resources, parameters.map_file);
+template <typename Map>
+core::Result<std::unique_ptr<MapSource>> as_source(core::Result<std::unique_ptr<Map>> map) {
   if (!map.ok()) return map.error();
   return std::unique_ptr<MapSource>(std::move(map).value());
+}
+
+core::Result<std::unique_ptr<MapSource>> make_map(const MapParameters& p,
+                                                  const runtime::RunSetup& setup) {
+  const RoomNeeds needs{setup.behaviour.robot.radius_m, p.margin_m};
+  if (p.map == MapKind::kWorld) return as_source(WorldMap::create(setup.world, p.cell_m, needs));
+  if (p.map == MapKind::kSeen) {
+    const SeenSource::Parameters seen{p.cell_m, static_cast<std::size_t>(p.capacity_tiles),
+                                      p.hit_spread_m};
+    return std::unique_ptr<MapSource>(std::make_unique<SeenSource>(seen, needs));
+  }
+  if (p.map_file.empty()) {
+    return core::Error{"plan.map is file, and plan.map_file names none", {}, 0, 0};
+  }
+  return as_source(FileMap::create(setup.behaviour.resources, p.map_file, needs));
 }
 
 core::Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfig& config,

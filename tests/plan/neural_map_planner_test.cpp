@@ -16,15 +16,16 @@ constexpr double kRadiusM = 0.15;
 /// A room of 6 m x 4 m with `obstacles`, and a planner in it.
 class Room {
  public:
-  explicit Room(const std::string& obstacles, const NeuralMapPlanner::Parameters& parameters = {})
+  explicit Room(const std::string& obstacles, const NeuralMapPlanner::Parameters& parameters = {},
+                const std::string& target = "[5, 2]")
       : parameters_(parameters) {
     auto world =
         world::World::parse("format: clew-world/1\nname: room\nbounds: [0, 0, 6, 4]\n" + obstacles +
-                                "\nstart: [1, 2, 0]\ntarget: [5, 2]\ntarget_radius: 0.1\n",
+                                "\nstart: [1, 2, 0]\ntarget: " + target + "\ntarget_radius: 0.1\n",
                             "room.yaml");
     EXPECT_TRUE(world.ok()) << world.error().text();
     world_ = std::make_shared<const world::World>(std::move(world).value());
-    map_ = WorldMap::create(world_, 0.05).value();
+    map_ = WorldMap::create(world_, 0.05, {kRadiusM, 0.1}).value();
     planner_ = make_planner();
   }
 
@@ -40,7 +41,7 @@ class Room {
     domain::Odometry odometry;
     odometry.stamp.tick = tick_++;
     odometry.pose_odom_robot = {robot.x(), robot.y(), 0.0};
-    return planner.step({odometry, *map_, world_->target(), world_->target_radius_m()});
+    return planner.step({odometry, *map_, world_->target(), world_->target_radius_m(), {}});
   }
   /// Goes straight from subgoal to subgoal, and says how many there were on the way to the target.
   int walk() {
@@ -107,6 +108,32 @@ TEST(NeuralMapPlanner, GoesThroughAGapThatLeavesNoMargin) {
   Room room("walls: [[3, 0, 3, 1.80], [3, 2.16, 3, 4]]");
 
   EXPECT_LE(room.walk(), 8);
+}
+
+// The length of the way along subgoals 0.1 m and less apart.
+double walked_length_m(bool smooth) {
+  NeuralMapPlanner::Parameters parameters;
+  parameters.smooth = smooth;
+  parameters.look_ahead_m = 0.1;
+  parameters.arrive_m = 0.02;
+  // The target lies 4 m ahead and 1.6 m to the left: no direction of the lattice.
+  Room room("", parameters, "[5, 3.6]");
+  core::Vec2 robot(1.0, 2.0);
+  double length_m = 0.0;
+  for (int subgoals = 0; subgoals < 1000 && robot != core::Vec2(5.0, 3.6); ++subgoals) {
+    const core::Vec2 next = room.step(robot).place;
+    length_m += core::length(next - robot);
+    robot = next;
+  }
+  EXPECT_EQ(robot, core::Vec2(5.0, 3.6));
+  return length_m;
+}
+
+TEST(NeuralMapPlanner, LeadsOverTheInterpolatedLandscapeNearlyStraight) {
+  // Straight are sqrt(4^2 + 1.6^2) = 4.308 m; from cell to cell, 1.6 m of both axes diagonally and
+  // 2.4 m along one: 1.6 sqrt(2) + 2.4 = 4.663 m.
+  EXPECT_LT(walked_length_m(true), 4.308 * 1.04);
+  EXPECT_NEAR(walked_length_m(false), 4.663, 0.1);
 }
 
 TEST(NeuralMapPlanner, KeepsASubgoalUntilItIsNear) {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "core/angle.hpp"
+#include "core/math.hpp"
 #include "plan/known_map.hpp"
 #include "plan/stage.hpp"
 #include "runtime/node.hpp"
@@ -36,16 +40,19 @@ class PlanStage : public ::testing::Test {
     return made.ok() ? "no error" : made.error().text();
   }
   domain::Target target_of_tick_0() const {
-    runtime::TopicSet odometry;
-    odometry.set(static_cast<std::size_t>(Topic::kOdometry));
-    runtime::Node node("plan", runtime::resolve_ports(stage(), odometry),
+    runtime::TopicSet inputs;
+    inputs.set(static_cast<std::size_t>(Topic::kOdometry));
+    inputs.set(static_cast<std::size_t>(Topic::kScan));
+    runtime::Node node("plan", runtime::resolve_ports(stage(), inputs),
                        stage().make(config_, setup_).value(), 0.3);
     domain::Messages messages;
     std::get<domain::Odometry>(messages).pose_odom_robot = {1.0, 5.0, 0.0};
-    node.step(0, odometry, messages);
+    std::get<domain::Scan>(messages) = scan_;
+    node.step(0, inputs, messages);
     return std::get<domain::Target>(messages);
   }
 
+  domain::Scan scan_;
   runtime::RunSetup setup_;
   runtime::StageConfig config_;
 };
@@ -75,6 +82,43 @@ TEST_F(PlanStage, GoesByTheMapOfAFile) {
   // Up toward the gap, where the world's own straight way would be at y = 5.
   EXPECT_GT(target.y_m, 6.5);
   EXPECT_LT(target.x_m, 3.0);
+}
+
+TEST_F(PlanStage, GoesByWhatTheRobotHasSeen) {
+  config_.parameters["map"] = std::string("seen");
+  // Rays a degree apart over half a circle, that end on a wall of 2 m across the way, 1 m from the
+  // skin of the robot, and reach 4 m elsewhere.
+  constexpr int kRays = 181;
+  scan_.range_max_m = 4.0;
+  scan_.bearing_first_rad = core::radians(90.0);
+  scan_.bearing_step_rad = core::radians(-1.0);
+  for (int i = 0; i < kRays; ++i) {
+    const double bearing_rad = core::radians(90.0 - i);
+    const double to_wall_m = 1.15 / std::max(1e-3, core::cos(bearing_rad));
+    const bool meets = to_wall_m * std::fabs(core::sin(bearing_rad)) <= 1.0;
+    scan_.ranges_m.push_back(meets ? to_wall_m - 0.15 : 4.0);
+  }
+
+  const domain::Target target = target_of_tick_0();
+
+  // Round the wall's end, which is at x = 2.15 m and 1 m to the side.
+  EXPECT_GT(std::fabs(target.y_m - 5.0), 1.15);
+  EXPECT_LT(target.x_m, 4.0);
+}
+
+TEST_F(PlanStage, LeadsAlongTheSubgoalsOfTheWorld) {
+  auto world = world::World::parse(
+      "format: clew-world/1\nname: hall\nbounds: [0, 0, 10, 10]\nstart: [1, 5, 0]\n"
+      "subgoals: [[1, 5.1], [3, 8], [6, 8]]\ntarget: [9, 5]\ntarget_radius: 0.2\n",
+      "hall.yaml");
+  setup_.world = std::make_shared<const world::World>(std::move(world).value());
+  config_.parts["behaviour"] = {{"world_subgoals", {}}};
+
+  const domain::Target target = target_of_tick_0();
+
+  // The first lies within the target's radius of the start.
+  EXPECT_EQ(target.position(), core::Vec2(3.0, 8.0));
+  EXPECT_EQ(target.radius_m, 0.2);
 }
 
 TEST_F(PlanStage, RefusesAMapThatIsNotNamedOrBroken) {

@@ -102,12 +102,12 @@ std::optional<Scene> scene_of(const core::Resource& file) {
   auto read = world::World::parse(file.text, file.file);
   if (!read.ok() || !read->moving().empty() || !read->shortest_path_m().has_value()) return {};
   const auto world = std::make_shared<const world::World>(std::move(read).value());
-  const auto source = plan::WorldMap::create(world, kCell_m);
+  const auto source = plan::WorldMap::create(world, kCell_m, {kRadius_m, 0.0});
   if (!source.ok()) return {};
-  const map::RoomMap room = (*source)->read(kRadius_m);
+  const plan::RoomView room = (*source)->read(world->start().position(), world->target());
   Scene scene;
   scene.task.grid = room.grid;
-  room.passable(kRadius_m, scene.task.passable);
+  for (const map::Room cell : room.room) scene.task.passable.push_back(cell == map::Room::kOpen);
   scene.task.start = *room.grid.cell_at(world->start().position());
   scene.task.target = *room.grid.cell_at(world->target());
   for (const Cell& end : {scene.task.start, scene.task.target}) {

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan/seen_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clew::plan {
+namespace {
+
+// Free room around all that was seen, wide enough to go round it.
+constexpr double kAround_m = 1.0;
+// Free parts of beams end this far before what returned.
+constexpr double kClearMargin_m = 0.01;
+// A robot that passes this much nearer than its radius is not believed to touch.
+constexpr double kTouching_m = 0.01;
+
+map::Passage passage_of(const SeenSource::Parameters& p, const RoomNeeds& needs) {
+  map::Passage passage;
+  // A hit stands for a piece of arc, lies anywhere in its cell, and a way passes anywhere in its.
+  const double rounding_m = 0.5 * p.hit_spread_m + 0.25 * std::sqrt(2.0) * p.cell_m;
+  passage.impossible_m = std::max(0.3 * needs.radius_m, needs.radius_m - rounding_m);
+  passage.touching_m = needs.radius_m - kTouching_m;
+  // Half way from touching to comfortable, a cell is open.
+  passage.comfortable_m = 2.0 * (needs.radius_m + needs.margin_m) - passage.touching_m;
+  return passage;
+}
+
+}  // namespace
+
+SeenSource::SeenSource(const Parameters& parameters, const RoomNeeds& needs)
+    : evidence_({parameters.hit_spread_m, kClearMargin_m}, needs.radius_m),
+      seen_(0.5 * parameters.cell_m, parameters.capacity_tiles),
+      passage_(passage_of(parameters, needs)),
+      clearance_(passage_, seen_.cell_m()) {}
+
+RoomView SeenSource::read(const core::Vec2& from, const core::Vec2& to) {
+  const map::CostGrid& costs = clearance_.update(seen_, from, to, kAround_m);
+  return {costs.grid, costs.room};
+}
+
+bool SeenSource::straight_way(const core::Vec2& from, const core::Vec2& to, map::Room least) {
+  if (is_near(map::Mark::kHit, from, to, room_of(least))) return false;
+  if (least <= map::Room::kSuspected) return true;
+  return !is_near(map::Mark::kSuspected, from, to, room_of(least));
+}
+
+/// How near a hit may be where there is this room, in metres.
+double SeenSource::room_of(map::Room least) const {
+  const double room_m = least == map::Room::kOpen
+                            ? 0.5 * (passage_.touching_m + passage_.comfortable_m)
+                        : least == map::Room::kTouching ? passage_.impossible_m
+                                                        : passage_.touching_m;
+  return room_m - seen_.cell_m();
+}
+
+bool SeenSource::is_near(map::Mark mark, const core::Vec2& from, const core::Vec2& to,
+                         double room_m) const {
+  const core::Vec2 way = to - from;
+  const double square = way.dot(way);
+  const core::Vec2 margin(room_m, room_m);
+  bool near = false;
+  seen_.for_each(mark, from.cwiseMin(to) - margin, from.cwiseMax(to) + margin,
+                 [&](const core::Vec2& place) {
+                   const core::Vec2 off = place - from;
+                   // Beside either end counts with the line, before and behind it does not.
+                   const double along = square > 0.0 ? off.dot(way) / square : 0.0;
+                   if (along < 0.0 || along > 1.0) return;
+                   near = near || core::length(off - along * way) < room_m;
+                 });
+  return near;
+}
+
+void SeenSource::save(core::StateWriter& writer) const {
+  map::SeenMap::State seen = seen_.state();
+  writer(seen);
+}
+
+}  // namespace clew::plan

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan/world_subgoals.hpp"
+
+namespace clew::plan {
+
+Subgoal WorldSubgoals::step(const Situation& situation) {
+  const core::Pose2& robot = situation.odometry.pose_odom_robot;
+  const double radius_m = situation.target_radius_m;
+  while (state_.next < situation.subgoals.size() &&
+         core::distance_m(robot, situation.subgoals[state_.next]) <= radius_m) {
+    ++state_.next;
+  }
+  if (state_.next >= situation.subgoals.size()) return {situation.target, radius_m};
+  return {situation.subgoals[state_.next], radius_m};
+}
+
+void WorldSubgoals::save(core::StateWriter& writer) const {
+  State state = state_;
+  writer(state);
+}
+
+}  // namespace clew::plan
