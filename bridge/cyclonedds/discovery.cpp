@@ -32,7 +32,7 @@ std::string user_data_of(const dds_qos_t* qos) {
 }  // namespace
 
 CycloneDiscovery::CycloneDiscovery(dds_entity_t participant, DiscoveryListener& listener)
-    : participant_(participant), listener_(listener) {
+    : participant_(participant), remotes_(listener) {
   dds_get_guid(participant_, &participant_guid_);
 }
 
@@ -51,28 +51,6 @@ core::Result<void> CycloneDiscovery::start() {
   CLEW_RETURN_IF_ERROR(
       create(DDS_BUILTIN_TOPIC_DCPSPUBLICATION, &on_endpoints<true>, writers_reader_));
   return create(DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION, &on_endpoints<false>, readers_reader_);
-}
-
-void CycloneDiscovery::add_local(const std::string& topic, const std::string& type) {
-  std::vector<std::shared_ptr<const RemoteEndpoint>> inconsistent;
-  {
-    const std::lock_guard lock(mutex_);
-    local_types_.emplace(topic, type);
-    for (const auto& [handle, remote] : remotes_) {
-      if (remote->topic == topic && remote->type != type) inconsistent.push_back(remote);
-    }
-  }
-  for (const auto& remote : inconsistent) listener_.on_inconsistent_type(*remote);
-}
-
-void CycloneDiscovery::remove_local(const std::string& topic, const std::string& type) {
-  const std::lock_guard lock(mutex_);
-  const auto [first, last] = local_types_.equal_range(topic);
-  for (auto it = first; it != last; ++it) {
-    if (it->second != type) continue;
-    local_types_.erase(it);
-    return;
-  }
 }
 
 std::shared_ptr<const RemoteEndpoint> CycloneDiscovery::describe(
@@ -105,29 +83,14 @@ void CycloneDiscovery::take_endpoints(dds_entity_t reader, bool is_writer) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
       if (infos[i].valid_data && infos[i].instance_state == DDS_IST_ALIVE) {
         const auto& endpoint = *static_cast<const dds_builtintopic_endpoint_t*>(samples[i]);
-        add_remote(infos[i].instance_handle, describe(endpoint, is_writer));
+        const auto remote = describe(endpoint, is_writer);
+        if (remote != nullptr) remotes_.add(infos[i].instance_handle, remote);
       } else {
-        const std::lock_guard lock(mutex_);
-        remotes_.erase(infos[i].instance_handle);
+        remotes_.remove(infos[i].instance_handle);
       }
     }
     dds_return_loan(reader, samples.data(), count);
   }
-}
-
-void CycloneDiscovery::add_remote(dds_instance_handle_t handle,
-                                  const std::shared_ptr<const RemoteEndpoint>& remote) {
-  if (remote == nullptr) return;
-  bool is_inconsistent = false;
-  {
-    const std::lock_guard lock(mutex_);
-    remotes_[handle] = remote;
-    const auto [first, last] = local_types_.equal_range(remote->topic);
-    for (auto it = first; it != last; ++it) {
-      if (it->second != remote->type) is_inconsistent = true;
-    }
-  }
-  if (is_inconsistent) listener_.on_inconsistent_type(*remote);
 }
 
 int CycloneDiscovery::process_id(dds_instance_handle_t participant) const {

@@ -3,14 +3,12 @@
 
 #include <dds/dds.h>
 
-#include <map>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <vector>
 
 #include "cyclonedds/entity.hpp"
 #include "dds/participant.hpp"
+#include "dds/remote_endpoints.hpp"
 
 namespace clew::bridge {
 
@@ -24,28 +22,27 @@ class CycloneDiscovery {
   core::Result<void> start();
 
   /// From now on, or no longer, this participant has an endpoint on `topic` with `type`.
-  void add_local(const std::string& topic, const std::string& type);
-  void remove_local(const std::string& topic, const std::string& type);
+  void add_local(const std::string& topic, const std::string& type) {
+    remotes_.add_local(topic, type);
+  }
+  void remove_local(const std::string& topic, const std::string& type) {
+    remotes_.remove_local(topic, type);
+  }
 
   /// Null if the endpoint is one of this participant.
   std::shared_ptr<const RemoteEndpoint> describe(const dds_builtintopic_endpoint_t& endpoint,
                                                  bool is_writer) const;
-  DiscoveryListener& listener() const { return listener_; }
+  DiscoveryListener& listener() const { return remotes_.listener(); }
 
  private:
   template <bool is_writer>
   static void on_endpoints(dds_entity_t reader, void* self);
   void take_endpoints(dds_entity_t reader, bool is_writer);
-  void add_remote(dds_instance_handle_t handle,
-                  const std::shared_ptr<const RemoteEndpoint>& remote);
   int process_id(dds_instance_handle_t participant) const;
 
   dds_entity_t participant_;
   dds_guid_t participant_guid_{};
-  DiscoveryListener& listener_;
-  std::mutex mutex_;
-  std::multimap<std::string, std::string> local_types_;  ///< by topic
-  std::map<dds_instance_handle_t, std::shared_ptr<const RemoteEndpoint>> remotes_;
+  RemoteEndpoints<dds_instance_handle_t> remotes_;
   CycloneEntity participants_reader_;
   CycloneEntity writers_reader_;  ///< last, since their listeners use all the rest
   CycloneEntity readers_reader_;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "dds/participant.hpp"
+#include "dds/remote_endpoints.hpp"
 
 namespace clew::bridge {
 
@@ -20,15 +21,19 @@ class FastDiscovery : public eprosima::fastdds::dds::DomainParticipantListener {
  public:
   using Guid = eprosima::fastrtps::rtps::GUID_t;
 
-  explicit FastDiscovery(DiscoveryListener& listener) : listener_(listener) {}
+  explicit FastDiscovery(DiscoveryListener& listener) : remotes_(listener) {}
 
   /// From now on, or no longer, this participant has an endpoint on `topic` with `type`.
-  void add_local(const std::string& topic, const std::string& type);
-  void remove_local(const std::string& topic, const std::string& type);
+  void add_local(const std::string& topic, const std::string& type) {
+    remotes_.add_local(topic, type);
+  }
+  void remove_local(const std::string& topic, const std::string& type) {
+    remotes_.remove_local(topic, type);
+  }
 
   /// The remote endpoint with this GUID; null if it is unknown.
-  std::shared_ptr<const RemoteEndpoint> find(const Guid& guid) const;
-  DiscoveryListener& listener() const { return listener_; }
+  std::shared_ptr<const RemoteEndpoint> find(const Guid& guid) const { return remotes_.find(guid); }
+  DiscoveryListener& listener() const { return remotes_.listener(); }
 
  private:
   void on_participant_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
@@ -39,12 +44,9 @@ class FastDiscovery : public eprosima::fastdds::dds::DomainParticipantListener {
                               eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
   template <typename ProxyData>
   void add_remote(const ProxyData& endpoint, bool is_writer);
-  void remove_remote(const Guid& guid);
 
-  DiscoveryListener& listener_;
-  mutable std::mutex mutex_;
-  std::multimap<std::string, std::string> local_types_;  ///< by topic
-  std::map<Guid, std::shared_ptr<const RemoteEndpoint>> remotes_;
+  RemoteEndpoints<Guid> remotes_;
+  std::mutex mutex_;
   std::map<eprosima::fastrtps::rtps::GuidPrefix_t, int> process_ids_;
 };
 

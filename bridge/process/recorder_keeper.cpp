@@ -79,7 +79,8 @@ void RecorderKeeper::serve(Time now) {
   if (link_) receive(now);
   if (link_ && !account_) send(now);
   if (account_) return;
-  if (child_ && child_->reap()) lose();
+  // What it said last is read before its end is believed.
+  if (!link_ && child_ && child_->reap()) lose();
   if (child_ && child_->running() && now - heard_at_ > (link_ ? kFrozenAfter : kStartsWithin)) {
     lines_.push_back("recorder (process " + std::to_string(child_->process_id()) +
                      ") does not report; killing it");
@@ -136,7 +137,6 @@ void RecorderKeeper::send(Time now) {
 
 // Its process has ended.
 void RecorderKeeper::lose() {
-  link_.reset();
   const bool in_place = restarts_ > 0 && progress_.durable_ticks <= durable_at_death_;
   deaths_in_place_ = in_place && !child_->was_killed() ? deaths_in_place_ + 1 : 0;
   durable_at_death_ = progress_.durable_ticks;

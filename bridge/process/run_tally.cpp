@@ -4,11 +4,11 @@
 namespace clew::bridge {
 
 void RunTally::add(const domain::State& state) {
-  truth = Truth{state.stamp.tick,           state.outcome,
-                state.stamp.sim_time_s,     state.path_length_m,
-                state.pose_world_robot.x_m, state.pose_world_robot.y_m,
-                state.collisions,           state.hit_by,
-                state.safety_stops};
+  truth = RunTruth{state.stamp.tick,           state.outcome,
+                   state.stamp.sim_time_s,     state.path_length_m,
+                   state.pose_world_robot.x_m, state.pose_world_robot.y_m,
+                   state.collisions,           state.hit_by,
+                   state.safety_stops};
 }
 
 void RunTally::add(const domain::Guidance& guidance) { mode = guidance.mode; }
@@ -24,7 +24,7 @@ void RunTally::add(const domain::Event& event) {
 
 void RunTally::add_alarm(const domain::EventEntry& entry) {
   if (alarms.size() >= kMostRules && alarms.count(entry.rule) == 0) return;
-  Alarms& of_rule = alarms[entry.rule];
+  RuleAlarms& of_rule = alarms[entry.rule];
   ++(entry.shadow ? of_rule.in_shadow : of_rule.in_command);
 }
 

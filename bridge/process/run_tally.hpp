@@ -10,33 +10,35 @@
 
 namespace clew::bridge {
 
+/// What the simulation's own account of a run was last.
+struct RunTruth {
+  std::uint64_t tick = 0;
+  domain::Outcome outcome = domain::Outcome::kRunning;
+  double sim_time_s = 0.0;
+  double path_length_m = 0.0;
+  double x_m = 0.0;
+  double y_m = 0.0;
+  std::uint32_t collisions = 0;
+  std::uint32_t hit_by = 0;
+  std::uint32_t safety_stops = 0;
+};
+
+/// How often a rule said *trap*.
+struct RuleAlarms {
+  std::uint32_t in_command = 0;
+  std::uint32_t in_shadow = 0;
+};
+
 /// What is counted and shown of a run, gathered from the samples of whichever topics pass by.
 /// Tallies of several processes add up to the whole.
 struct RunTally {
-  struct Truth {
-    std::uint64_t tick = 0;
-    domain::Outcome outcome = domain::Outcome::kRunning;
-    double sim_time_s = 0.0;
-    double path_length_m = 0.0;
-    double x_m = 0.0;
-    double y_m = 0.0;
-    std::uint32_t collisions = 0;
-    std::uint32_t hit_by = 0;
-    std::uint32_t safety_stops = 0;
-  };
-
-  /// How often a rule said *trap*.
-  struct Alarms {
-    std::uint32_t in_command = 0;
-    std::uint32_t in_shadow = 0;
-  };
   static constexpr std::size_t kMostRules = 64;  ///< a component of someone else's may say anything
 
-  std::optional<Truth> truth;                ///< from `state`
+  std::optional<RunTruth> truth;             ///< from `state`
   std::optional<domain::GuidanceMode> mode;  ///< from `guidance`
   std::uint32_t traps_detected = 0;          ///< from `event`, shadows left out
   std::uint32_t virtual_targets = 0;         ///< from `event`
-  std::map<std::string, Alarms> alarms;      ///< by rule, from `event`; the first kMostRules
+  std::map<std::string, RuleAlarms> alarms;  ///< by rule, from `event`; the first kMostRules
 
   void add(const domain::State& state);
   void add(const domain::Guidance& guidance);
@@ -53,12 +55,12 @@ struct RunTally {
 };
 
 template <typename V>
-void visit_fields(V& v, RunTally::Truth& t) {
+void visit_fields(V& v, RunTruth& t) {
   v(t.tick, t.outcome, t.sim_time_s, t.path_length_m, t.x_m, t.y_m, t.collisions, t.hit_by,
     t.safety_stops);
 }
 template <typename V>
-void visit_fields(V& v, RunTally::Alarms& a) {
+void visit_fields(V& v, RuleAlarms& a) {
   v(a.in_command, a.in_shadow);
 }
 template <typename V>

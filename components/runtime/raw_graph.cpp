@@ -2,6 +2,7 @@
 #include "runtime/raw_graph.hpp"
 
 #include "core/nearest_name.hpp"
+#include "runtime/middleware.hpp"
 
 namespace clew::runtime {
 namespace {
@@ -99,9 +100,7 @@ Result<void> read_deployment(const YamlNode& node, const std::string& key, Deplo
   if (const auto middleware = node.find("middleware")) {
     auto word = middleware->string();
     if (!word.ok()) return word.error();
-    if (*word != "cyclonedds" && *word != "fastdds") {
-      return middleware->error(core::unknown_name("middleware", *word, {"cyclonedds", "fastdds"}));
-    }
+    if (!is_middleware(*word)) return middleware->error(unknown_middleware(*word));
     deployment.middleware = *word;
   }
   return {};

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace clew::bridge {
 namespace {
@@ -23,6 +25,9 @@ class Recorder {
   }
 
   void report(const Kept& kept) { line_->send(FrameType::kKept, kept); }
+  void say_how_it_went(RecordingAccount account) {
+    line_->send(FrameType::kRecorded, std::move(account));
+  }
   /// The samples' bytes that come in all. A line takes less than a batch at a time, so a batch is
   /// here after a few turns at the latest.
   std::size_t take_samples(RecorderKeeper& keeper) {
@@ -92,6 +97,23 @@ TEST(RecorderKeeper, GivesASuccessorWhatIsNotDurable) {
   // Ticks below 60 are durable; the run may go on from what the dead one had taken.
   EXPECT_EQ(keeper.credit(), 90u + 256u);
   EXPECT_EQ(successor.take_samples(keeper), 40 * kMiB);
+}
+
+TEST(RecorderKeeper, ReadsTheLastWordsOfAProcessThatHasEnded) {
+  ChildCommand ends_at_once;
+  ends_at_once.arguments = {"true"};
+  RecorderKeeper keeper(RecordingOrder{}, ends_at_once, false);
+  ASSERT_TRUE(keeper.start(std::chrono::steady_clock::now()).ok());
+  Recorder recorder(keeper);
+  siginfo_t ended;
+  ASSERT_EQ(::waitid(P_ALL, 0, &ended, WEXITED | WNOWAIT), 0);
+
+  keeper.serve(std::chrono::steady_clock::now());
+  recorder.say_how_it_went({});
+  keeper.serve(std::chrono::steady_clock::now());
+
+  EXPECT_TRUE(keeper.account());
+  EXPECT_EQ(keeper.restarts(), 0u);
 }
 
 }  // namespace

@@ -1,15 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The debugging session in README.md is what its commands print, and its picture what they draw."""
-import importlib.machinery
-import importlib.util
 import unittest
 
-from clew_command import SOURCE
+from clew_command import load_tool
 
-loader = importlib.machinery.SourceFileLoader("walkthrough", str(SOURCE / "tools/walkthrough"))
-walkthrough = importlib.util.module_from_spec(
-    importlib.util.spec_from_loader("walkthrough", loader))
-loader.exec_module(walkthrough)
+walkthrough = load_tool("walkthrough")
 
 
 class Walkthrough(unittest.TestCase):

@@ -10,9 +10,9 @@
 #include "clew/own_program.hpp"
 #include "clew/playback_console.hpp"
 #include "clew/replay_output.hpp"
-#include "core/nearest_name.hpp"
 #include "dds/participant.hpp"
 #include "replay/live_checks.hpp"
+#include "runtime/middleware.hpp"
 
 namespace clew::tools {
 namespace {
@@ -47,9 +47,8 @@ Result<LiveReplayOptions> read_options(const ReplayOptions& options,
     if (!topic.ok()) return topic.error();
     live.topics.set(static_cast<std::size_t>(*topic));
   }
-  if (!bridge::vendor_from_name(options.middleware)) {
-    return Error{core::unknown_name("middleware", options.middleware, {"cyclonedds", "fastdds"}),
-                 "--middleware", 0, 0};
+  if (!runtime::is_middleware(options.middleware)) {
+    return Error{runtime::unknown_middleware(options.middleware), "--middleware", 0, 0};
   }
   if (options.start && options.component.empty()) {
     return Error{"--start needs --component", {}, 0, 0};

@@ -14,6 +14,7 @@
 #include "process/recording_sink.hpp"
 #include "process/run_members.hpp"
 #include "process/supervisor.hpp"
+#include "runtime/middleware.hpp"
 #include "stages/all.hpp"
 
 namespace clew::tools {
@@ -22,7 +23,6 @@ namespace {
 using core::Error;
 using core::Result;
 
-const std::vector<std::string> kVendors = {"cyclonedds", "fastdds"};
 const std::vector<std::string> kCompressions = {"none", "zstd", "lz4"};
 const std::vector<std::string> kRecordOn = {"trap"};
 constexpr double kRecordLast_s = 30.0;
@@ -61,8 +61,8 @@ Result<void> read_middleware(const RunOptions& options, const runtime::Graph& gr
   for (const std::string& text : options.middleware) {
     const std::size_t equals = text.find('=');
     const std::string vendor = equals == std::string::npos ? text : text.substr(equals + 1);
-    if (vendor != kVendors[0] && vendor != kVendors[1]) {
-      return Error{core::unknown_name("middleware", vendor, kVendors), "--middleware", 0, 0};
+    if (!runtime::is_middleware(vendor)) {
+      return Error{runtime::unknown_middleware(vendor), "--middleware", 0, 0};
     }
     if (equals == std::string::npos) {
       // The command line outranks the graph.

@@ -15,6 +15,7 @@ namespace {
 
 using bridge::RunReport;
 using bridge::RunTally;
+using bridge::RunTruth;
 using domain::Outcome;
 
 const char* mode_word(const RunTally& tally) {
@@ -30,9 +31,7 @@ const char* mode_word(const RunTally& tally) {
   return "seek";
 }
 
-RunTally::Truth truth_of(const RunReport& report) {
-  return report.tally.truth.value_or(RunTally::Truth{});
-}
+RunTruth truth_of(const RunReport& report) { return report.tally.truth.value_or(RunTruth{}); }
 
 /// `1 trap`, `2 traps`.
 std::string count_text(std::uint64_t count, const std::string& what) {
@@ -94,7 +93,7 @@ int exit_status(const RunReport& report) {
 
 std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
                         const RunFacts& facts) {
-  const RunTally::Truth truth = truth_of(report);
+  const RunTruth truth = truth_of(report);
   const auto shortest_m = plan.setup.world->shortest_path_m();
   nlohmann::ordered_json json;
   json["outcome"] = outcome_word(report);
@@ -123,7 +122,7 @@ std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
 }
 
 std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {
-  const RunTally::Truth truth = truth_of(report);
+  const RunTruth truth = truth_of(report);
   const auto shortest_m = plan.setup.world->shortest_path_m();
   std::string line =
       fmt::format("{} in {}: {} ticks ({:.1f} s), path {:.2f} m", outcome_word(report),
