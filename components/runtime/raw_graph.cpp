@@ -124,6 +124,8 @@ Result<RawStage> read_stage(const StageInfo& info, const YamlNode& node) {
   return stage;
 }
 
+constexpr char kPlanStage[] = "plan";
+
 Result<std::uint64_t> read_count(const YamlNode& node, const char* key) {
   const auto value = node.integer();
   if (!value.ok()) return value.error();
@@ -168,6 +170,31 @@ Result<void> read_head(const YamlNode& root, Graph& head) {
   return {};
 }
 
+/// The planner that `mission: subgoals` is short for; none if the graph does not say so.
+Result<std::optional<RawStage>> read_mission(const YamlNode& root,
+                                             const std::vector<StageInfo>& stages) {
+  const auto node = root.find("mission");
+  if (!node) return std::optional<RawStage>();
+  const auto word = node->string();
+  if (!word.ok()) return word.error();
+  if (*word == "target") return std::optional<RawStage>();
+  if (*word != "subgoals") {
+    return node->error(core::unknown_name("mission", *word, {"target", "subgoals"}));
+  }
+  if (root.find(kPlanStage)) {
+    return node->error(
+        "mission: subgoals is short for plan: {behaviour: world_subgoals}; found it "
+        "beside a plan");
+  }
+  for (const StageInfo& info : stages) {
+    if (info.name != kPlanStage) continue;
+    RawStage stage{&info, *node, {}, {}, {}};
+    stage.parts[kBehaviourPart] = {RawChoice{"world_subgoals", *node, {}}};
+    return std::optional<RawStage>(std::move(stage));
+  }
+  return node->error("this program has no stage that leads along subgoals");
+}
+
 }  // namespace
 
 const PartInfo* find_part(const StageInfo& stage, const std::string& name) {
@@ -191,15 +218,18 @@ Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& n
                                 const std::vector<StageInfo>& stages) {
   const auto root = YamlNode::parse(file.text, file.file);
   if (!root.ok()) return root.error();
-  std::vector<std::string> keys = {"about", "world",     "robot",
-                                   "seed",  "max_ticks", "start_timeout_s"};
+  std::vector<std::string> keys = {"about",     "world",           "robot",  "seed",
+                                   "max_ticks", "start_timeout_s", "mission"};
   for (const StageInfo& stage : stages) keys.push_back(stage.name);
   CLEW_RETURN_IF_ERROR(root->check_keys(keys));
 
   RawGraph graph{{}, *root, {}};
   graph.head.name = name;
   CLEW_RETURN_IF_ERROR(read_head(*root, graph.head));
+  auto planner = read_mission(*root, stages);
+  if (!planner.ok()) return planner.error();
   for (const StageInfo& info : stages) {
+    if (*planner && (*planner)->info == &info) graph.stages.push_back(std::move(**planner));
     const auto node = root->find(info.name);
     if (!node) continue;
     auto stage = read_stage(info, *node);

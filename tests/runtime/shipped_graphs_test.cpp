@@ -82,5 +82,25 @@ TEST_P(ShippedRobot, IsReadAndNamedLikeItsFile) {
 INSTANTIATE_TEST_SUITE_P(Configs, ShippedRobot, ::testing::ValuesIn(configs().names("robots")),
                          test_name);
 
+TEST(MissionOfAGraph, IsShortForThePlannerAlongTheWorldsSubgoals) {
+  const std::string head = "world: lm-fig09-office\nrobot: disc-015\n";
+  const std::string stages =
+      "sense: {behaviour: cones}\ncontrol: {behaviour: krishna_kalra_fuzzy}\n"
+      "drive: {behaviour: turn_then_step}\n";
+  const auto load = [](const std::string& text) {
+    return load_graph({"g.yaml", text}, "g", {}, stages::all());
+  };
+
+  const auto said = load(head + "mission: subgoals\n" + stages);
+  const auto meant = load(head + "plan: {behaviour: world_subgoals}\n" + stages);
+  const auto both = load(head + "mission: subgoals\nplan: {behaviour: neural_map}\n" + stages);
+
+  ASSERT_TRUE(said.ok()) << said.error().text();
+  ASSERT_TRUE(meant.ok()) << meant.error().text();
+  EXPECT_EQ(said->expanded_yaml(), meant->expanded_yaml());
+  ASSERT_FALSE(both.ok());
+  EXPECT_EQ(both.error().line, 3);
+}
+
 }  // namespace
 }  // namespace clew::runtime
