@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "process/composed_run.hpp"
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstring>
@@ -23,26 +24,36 @@ volatile std::sig_atomic_t asked_to_end = 0;
 
 void ask_to_end(int number) { asked_to_end = number; }
 
-/// While it lives, SIGINT and SIGTERM are noted instead of ending the process.
+/// While it lives, signals that ask for an end are noted instead of ending the process, also those
+/// that came while they were blocked.
 class EndSignals {
  public:
   EndSignals() {
     asked_to_end = 0;
     struct sigaction action {};
     action.sa_handler = ask_to_end;
-    ::sigaction(SIGINT, &action, &interrupt_);
-    ::sigaction(SIGTERM, &action, &terminate_);
+    sigset_t set;
+    sigemptyset(&set);
+    for (std::size_t i = 0; i < kNumbers.size(); ++i) {
+      ::sigaction(kNumbers[i], &action, &before_[i]);
+      sigaddset(&set, kNumbers[i]);
+    }
+    ::sigprocmask(SIG_UNBLOCK, &set, &blocked_before_);
   }
   ~EndSignals() {
-    ::sigaction(SIGINT, &interrupt_, nullptr);
-    ::sigaction(SIGTERM, &terminate_, nullptr);
+    ::sigprocmask(SIG_SETMASK, &blocked_before_, nullptr);
+    for (std::size_t i = 0; i < kNumbers.size(); ++i) {
+      ::sigaction(kNumbers[i], &before_[i], nullptr);
+    }
   }
   EndSignals(const EndSignals&) = delete;
   EndSignals& operator=(const EndSignals&) = delete;
 
  private:
-  struct sigaction interrupt_ {};
-  struct sigaction terminate_ {};
+  static constexpr std::array<int, 3> kNumbers = {SIGINT, SIGTERM, SIGHUP};
+
+  std::array<struct sigaction, kNumbers.size()> before_{};
+  sigset_t blocked_before_{};
 };
 
 /// Keeps the journal of every node, and passes the samples on to the recording.
@@ -113,9 +124,15 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart
   const EndSignals signals;
 
   RunReport report;
-  const auto first_tick_at = Clock::now();
+  auto first_tick_at = Clock::now();
   auto displayed_at = first_tick_at;
   clock.start(first_tick_at, start.next_tick);
+  // From the end of the first tick to that of the last, as TickRate does.
+  const auto ticks_per_s = [&] {
+    const auto stepped = static_cast<double>(executor.next_tick() - start.next_tick);
+    const double ticking_s = seconds_since(first_tick_at);
+    return stepped > 1.0 && ticking_s > 0.0 ? (stepped - 1.0) / ticking_s : 0.0;
+  };
   const RunTally& tally = bookkeeper.journal().tally();
   const auto goes_on = [&] {
     return !tally.truth || tally.truth->outcome == domain::Outcome::kRunning;
@@ -124,6 +141,7 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart
     if (!clock.is_free()) std::this_thread::sleep_until(clock.due(executor.next_tick()));
     bookkeeper.checkpoint(executor.nodes(), executor.next_tick());
     executor.step();
+    if (executor.next_tick() == start.next_tick + 1) first_tick_at = Clock::now();
     if (layout.on_record_error == OnRecordError::kStop) report.aborted = bookkeeper.failure();
     if (asked_to_end != 0) {
       report.interrupted_by = asked_to_end;
@@ -133,17 +151,13 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart
     const bool look = !clock.is_free() || executor.next_tick() % kTicksPerLook == 0;
     if (display && look && Clock::now() - displayed_at >= kDisplayPeriod) {
       displayed_at = Clock::now();
-      display(tally, static_cast<double>(executor.next_tick() - start.next_tick) /
-                         seconds_since(first_tick_at));
+      display(tally, ticks_per_s());
     }
   }
 
   report.tally = tally;
   report.wall_s = seconds_since(start.started_at);
-  const double ticking_s = seconds_since(first_tick_at);
-  if (ticking_s > 0.0) {
-    report.ticks_per_s = static_cast<double>(executor.next_tick() - start.next_tick) / ticking_s;
-  }
+  report.ticks_per_s = ticks_per_s();
   if (layout.hash && report.aborted.empty()) report.hash = run_hash(bookkeeper.journal().chains());
   return report;
 }

@@ -108,6 +108,7 @@ struct Waiting {
 struct Progress {
   std::uint64_t ticks = 0;  ///< stepped so far
   RunTally tally;
+  std::uint64_t refused_samples = 0;
 };
 
 struct Finished {
@@ -153,7 +154,7 @@ void visit_fields(V& v, Waiting& m) {
 }
 template <typename V>
 void visit_fields(V& v, Progress& m) {
-  v(m.ticks, m.tally);
+  v(m.ticks, m.tally, m.refused_samples);
 }
 template <typename V>
 void visit_fields(V& v, Finished& m) {

@@ -164,8 +164,10 @@ void NodeHost::deliver(Message& message) {
 void NodeHost::refuse(const std::string& topic, const core::Error& error) {
   ++refused_samples_;
   const std::string what = node_.name() + " refuses a sample of '" + topic + "': " + error.text();
+  if (!lockstep_) return handlers_.on_notice(what);
   // Without it the tick can never be complete.
-  lockstep_ ? handlers_.on_fatal(what) : handlers_.on_notice(what);
+  report();
+  handlers_.on_fatal(what);
 }
 
 bool NodeHost::may_step(Time now) const {
@@ -268,7 +270,7 @@ void NodeHost::write(Output& output, Topic topic, std::string_view cdr) {
 }
 
 void NodeHost::report() {
-  handlers_.on_progress({buffer_.next_tick(), journal_.tally()});
+  handlers_.on_progress({buffer_.next_tick(), journal_.tally(), refused_samples_});
   if (journal_.spooled_bytes() > 0) handlers_.on_spooled(journal_.take_spooled());
 }
 

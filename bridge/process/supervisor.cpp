@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "process/supervisor.hpp"
 
+#include <fmt/format.h>
 #include <poll.h>
 
 #include <algorithm>
@@ -274,9 +275,8 @@ class Supervisor {
     std::vector<std::string> missing;
     if (observer_) missing = observer_->missing();
     if (recorder_ && !recorder_->ready()) missing.push_back("the recorder has not reported");
-    abort("not everybody was there within " +
-          std::to_string(static_cast<int>(plan_.graph.start_timeout_s)) +
-          " s:" + missing_text(members_, missing));
+    abort(fmt::format("not everybody was there within {} s:{}", plan_.graph.start_timeout_s,
+                      missing_text(members_, missing)));
   }
 
   Clock::duration stall_timeout() const {
@@ -353,9 +353,10 @@ class Supervisor {
     report_.wall_s = std::chrono::duration<double>(Clock::now() - started_at_).count();
     std::map<std::string, core::Hash128> chains;
     for (const Member& member : members_) {
-      if (!member.finished) continue;
-      chains.insert(member.finished->chains.begin(), member.finished->chains.end());
-      report_.refused_samples += member.finished->refused_samples;
+      const auto& finished = member.finished;
+      report_.refused_samples +=
+          finished ? finished->refused_samples : member.progress.refused_samples;
+      if (finished) chains.insert(finished->chains.begin(), finished->chains.end());
     }
     if (observer_ && report_.aborted.empty()) chains.merge(observer_->chains());
     if (layout_.hash && report_.aborted.empty()) report_.hash = run_hash(chains);

@@ -153,5 +153,18 @@ TEST(SvgWriter, EscapesWhatXmlDoesNotAllowInText) {
   EXPECT_TRUE(contains(std::move(svg).finish(), ">a&lt;b &amp; &quot;c&quot; </text>"));
 }
 
+TEST(SvgWriter, ReplacesWhatIsNoUtf8) {
+  plot::SvgWriter svg(10.0, 10.0);
+
+  // Latin 1, a sequence cut short, one too long for its character, half of a surrogate pair.
+  svg.text({1.0, 2.0}, "\xe9|\xc3|\xc0\xaf|\xed\xa0\x80|\xc3\xa9\xf0\x9f\xa4\x96");
+
+  const std::string no_character = "\xef\xbf\xbd";
+  EXPECT_TRUE(contains(std::move(svg).finish(), '>' + no_character + '|' + no_character + '|' +
+                                                    no_character + no_character + '|' +
+                                                    no_character + no_character + no_character +
+                                                    "|\xc3\xa9\xf0\x9f\xa4\x96</text>"));
+}
+
 }  // namespace
 }  // namespace clew::plot_test

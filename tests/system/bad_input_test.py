@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bad input is answered: what was found, where, and what is allowed; with the right status."""
+import json
+import os
 import pathlib
 import random
+import subprocess
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
-from clew_command import THIRD_PARTY, Run, write_file
+from clew_command import CLEW, THIRD_PARTY, Run, write_file
 
 GRAPH = """world: open-field
 robot: disc-015
@@ -107,6 +111,7 @@ class Options(BadInput):
                 (["--domain", "100"], "0 to 99"),
                 (["--external", "contrl"], "did you mean 'control'?"),
                 (["--prefix", "control"], "STAGE='command'"),
+                (["--record", ""], "the name is empty"),
                 (["--set", "sense.range_m"], "'='"),
                 (["--set", "sense.rnage_m=2"], "did you mean 'range_m'?"),
                 (["--set", "sens.range_m=2"], "did you mean 'sense'?"),
@@ -128,13 +133,19 @@ class Options(BadInput):
 
     def test_no_command_and_an_unknown_one(self):
         self.assertEqual(Run([]).status, 2)
-        self.assertEqual(Run(["fly"]).status, 2)
+        self.refused(Run(["chekc", "reactive"]), "did you mean 'check'?")
 
     def test_help_and_version(self):
-        for arguments in (["--help"], ["run", "--help"], ["--version"]):
-            run = Run(arguments)
-            self.assertEqual(run.status, 0)
-            self.assertTrue(run.out)
+        for arguments in ([], *([command] for command in (
+                "run", "bench", "check", "list", "component", "plot", "info", "diff", "replay",
+                "train"))):
+            for flag in ("--help", "--version"):
+                run = Run([*arguments, flag])
+                self.assertEqual(run.status, 0, run.err)
+                self.assertTrue(run.out)
+
+    def test_a_component_on_a_domain_that_cannot_be(self):
+        self.refused(Run(["component", "reactive", "sense", "--domain", "300"]), "0 to 99")
 
 
 class Worlds(BadInput):
@@ -193,6 +204,39 @@ class Output(BadInput):
             self.assertEqual(Run(["run", "reactive", "--world", "open-field", "--record", path,
                                   "--force"]).status, 0)
 
+    def test_standard_output_that_takes_nothing(self):
+        for arguments in (["list", "worlds"], ["check", "reactive"],
+                          ["run", "reactive", "--layout", "composed", "--world", "open-field", "--json"]):
+            with open("/dev/full", "wb") as full:
+                done = subprocess.run([CLEW, *arguments], stdout=full, stderr=subprocess.PIPE,
+                                      text=True, check=False)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("standard output: No space left on device", done.stderr)
+
+    def test_a_reader_that_has_gone_is_no_crash(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        with open(writer, "wb") as pipe:
+            done = subprocess.run([CLEW, "list", "worlds"], stdout=pipe, stderr=subprocess.PIPE,
+                                  text=True, check=False)
+
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+
+    def test_names_that_are_no_utf8_give_json_and_svg_all_the_same(self):
+        with tempfile.TemporaryDirectory() as directory:
+            path = os.fsencode(directory) + b"/caf\xe9.mcap"
+            picture = os.path.join(directory, "a.svg")
+            ran = subprocess.run([CLEW, "run", "reactive", "--layout", "composed", "--world",
+                                  "open-field", "--json", "--record", path], capture_output=True,
+                                 check=False)
+            told = subprocess.run([CLEW, "info", "--json", path], capture_output=True, check=False)
+            drawn = subprocess.run([CLEW, "plot", path, "-o", picture], check=False)
+
+            self.assertEqual((ran.returncode, told.returncode, drawn.returncode), (0, 0, 0))
+            self.assertIn("caf\ufffd.mcap", json.loads(ran.stdout)["recording"])
+            json.loads(told.stdout)
+            ElementTree.parse(picture)
+
     def test_plot_of_what_is_no_recording(self):
         self.refused(Run(["plot", write_file("no recording", ".mcap"), "-o", "/tmp/x.svg"]),
                      "file.mcap")
@@ -210,11 +254,12 @@ class Rogues(BadInput):
     def test_a_command_that_is_no_number(self):
         for vendor in ("cyclonedds", "fastdds"):
             run = Run(["run", self.control("straight_control", "--nan-at", "5"), "--middleware",
-                       vendor])
+                       vendor, "--json"])
 
             self.assertEqual(run.status, 1)
             self.assertIn("refuses a sample of 'command': ", run.err)
             self.assertIn("motion.step_m is nan", run.err)
+            self.assertEqual(run.report["refused_samples"], 1)
 
     def test_a_program_built_from_changed_idl(self):
         for vendor in ("cyclonedds", "fastdds"):

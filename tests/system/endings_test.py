@@ -42,10 +42,11 @@ class LongRun:
         test.assertEqual(left, [])
 
 
-def catches(pid, number):
-    """Whether the process has a handler for the signal: it runs."""
+def treats(pid, number, how):
+    """Whether the process has a handler for the signal ("SigCgt": it runs), or lets it wait
+    ("SigBlk": it is about to)."""
     with open(f"/proc/{pid}/status", encoding="ascii") as file:
-        mask = next(line for line in file if line.startswith("SigCgt:"))
+        mask = next(line for line in file if line.startswith(how))
     return bool(int(mask.split()[1], 16) >> (number - 1) & 1)
 
 
@@ -77,13 +78,31 @@ class Endings(unittest.TestCase):
         process = subprocess.Popen([CLEW, "run", "krishna_kalra", *IN_WORLD, "--pace", "5x", "--layout",
                                     "composed"], text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        self.assertTrue(wait_until(lambda: catches(process.pid, signal.SIGINT)))
+        self.assertTrue(wait_until(lambda: treats(process.pid, signal.SIGINT, "SigCgt")))
 
         process.send_signal(signal.SIGINT)
         out, err = process.communicate(timeout=10)
 
         self.assertEqual(process.returncode, 130, err)
         self.assertIn('"outcome":"aborted"', out)
+
+    def test_a_signal_before_the_first_tick(self):
+        circles = "\n".join(f"  - [{1 + i % 500 * 0.01}, {8 + i // 500 * 0.01}, 0.005]"
+                            for i in range(50_000))
+        world = write_file("format: clew-world/1\nname: many\nbounds: [0, 0, 10, 10]\n"
+                           "start: [1, 1, 0]\ntarget: [9, 1]\ntarget_radius: 0.2\n"
+                           f"circles:\n{circles}\n")
+        for layout in ("composed", "processes"):
+            process = subprocess.Popen([CLEW, "run", "reactive", "--world", world, "--json",
+                                        "--layout", layout], text=True, stdout=subprocess.PIPE,
+                                       stderr=subprocess.PIPE)
+            self.assertTrue(wait_until(lambda: treats(process.pid, signal.SIGTERM, "SigBlk")))
+
+            process.send_signal(signal.SIGTERM)
+            out, err = process.communicate(timeout=60)
+
+            self.assertEqual(process.returncode, 130, err)
+            self.assertIn('"outcome":"aborted"', out)
 
     def test_a_component_that_crashes_again_and_again_is_named_with_its_signal(self):
         for victim in ("sense", "drive"):

@@ -30,7 +30,7 @@ class Layouts(unittest.TestCase):
             self.assertRegex(hashes["composed"], "^[0-9a-f]{32}$")
 
     def test_every_shipped_graph_gives_one_hash_however_often_it_runs(self):
-        ticks = [] if SOAK else ["--max-ticks", "300"]
+        ticks = ["--max-ticks", "1000" if SOAK else "300"]
         for graph in sorted(path.stem for path in (SOURCE / "configs/graphs").glob("*.yaml")):
             hashes = {}
             for name, layout in layouts_of(graph).items():

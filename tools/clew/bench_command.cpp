@@ -118,7 +118,7 @@ int bench_command(const BenchCommandOptions& options) {
     return kExitInterrupted;
   }
   if (options.json) {
-    for (const std::string& line : end->lines) std::puts(line.c_str());
+    for (const std::string& line : end->lines) fmt::print("{}\n", line);
     return kExitGood;
   }
   fmt::print("{}\n{}/report.html, report.md, results.csv, results.jsonl\n",

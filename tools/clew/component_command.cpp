@@ -3,6 +3,7 @@
 #include <string>
 
 #include "clew/commands.hpp"
+#include "dds/participant.hpp"
 #include "process/component_process.hpp"
 #include "process/recorder_process.hpp"
 #include "runtime/run_plan.hpp"
@@ -34,6 +35,9 @@ int component_command(const ComponentOptions& options) {
     domain = std::atoi(text);
   } else {
     return complain({"which run? give --domain, or CLEW_DOMAIN_ID in the environment", {}, 0, 0});
+  }
+  if (const auto checked = bridge::check_domain(domain); !checked.ok()) {
+    return complain(checked.error());
   }
   return bridge::run_component_process(options.stage, domain, kConnectTimeout_s, stages::all());
 }

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <set>
+#include <string>
+#include <system_error>
+#include <vector>
 
 #include "clew/commands.hpp"
 #include "clew/version.hpp"
+#include "core/nearest_name.hpp"
 #include "domain/topics.hpp"
 #include "replay/playback.hpp"
 
@@ -19,6 +24,10 @@ constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
 struct Outcome {
   int status = kExitGood;
 };
+
+/// For the name of a file to write.
+const CLI::Validator kNamed(
+    [](std::string& name) { return std::string(name.empty() ? "the name is empty" : ""); }, "");
 
 void add_overrides(CLI::App& app, runtime::GraphOverrides& overrides) {
   app.add_option("--world", overrides.world, "another world: a name or a path");
@@ -45,7 +54,7 @@ void add_run(CLI::App& main, RunOptions& options, Outcome& outcome) {
       ->allow_extra_args(false);
   app->add_option("--pace", options.pace, "lockstep | realtime | Nx");
   app->add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)");
-  app->add_option("--record", options.record, "write a recording (MCAP)");
+  app->add_option("--record", options.record, "write a recording (MCAP)")->check(kNamed);
   app->add_flag("--force", options.force, "overwrite the recording");
   app->add_option(
       "--record-on", options.record_on,
@@ -235,10 +244,28 @@ void add_reserved(CLI::App& main, Outcome& outcome) {
   }
 }
 
+/// Gives each command the flag --version that the program has.
+void add_versions(CLI::App& app) {
+  app.set_version_flag("--version", version_text());
+  for (CLI::App* command : app.get_subcommands({})) {
+    command->set_version_flag("--version", version_text());
+  }
+}
+
+/// CLI11 would only say that a command is required.
+core::Result<void> check_command(const CLI::App& app, const std::string& name) {
+  if (name.empty() || name.front() == '-') return {};
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == name) return {};
+    if (!command->get_group().empty()) known.push_back(command->get_name());
+  }
+  return core::Error{core::unknown_name("command", name, known), {}, 0, 0};
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Sensor-based navigation of a mobile robot as a graph of DDS components", "clew");
   app.require_subcommand(1);
-  app.set_version_flag("--version", version_text());
   Outcome outcome;
   RunOptions run;
   BenchCommandOptions bench;
@@ -267,6 +294,9 @@ int parse_and_run(int argc, char** argv) {
   add_train_som(*train, train_som, outcome);
   add_train_neuro_fuzzy(*train, train_neuro_fuzzy, outcome);
   add_reserved(app, outcome);
+  add_versions(app);
+  const auto known = check_command(app, argc > 1 ? argv[1] : "");
+  if (!known.ok()) return complain(known.error());
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -276,13 +306,28 @@ int parse_and_run(int argc, char** argv) {
   return outcome.status;
 }
 
+/// What was said has not arrived. A reader that has gone wants no more, also no complaint.
+int complain_of_output(int number) {
+  if (number == EPIPE) return kExitFailed;
+  const std::string why = number == 0 ? "writing failed" : std::generic_category().message(number);
+  return complain({why, "standard output", 0, 0}, kExitFailed);
+}
+
 }  // namespace
 }  // namespace clew::tools
 
 int main(int argc, char** argv) {
+  using namespace clew::tools;
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   // Writing reports these instead: a reader that has gone, a file that has reached its limit.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  return clew::tools::parse_and_run(argc, argv);
+  try {
+    const int status = parse_and_run(argc, argv);
+    errno = 0;
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    return complain_of_output(errno);
+  } catch (const std::system_error& error) {  // of fmt::print
+    return complain_of_output(error.code().value());
+  }
 }

@@ -28,8 +28,10 @@ Result<plot::InsideView> look_inside(const std::string& path, std::uint64_t tick
     if (!picture->empty()) inside.pictures.push_back(std::move(picture).value());
   }
   if (inside.pictures.empty()) {
-    return Error{fmt::format("no component of this run shows anything of tick {}", tick), path, 0,
-                 0};
+    return Error{fmt::format("no behaviour of this run shows its inside at tick {}; "
+                             "control's polar_neural_map does",
+                             tick),
+                 path, 0, 0};
   }
   return inside;
 }

@@ -79,8 +79,7 @@ int replay_branch(const ReplayOptions& options, const bridge::RunRecording& reco
   }
   if (!report->aborted.empty()) fmt::print(stderr, "clew: {}\n", report->aborted);
   const RunFacts facts{"composed", "inprocess", options.record, tick};
-  std::puts(options.json ? report_json(*report, plan, facts).c_str()
-                         : report_line(*report, plan).c_str());
+  fmt::print("{}\n", options.json ? report_json(*report, plan, facts) : report_line(*report, plan));
   return exit_status(*report);
 }
 

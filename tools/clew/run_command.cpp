@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,6 +15,7 @@
 #include "process/composed_run.hpp"
 #include "process/recording_sink.hpp"
 #include "process/run_members.hpp"
+#include "process/signal_queue.hpp"
 #include "process/supervisor.hpp"
 #include "runtime/middleware.hpp"
 #include "stages/all.hpp"
@@ -238,6 +241,8 @@ void judge_recording(const bridge::ProcessLayout& layout, bridge::RunReport& rep
 }  // namespace
 
 int run_command(const RunOptions& options) {
+  // From here on a signal ends the run with a report, also one that comes before the first tick.
+  const bridge::SignalQueue signals;
   if (const auto checked = check_options(options); !checked.ok()) return complain(checked.error());
   const auto speed = read_pace(options.pace);
   if (!speed.ok()) return complain(speed.error());
@@ -259,8 +264,8 @@ int run_command(const RunOptions& options) {
   const RunFacts facts{options.layout,
                        composed ? "inprocess" : middleware_text(job->plan.graph, *layout),
                        wrote ? job->recording->path : ""};
-  std::puts(options.json ? report_json(*report, job->plan, facts).c_str()
-                         : report_line(*report, job->plan).c_str());
+  fmt::print("{}\n", options.json ? report_json(*report, job->plan, facts)
+                                  : report_line(*report, job->plan));
   return exit_status(*report);
 }
 

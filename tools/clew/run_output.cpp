@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clew/commands.hpp"
+#include "clew/json_line.hpp"
 #include "world/world.hpp"
 
 namespace clew::tools {
@@ -118,7 +119,7 @@ std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
   json["refused_samples"] = report.refused_samples;
   json["why"] = report.aborted;
   if (facts.branch_tick) json["branch_tick"] = *facts.branch_tick;
-  return json.dump();
+  return json_line(json);
 }
 
 std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <fstream>
 
 #include "clew/commands.hpp"
@@ -84,7 +85,7 @@ int train_neuro_fuzzy_command(const TrainNeuroFuzzyOptions& options) {
     if (!written.ok()) return complain(written.error());
   }
   if (options.output.empty()) {
-    std::fputs(trained->file.c_str(), stdout);
+    fmt::print("{}", trained->file);
     return kExitGood;
   }
   const auto written = write(options.output, trained->file);

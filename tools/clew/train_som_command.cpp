@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <fstream>
 
 #include "classify/som_training.hpp"
@@ -88,7 +89,7 @@ int train_som_command(const TrainSomOptions& options) {
   const auto trained = train(options);
   if (!trained.ok()) return complain(trained.error());
   if (options.output.empty()) {
-    std::fputs(trained->c_str(), stdout);
+    fmt::print("{}", *trained);
     return kExitGood;
   }
   std::ofstream stream(options.output, std::ios::binary);
