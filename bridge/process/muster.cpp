@@ -40,8 +40,18 @@ ChildCommand Muster::recorder_command() const {
 }
 
 std::string Muster::how_to_start(const Member& member) const {
-  return "waiting for " + member.stage + "; start it with: clew component " + plan_.graph.name +
-         ' ' + member.stage + " --domain " + std::to_string(domain_);
+  std::string command = "clew component " + plan_.graph.name + ' ' + member.stage + " --domain " +
+                        std::to_string(domain_);
+  if (member.foreign) {
+    command = "env";
+    for (const auto& [name, value] : environment_of(domain_, run_id_)) {
+      command += ' ' + name + "='" + value + '\'';
+    }
+    for (const std::string& word : plan_.graph.find(member.stage)->deployment.exec) {
+      command += " '" + word + '\'';
+    }
+  }
+  return "waiting for " + member.stage + "; start it with: " + command;
 }
 
 core::Result<Member*> Muster::admit(const Hello& hello, std::vector<Member>& members) const {

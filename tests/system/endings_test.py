@@ -195,6 +195,22 @@ class External(unittest.TestCase):
         self.assertEqual(component.status, 0, component.err)
         self.assertIn(whole, out)
 
+    def test_a_person_starts_a_program_of_someone_else_with_the_line_that_the_run_prints(self):
+        graph = write_file("world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n"
+                           f"control: {{exec: ['{THIRD_PARTY}/straight_control', "
+                           "'--without-guidance']}\ndrive: {behaviour: turn_then_step}\n")
+        run = subprocess.Popen([CLEW, "run", graph, "--json", "--external", "control"], text=True,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        line = run.stderr.readline()
+        program = subprocess.Popen(line.split("start it with: ")[1], shell=True,
+                                   start_new_session=True)
+        out, err = run.communicate(timeout=60)
+        os.killpg(program.pid, signal.SIGKILL)
+        program.wait()
+
+        self.assertEqual(run.returncode, 0, line + err)
+        self.assertIn('"outcome":"reached"', out)
+
     def test_a_prefix_goes_before_the_component(self):
         run = Run(["run", "krishna_kalra", "--json", "--prefix", "control=env CLEW_TEST_PREFIX=1"])
 
