@@ -174,12 +174,16 @@ class Bench(unittest.TestCase):
                          (self.one / "worlds/u-s3-01.yaml").read_text())
 
     def test_bad_input(self):
+        varied = write_file(SUITE + "vary: {sesne.range_m: [1, 2]}\n")
         for arguments, text in [
                 (["smkoe"], "did you mean 'smoke'?"),
                 ([write_file(SUITE.replace("graphs:", "grpahs:"))], "did you mean 'graphs'?"),
                 ([self.suite, "--graph", "raective"], "did you mean 'reactive'?"),
                 ([self.suite, "--vary", "recover.detector"], "PATH=VALUE"),
                 ([self.suite, "--vary", "recover.detector=revisit"], "landmark_revisit"),
+                ([self.suite, "--vary", "sesne.range_m=1,2"], "--vary sesne.range_m: "),
+                ([self.suite, "--vary", "sense.range=1,2"], "sense.range_m"),
+                ([varied, "--graph", "reactive"], f"{varied}:8:"),
                 ([self.suite, "--jobs", "0"], "--jobs"),
                 ([self.suite, "--out", "/proc/bench"], "/proc/bench"),
                 ([], "suite")]:

@@ -26,6 +26,12 @@ class PathTable(unittest.TestCase):
         for method, cells in printed.items():
             self.assertEqual(told.get(method), cells, method)
 
+    def test_an_argument_is_refused(self):
+        done = subprocess.run([PATH_TABLE, "--cells"], capture_output=True, text=True, check=False)
+
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("'--cells'", done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

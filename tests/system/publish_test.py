@@ -289,6 +289,7 @@ class Refused(Published):
                 (["--start-paused"], "need --publish")]:
             with self.subTest(arguments=arguments):
                 self.refused([self.comb, *arguments], text)
+        self.refused(["--publish", self.comb], "'clew replay RECORDING --publish [TOPIC...]'")
 
     def test_a_domain_that_is_taken(self):
         replay = Replay(self.comb, "--publish", "scan", "--wait", "60")

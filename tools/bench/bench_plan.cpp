@@ -133,14 +133,26 @@ Result<void> add_worlds(const Suite& suite, const runtime::ConfigPath& configs, 
   return {};
 }
 
+/// An error in an override that a variation made is that variation's.
+Error at_variation(Error error, const std::vector<Variation>& variations) {
+  for (const Variation& variation : variations) {
+    if (error.file != "--with " + variation.path && error.file != "--set " + variation.path) {
+      continue;
+    }
+    return {error.message, variation.file, variation.line, variation.column};
+  }
+  return error;
+}
+
 /// Checks a variant and notes what it is made of.
-Result<void> check_variant(const Variant& variant, const WorldSource& source,
-                           const std::vector<StageInfo>& stages, BenchPlan& plan) {
+Result<void> check_variant(const Variant& variant, const std::vector<Variation>& variations,
+                           const WorldSource& source, const std::vector<StageInfo>& stages,
+                           BenchPlan& plan) {
   runtime::GraphOverrides overrides = variant.overrides;
   overrides.world = plan.worlds.front().name;
   const auto run = runtime::prepare_run(variant.graph, overrides, source, stages);
   if (!run.ok()) {
-    Error error = run.error();
+    Error error = at_variation(run.error(), variations);
     if (!variant.values.empty()) error.message = variant.label() + ": " + error.message;
     return error;
   }
@@ -201,8 +213,9 @@ Result<BenchPlan> plan_bench(const Suite& suite, const BenchChanges& changes,
   plan.suite = suite.name;
   plan.about = suite.about;
   plan.seeds = suite.seeds;
-  plan.variants = combine(changes.graphs.empty() ? suite.graphs : changes.graphs,
-                          all_variations(suite, changes), suite, changes, stages);
+  const std::vector<Variation> variations = all_variations(suite, changes);
+  plan.variants = combine(changes.graphs.empty() ? suite.graphs : changes.graphs, variations, suite,
+                          changes, stages);
   CLEW_RETURN_IF_ERROR(add_worlds(suite, configs, plan));
   CLEW_RETURN_IF_ERROR(note_worlds(suite, configs, plan));
   const WorldSource source(configs, plan.worlds.front());
@@ -210,7 +223,7 @@ Result<BenchPlan> plan_bench(const Suite& suite, const BenchChanges& changes,
     if (plan.configuration.count("graph " + variant.label()) > 0) {
       return Error{"'" + variant.label() + "' is asked for twice", plan.suite, 0, 0};
     }
-    CLEW_RETURN_IF_ERROR(check_variant(variant, source, stages, plan));
+    CLEW_RETURN_IF_ERROR(check_variant(variant, variations, source, stages, plan));
   }
   plan.configuration["max_ticks"] = std::to_string(suite.max_ticks);
   std::string& seeds = plan.configuration["seeds"];

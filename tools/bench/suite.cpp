@@ -52,11 +52,11 @@ Result<std::vector<std::string>> read_value(const YamlNode& node) {
   return std::vector<std::string>{std::move(text).value()};
 }
 
-Result<void> read_variations(const YamlNode& node, Suite& suite) {
+Result<void> read_variations(const YamlNode& node, const std::string& file, Suite& suite) {
   const auto entries = node.entries();
   if (!entries.ok()) return entries.error();
   for (const auto& entry : *entries) {
-    Variation variation{entry.key, {}};
+    Variation variation{entry.key, {}, file, entry.value.line(), entry.value.column()};
     const auto items = entry.value.items();
     if (!items.ok()) return items.error();
     if (items->empty()) return entry.value.error("the list is empty; expected at least one value");
@@ -168,7 +168,9 @@ Result<Suite> read_suite(const core::Resource& file, const std::string& name) {
   auto graphs = read_texts(*graphs_node);
   if (!graphs.ok()) return graphs.error();
   suite.graphs = std::move(graphs).value();
-  if (const auto node = root->find("vary")) CLEW_RETURN_IF_ERROR(read_variations(*node, suite));
+  if (const auto node = root->find("vary")) {
+    CLEW_RETURN_IF_ERROR(read_variations(*node, file.file, suite));
+  }
   if (const auto node = root->find("worlds")) CLEW_RETURN_IF_ERROR(read_worlds(*node, suite));
   if (const auto node = root->find("generated")) {
     CLEW_RETURN_IF_ERROR(read_generated(*node, suite.generated));
@@ -186,6 +188,7 @@ Result<Variation> read_variation(const std::string& text) {
     return Error{"expected PATH=VALUE,VALUE,..., found '" + text + "'", "--vary", 0, 0};
   }
   Variation variation{text.substr(0, equals), {}};
+  variation.file = "--vary " + variation.path;
   for (const std::string& value : split(text.substr(equals + 1), ',')) {
     variation.values.push_back(split(value, '+'));
     if (value.empty()) return Error{"an empty value in '" + text + "'", "--vary", 0, 0};

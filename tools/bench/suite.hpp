@@ -18,6 +18,10 @@ namespace clew::bench {
 struct Variation {
   std::string path;
   std::vector<std::vector<std::string>> values;
+  /// Where it is asked for, for messages: a suite file's place, or the option.
+  std::string file = {};
+  int line = 0;
+  int column = 0;
 };
 
 /// Worlds of trap_worlds: `count` of each family.

@@ -187,7 +187,7 @@ void add_publish(CLI::App& app, ReplayOptions& options) {
 void add_replay(CLI::App& main, ReplayOptions& options, Outcome& outcome) {
   CLI::App* app = main.add_subcommand("replay", "Feed a recording to its components and compare");
   const CLI::Range ticks(std::int64_t{0}, kMaxCount);
-  app->add_option("recording", options.recording)->required();
+  app->add_option("recording", options.recording, "required");
   app->add_option("--component", options.component, "only this stage (all, each on its own)");
   app->add_option("--with", options.overrides.with, "STAGE[.PART]=NAME[,NAME...]: other behaviour")
       ->allow_extra_args(false);

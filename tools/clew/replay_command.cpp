@@ -22,6 +22,14 @@ using core::Result;
 using nlohmann::ordered_json;
 
 Result<void> check_options(const ReplayOptions& options) {
+  if (options.recording.empty()) {
+    return Error{options.publishes ? "no recording; --publish takes what follows it for topics: "
+                                     "'clew replay RECORDING --publish [TOPIC...]'"
+                                   : "no recording; expected 'clew replay RECORDING [OPTIONS]'",
+                 {},
+                 0,
+                 0};
+  }
   if (options.branch_tick && (options.first_tick || options.last_tick)) {
     return Error{"--branch goes on to the end of the run: leave out --from and --to", {}, 0, 0};
   }

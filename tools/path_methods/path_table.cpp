@@ -167,4 +167,10 @@ int run() {
 }  // namespace
 }  // namespace clew::path_methods
 
-int main() { return clew::path_methods::run(); }
+int main(int argc, char** argv) {
+  if (argc > 1) {
+    fmt::print(stderr, "path-table: found '{}'; it takes no arguments\n", argv[1]);
+    return 2;
+  }
+  return clew::path_methods::run();
+}
