@@ -22,7 +22,12 @@ constexpr char kPinned[] =
     " --prefix recover='taskset -c 1' --prefix control='taskset -c 0'";
 
 // In this world nobody arrives, and without a detector nobody gives up: every run has all ticks.
+constexpr char kUnsolvable[] = " --world unsolvable-box";
 constexpr char kEndless[] = " --world unsolvable-box --with recover.detector=none";
+
+constexpr const char* kRecovering[] = {"default", "krishna_kalra", "lagoudakis_maida", "nakhaeinia",
+                                       "pin_bender"};
+constexpr const char* kOthers[] = {"neural_map", "reactive", "wang_yang_meng"};  // no recover
 
 constexpr Layout kComposed = {"composed", " --layout composed"};
 constexpr Layout kProcesses[] = {
@@ -81,10 +86,17 @@ int main(int argc, char** argv) {
   register_ticks("ticks/composed/u-trap", std::string(kComposed.options) + " --world u-trap",
                  20000);
   register_ticks("ticks/composed/endless", kComposed.options + endless, 20000);
-  for (const char* graph : {"krishna_kalra", "nakhaeinia", "pin_bender"}) {
+  for (const char* graph : kRecovering) {
     register_ticks(std::string("ticks/composed/endless/no-hash/") + graph,
                    kComposed.options + endless + " --no-hash", 20000, graph);
   }
+  for (const char* graph : kOthers) {
+    register_ticks(std::string("ticks/composed/endless/no-hash/") + graph,
+                   std::string(kComposed.options) + kUnsolvable + " --no-hash", 20000, graph);
+  }
+  // The search for a way, over and over, until it is proved that there is none.
+  register_ticks("ticks/composed/unreachable/no-hash/default",
+                 std::string(kComposed.options) + kUnsolvable + " --no-hash", 20000, "default");
   for (const Layout& layout : kProcesses) {
     const std::string name = layout.name;
     register_ticks("ticks/" + name + "/pinned", layout.options + endless + kPinned, 10000);
