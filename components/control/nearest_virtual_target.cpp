@@ -15,7 +15,7 @@ namespace {
 constexpr double kBlindRad = core::radians(15.0);
 constexpr double kFieldRad = core::radians(45.0);
 constexpr double kToleranceRad = core::radians(0.1);
-constexpr int kDepths = 3;  // the scan's, half and a quarter of it
+constexpr int kDepths = 3;  // depth_ratio, half and a quarter of it
 
 /// Whether gaps can be told: no blind sector over kBlindRad, and kFieldRad seen on each side.
 bool shows_gaps(const domain::ScanLayout& scan) {
@@ -76,7 +76,7 @@ domain::Motion NearestVirtualTarget::step(const domain::Odometry& odometry,
 std::optional<core::Vec2> NearestVirtualTarget::choose(const core::Pose2& pose,
                                                        const core::Vec2& target_odom,
                                                        double range_m) {
-  double depth_m = std::min(range_m, core::distance_m(pose, target_odom));
+  double depth_m = std::min(parameters_.depth_ratio * range_m, core::distance_m(pose, target_odom));
   for (int i = 0; i < kDepths; ++i, depth_m *= 0.5) {
     regions_.find(depth_m, gaps_);
     if (gaps_.empty()) continue;

@@ -18,6 +18,7 @@ struct NearestVirtualTargetParameters {
   std::string rules = "nakhaeinia_nvt";
   double clearance_m = 0.06;
   double keep_m = 0.1;
+  double depth_ratio = 1.0;
 };
 
 template <typename Visitor>
@@ -27,6 +28,8 @@ void visit_parameters(Visitor& visit, NearestVirtualTargetParameters& p) {
                "room beside the body in a safe region");
   visit.number("keep_m", p.keep_m, "m", {0.0, 2.0},
                "another gap must shorten the path by more than this");
+  visit.number("depth_ratio", p.depth_ratio, "1", {0.01, 1.0},
+               "a gap is free for this share of the range, or as far as the target");
 }
 
 /// The nearest virtual target method (NVT) of Nakhaeinia et al. 2015, section II.A. Where obstacles
@@ -35,9 +38,9 @@ void visit_parameters(Visitor& visit, NearestVirtualTargetParameters& p) {
 /// of Table 1 steers to it.
 ///
 /// *Our reading*, where the paper says nothing:
-/// - a safe region is a run of directions that are free as far as the scan sees, or as the target
-///   is; where there is none, half as far, and then a quarter. So a local minimum that the scan
-///   sees whole is passed by, and one that is deeper is entered;
+/// - a safe region is a run of directions that are free for depth_ratio of the range, or as far as
+///   the target is; where there is none, half as far, and then a quarter. So a local minimum that
+///   the scan sees whole is passed by, and one that is deeper is entered;
 /// - a region's virtual target lies in its direction nearest to the target, at that depth;
 /// - a gap is kept until another one is shorter by keep_m, so that a tie does not make the robot
 ///   turn to and fro;

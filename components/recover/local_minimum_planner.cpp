@@ -11,7 +11,7 @@ namespace {
 /// A place that a beam points at.
 struct Return {
   double bearing_rad = 0.0;
-  double distance_m = 0.0;
+  double range_m = 0.0;
 };
 
 /// The outermost return on a side, up to a bearing; without any, the end of the outermost beam.
@@ -35,11 +35,14 @@ Return outermost(const domain::Scan& scan, Side side, double most_rad) {
 
 core::Result<std::unique_ptr<LocalMinimumPlanner>> LocalMinimumPlanner::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
-  return std::make_unique<LocalMinimumPlanner>(parameters, setup.tick_s);
+  return std::make_unique<LocalMinimumPlanner>(parameters, setup.tick_s, setup.robot.radius_m);
 }
 
-LocalMinimumPlanner::LocalMinimumPlanner(const Parameters& parameters, double tick_s)
-    : parameters_(parameters), stack_(parameters.close_m, parameters.patience_s / tick_s) {}
+LocalMinimumPlanner::LocalMinimumPlanner(const Parameters& parameters, double tick_s,
+                                         double radius_m)
+    : parameters_(parameters),
+      radius_m_(radius_m),
+      stack_(parameters.close_m, parameters.patience_s / tick_s) {}
 
 void LocalMinimumPlanner::begin(const Situation& situation, const TrapEvidence& evidence) {
   stack_.clear();
@@ -91,8 +94,9 @@ core::Vec2 LocalMinimumPlanner::target_beside(const Situation& situation, Side s
                                               double turn_rad) const {
   const Return at = outermost(situation.scan, side, parameters_.outermost_rad);
   const core::Pose2& pose = situation.pose();
-  return pose.position() + (at.distance_m + parameters_.alpha_m) *
-                               core::direction(pose.heading_rad + at.bearing_rad + turn_rad);
+  const double distance_m = radius_m_ + at.range_m + parameters_.alpha_m;
+  return pose.position() +
+         distance_m * core::direction(pose.heading_rad + at.bearing_rad + turn_rad);
 }
 
 void LocalMinimumPlanner::remember(const core::Vec2& target_odom) {

@@ -43,7 +43,8 @@ void visit_parameters(Visitor& visit, LocalMinimumPlannerParameters& p) {
 ///
 /// RTA is the bearing of the target in force; RO is the outermost return on its side: ROL on the
 /// left for RTA >= 0, else ROR on the right; Theta_O is its direction from the robot; R turns about
-/// the robot. *Deviation:* eq. 4's third row is misprinted.
+/// the robot. Ranges are measured from the skin: RO lies the robot's radius farther off its centre.
+/// *Deviation:* eq. 4's third row is misprinted.
 ///
 /// Readings of ours: returns count up to outermost_deg off the heading, since the paper's robot
 /// sees ahead in its figures; where a side has none, the end of its outermost beam stands for it. A
@@ -63,8 +64,8 @@ class LocalMinimumPlanner final : public Escape {
 
   static core::Result<std::unique_ptr<LocalMinimumPlanner>> create(
       const Parameters& parameters, const domain::BehaviourSetup& setup);
-  /// A tick lasts `tick_s`.
-  LocalMinimumPlanner(const Parameters& parameters, double tick_s);
+  /// A tick lasts `tick_s`; returns lie `radius_m` farther from the robot's centre than its skin.
+  LocalMinimumPlanner(const Parameters& parameters, double tick_s, double radius_m);
 
   void begin(const Situation& situation, const TrapEvidence& evidence) override;
   bool take_up(const Situation& situation, const TrapEvidence& evidence) override;
@@ -79,6 +80,7 @@ class LocalMinimumPlanner final : public Escape {
   bool was_had(const core::Vec2& target_odom) const;
 
   Parameters parameters_;
+  double radius_m_;
   GoalStack stack_;
   State state_;  // but for the stack, which keeps its own
 };

@@ -17,11 +17,10 @@ constexpr double kRadius_m = 0.15;
 constexpr double kRange_m = 2.0;
 constexpr double kTick_s = 0.1;
 
-NearestVirtualTarget controller() {
-  return {{},
+NearestVirtualTarget controller(const NearestVirtualTargetParameters& parameters = {}) {
+  return {parameters,
           VirtualTargetRules::parse(file_of("configs/rulebases/nakhaeinia_nvt.yaml")).value(),
-          kRadius_m,
-          kTick_s};
+          kRadius_m, kTick_s};
 }
 
 /// A laser's scan of 361 rays over the front, with nothing around.
@@ -90,6 +89,17 @@ TEST(NearestVirtualTarget, KeepsItsGapWhereTwoAreAsGood) {
 
   EXPECT_GT(kept.step(at(0, 0, 0), almost_even, {5, 0}).turn_rate_radps, 0.0);
   EXPECT_LT(fresh.step(at(0, 0, 0), almost_even, {5, 0}).turn_rate_radps, 0.0);
+}
+
+TEST(NearestVirtualTarget, TakesAWallBeyondTheDepthForNoObstacle) {
+  // A wall 1.55 m before the skin over the whole left half: with depth_ratio 0.7 the way is free
+  // for the 1.4 m asked for, with 1 it is round the wall's end.
+  const domain::Scan wall = scan_with(90.0, -30.0, 1.55);
+  NearestVirtualTargetParameters shallow;
+  shallow.depth_ratio = 0.7;
+
+  EXPECT_EQ(controller(shallow).step(at(0, 0, 0), wall, {5, 0}).turn_rate_radps, 0.0);
+  EXPECT_LT(controller().step(at(0, 0, 0), wall, {5, 0}).turn_rate_radps, 0.0);
 }
 
 TEST(NearestVirtualTarget, LeavesAGapTooNarrowForTheRobot) {

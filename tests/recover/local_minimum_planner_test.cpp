@@ -10,6 +10,7 @@ namespace clew::recover {
 namespace {
 
 constexpr double kTick_s = 0.5;
+constexpr double kRadius_m = 0.15;
 
 struct Answer {
   EscapeStatus status = EscapeStatus::kActive;
@@ -31,46 +32,49 @@ class LocalMinimumPlannerTest : public ::testing::Test {
   LocalMinimumPlannerTest() { escape_.begin(trap_.situation(), {}); }
 
   Scene trap_ = enclosed().at(0, 0, -10).target(10, 0);
-  LocalMinimumPlanner escape_{{}, kTick_s};
+  LocalMinimumPlanner escape_{{}, kTick_s, kRadius_m};
 };
 
 TEST_F(LocalMinimumPlannerTest, SetsAVirtualTargetBeyondTheOutermostReturnOfTheTargetsSide) {
   const Answer answer = step(escape_, trap_);
 
-  // ROL at 45 degrees, 0.6 m; alpha 0.6 m beyond; turned by RTA = 10 degrees; heading -10 degrees.
+  // ROL at 45 degrees, 0.6 m from the skin, 0.75 m from the centre; alpha 0.6 m beyond; turned by
+  // RTA = 10 degrees; heading -10 degrees.
   EXPECT_EQ(answer.status, EscapeStatus::kActive);
   EXPECT_TRUE(answer.guidance.target_is_virtual);
-  EXPECT_NEAR(answer.guidance.target_x_m, 1.2 * core::cos(core::radians(45.0)), 1e-12);
-  EXPECT_NEAR(answer.guidance.target_y_m, 1.2 * core::sin(core::radians(45.0)), 1e-12);
+  EXPECT_NEAR(answer.guidance.target_x_m, 1.35 * core::cos(core::radians(45.0)), 1e-12);
+  EXPECT_NEAR(answer.guidance.target_y_m, 1.35 * core::sin(core::radians(45.0)), 1e-12);
 }
 
 TEST_F(LocalMinimumPlannerTest, TakesTheRightForATargetOnTheRight) {
-  LocalMinimumPlanner escape({}, kTick_s);
+  LocalMinimumPlanner escape({}, kTick_s, kRadius_m);
   const Scene scene = enclosed().at(0, 0, 10).target(10, 0);
   escape.begin(scene.situation(), {});
 
   const Answer answer = step(escape, scene);
 
-  EXPECT_NEAR(answer.guidance.target_x_m, 1.4 * core::cos(core::radians(45.0)), 1e-12);
-  EXPECT_NEAR(answer.guidance.target_y_m, -1.4 * core::sin(core::radians(45.0)), 1e-12);
+  EXPECT_NEAR(answer.guidance.target_x_m, 1.55 * core::cos(core::radians(45.0)), 1e-12);
+  EXPECT_NEAR(answer.guidance.target_y_m, -1.55 * core::sin(core::radians(45.0)), 1e-12);
 }
 
 TEST_F(LocalMinimumPlannerTest, TakesTheEndOfTheOutermostBeamWhereASideHasNoReturn) {
-  LocalMinimumPlanner escape({}, kTick_s);
+  LocalMinimumPlanner escape({}, kTick_s, kRadius_m);
   const Scene scene = Scene().at(0, 0, 0).target(10, 0).sees({1, 1, 1, 1, 0.5, 0.5, 0.5});
   escape.begin(scene.situation(), {});
 
-  EXPECT_NEAR(step(escape, scene).guidance.target_y_m, 1.6 * core::sin(core::radians(45.0)), 1e-12);
+  EXPECT_NEAR(step(escape, scene).guidance.target_y_m, 1.75 * core::sin(core::radians(45.0)),
+              1e-12);
 }
 
 TEST_F(LocalMinimumPlannerTest, EndsCloseToTheVirtualTarget) {
-  EXPECT_EQ(step(escape_, Scene().at(0.85, 0.5, 0)).status, EscapeStatus::kActive);
-  EXPECT_EQ(step(escape_, Scene().at(0.85, 0.6, 0)).status, EscapeStatus::kEnded);
+  // It lies at (0.955, 0.955).
+  EXPECT_EQ(step(escape_, Scene().at(0.95, 0.6, 0)).status, EscapeStatus::kActive);
+  EXPECT_EQ(step(escape_, Scene().at(0.95, 0.7, 0)).status, EscapeStatus::kEnded);
 }
 
 TEST_F(LocalMinimumPlannerTest, GoesBackToTheVirtualTargetBelow) {
   const double first_y_m = step(escape_, trap_).guidance.target_y_m;
-  const Scene second = enclosed().at(-2, 0, 180).target(10, 0).pursues(0.85, 0.85);
+  const Scene second = enclosed().at(-2, 0, 180).target(10, 0).pursues(0.95, 0.95);
   EXPECT_TRUE(escape_.take_up(second.situation(), {}));
   const auto above = step(escape_, second).guidance;
 
@@ -85,8 +89,8 @@ TEST_F(LocalMinimumPlannerTest, TriesTheOtherSideAndThenGivesUpWhatIsSetTwice) {
   escape_.take_up(trap_.situation(), {});
   const auto mirrored = step(escape_, trap_).guidance;
   // ROR at -45 degrees, 0.8 m, turned the other way: -45 - 10 - 10 degrees.
-  EXPECT_NEAR(mirrored.target_x_m, 1.4 * core::cos(core::radians(-65.0)), 1e-12);
-  EXPECT_NEAR(mirrored.target_y_m, 1.4 * core::sin(core::radians(-65.0)), 1e-12);
+  EXPECT_NEAR(mirrored.target_x_m, 1.55 * core::cos(core::radians(-65.0)), 1e-12);
+  EXPECT_NEAR(mirrored.target_y_m, 1.55 * core::sin(core::radians(-65.0)), 1e-12);
 
   escape_.take_up(trap_.situation(), {});
   EXPECT_EQ(step(escape_, trap_).status, EscapeStatus::kActive);
@@ -108,7 +112,7 @@ TEST_F(LocalMinimumPlannerTest, DropsAVirtualTargetThatItDoesNotComeNearerTo) {
 }
 
 TEST_F(LocalMinimumPlannerTest, RemembersVirtualTargetsFromOneTrapToTheNext) {
-  step(escape_, Scene().at(0.85, 0.85, 0));  // reached
+  step(escape_, Scene().at(0.95, 0.95, 0));  // reached
   escape_.begin(trap_.situation(), {});
 
   EXPECT_LT(step(escape_, trap_).guidance.target_y_m, 0.0);
@@ -118,7 +122,7 @@ TEST_F(LocalMinimumPlannerTest, GoesOnAsBeforeAfterSaveAndLoad) {
   step(escape_, trap_);
   core::StateWriter writer;
   escape_.save(writer);
-  LocalMinimumPlanner restored({}, kTick_s);
+  LocalMinimumPlanner restored({}, kTick_s, kRadius_m);
 
   core::StateReader reader(writer.bytes());
   restored.load(reader);

@@ -61,9 +61,9 @@ WORLDS = ["bug-trap", "comb", "kk-fig07-clutter", "kk-fig10-bends-and-kinks",
 class Run:
     """A finished clew command."""
 
-    def __init__(self, arguments, command=CLEW, cwd=None, environment=None):
+    def __init__(self, arguments, command=CLEW, cwd=None, environment=None, timeout_s=TIMEOUT_S):
         done = subprocess.run([command, *map(str, arguments)], capture_output=True, text=True,
-                              timeout=TIMEOUT_S, cwd=cwd, stdin=subprocess.DEVNULL,
+                              timeout=timeout_s, cwd=cwd, stdin=subprocess.DEVNULL,
                               env={**os.environ, **(environment or {})}, check=False)
         self.status = done.returncode
         self.out = done.stdout

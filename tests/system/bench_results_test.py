@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What tools/bench/RESULTS.md says: a sample of it, and with CLEW_SOAK all of it."""
+import json
+import pathlib
+import signal
+import tempfile
+import unittest
+
+from clew_command import SOAK, SOURCE, Run, load_tool, start, wait_until, write_file
+
+RESULTS = (SOURCE / "tools/bench/RESULTS.md").read_text(encoding="utf-8")
+SAMPLE = """format: clew-suite/1
+graphs: [krishna_kalra]
+generated: {seed: 1, count: 12, families: [u, recursive-u]}
+max_ticks: 6000
+"""
+NOISE = ["--vary", "sense.noise_stddev_m=0,0.01,0.03,0.1"]
+DRIFT = ["--vary", "drive.drift_rad_per_sqrt_m=0,0.01,0.03,0.1"]
+TRAPS = ["traps", "--graph", "krishna_kalra"]
+LONGEST_S = 30000
+TIMING = ("wall_s", "ticks_per_s")
+
+
+def rows(report):
+    """The cells of every line of a table in Markdown."""
+    return [line.strip("| ").split(" | ") for line in report.splitlines() if line.startswith("| ")]
+
+
+def curve(report):
+    """The rows of a curve as they are published: solvable ones reached, unsolvable told, stops."""
+    [variants] = [part for part in report.split("\n## ") if part.startswith("All worlds")]
+    return [[cells[0].split("=")[1].rstrip("]"), cells[2], " ".join(cells[3].split()[:1]), cells[6]]
+            for cells in rows(variants)[1:]]
+
+
+class Published(unittest.TestCase):
+    """Benches, and what is published of them."""
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.out = pathlib.Path(scratch.name)
+
+    def bench(self, suite, *arguments, name="out"):
+        """The runs of a bench, and its report."""
+        run = Run(["bench", suite, *arguments, "--out", self.out / name, "--json"],
+                  timeout_s=LONGEST_S)
+        self.assertEqual(run.status, 0, run.err)
+        runs = [json.loads(line) for line in run.out.splitlines()]
+        self.assertEqual(sum(run["collisions"] for run in runs), 0)
+        return runs, (self.out / name / "report.md").read_text(encoding="utf-8")
+
+    def assert_published(self, lines):
+        """Every line of a table stands in RESULTS.md."""
+        for cells in lines:
+            self.assertIn("| " + " | ".join(cells) + " |\n", RESULTS)
+
+    def matrix(self, report):
+        """The matrix of a report."""
+        [matrix] = [part for part in report.split("\n## ")
+                    if part.startswith("krishna_kalra: recover.detector x recover.escape")]
+        return rows(matrix)
+
+
+class Sample(Published):
+    def test_a_sample_of_the_matrix(self):
+        _, report = self.bench(
+            write_file(SAMPLE), "--vary", "recover.detector=landmark_revisit,position_revisit,none",
+            "--vary", "recover.escape=obstacle_following,virtual_obstacle,local_minimum_planner")
+
+        matrix = self.matrix(report)
+        self.assertEqual(len(matrix), 4)
+        self.assert_published(matrix)
+
+    def test_a_sample_of_the_curves(self):
+        for variation in (NOISE, DRIFT):
+            _, report = self.bench(write_file(SAMPLE), *variation, name=variation[1])
+
+            levels = curve(report)
+            self.assertEqual(len(levels), 4)
+            for level, solvable, _, stops in levels:
+                self.assert_published([[variation[1].split(".")[1].split("=")[0], level, solvable,
+                                        stops]])
+
+    def test_false_alarms_in_clutter(self):
+        runs, _ = self.bench("clutter")
+
+        false_alarms = {}
+        for run in runs:
+            for detector in run["detectors"]:
+                name = detector["rule"]
+                false_alarms[name] = false_alarms.get(name, 0) + detector["false_alarms"]
+        self.assertGreaterEqual(sum(count == 0 for count in false_alarms.values()), 3)
+        self.assert_published([[name, str(count)] for name, count in false_alarms.items()])
+
+
+@unittest.skipUnless(SOAK, "takes an hour")
+class Whole(Published):
+    def test_the_matrix(self):
+        runs, report = self.bench("matrix")
+
+        matrix = self.matrix(report)
+        self.assertEqual(len(matrix), 8)
+        self.assert_published(matrix)
+        self.assertGreaterEqual(self.combinations_with(runs, 0.95), 3)
+
+    def combinations_with(self, runs, share):
+        """How many combinations reach at least that share of the solvable worlds."""
+        reached = {}
+        for run in runs:
+            if run["solvable"]:
+                reached.setdefault(run["variant"], []).append(run["outcome"] == "reached")
+        return sum(sum(each) >= share * len(each) for each in reached.values())
+
+    def test_the_curves(self):
+        _, noise = self.bench(*TRAPS, *NOISE, name="noise")
+        _, drift = self.bench(*TRAPS, *DRIFT, name="drift")
+
+        self.assert_published([a + b for a, b in zip(curve(noise), curve(drift))])
+
+    def test_the_static_worlds(self):
+        paper_table = load_tool("paper-table")
+        readme = (SOURCE / "components/recover/README.md").read_text(encoding="utf-8")
+
+        self.assertIn(paper_table.matrix(), readme)
+
+    def test_workers_and_kills_change_nothing(self):
+        once, _ = self.bench(*TRAPS, "--jobs", "1", name="one")
+        arguments = ["bench", *TRAPS, "--jobs", "3", "--out", self.out / "killed"]
+        file = self.out / "killed/results.jsonl"
+        for wanted in (40, 120):
+            process = start(arguments)
+            self.assertTrue(wait_until(lambda count=wanted: file.exists()
+                                       and file.read_bytes().count(b"\n") > count, 600))
+            process.send_signal(signal.SIGKILL)
+            process.communicate()
+        resumed, _ = self.bench(*TRAPS, "--jobs", "3", name="killed")
+
+        self.assertEqual(len(once), len(resumed))
+        for run, other in zip(once, resumed):
+            for key in TIMING:
+                del run[key], other[key]
+            self.assertEqual(run, other)
+
+
+if __name__ == "__main__":
+    unittest.main()
