@@ -182,8 +182,8 @@ class Bench(unittest.TestCase):
                 ([self.suite, "--vary", "recover.detector"], "PATH=VALUE"),
                 ([self.suite, "--vary", "recover.detector=revisit"], "landmark_revisit"),
                 ([self.suite, "--vary", "sesne.range_m=1,2"], "--vary sesne.range_m: "),
-                ([self.suite, "--vary", "sense.range=1,2"], "sense.range_m"),
-                ([varied, "--graph", "reactive"], f"{varied}:8:"),
+                ([self.suite, "--vary", "sense.range=1,2"], "--vary sense.range: "),
+                ([varied, "--graph", "reactive"], f"{varied}:7:"),
                 ([self.suite, "--jobs", "0"], "--jobs"),
                 ([self.suite, "--out", "/proc/bench"], "/proc/bench"),
                 ([], "suite")]:
