@@ -9,19 +9,7 @@ using core::Result;
 using core::YamlNode;
 
 constexpr std::int64_t kLeastIterations = 100 * static_cast<std::int64_t>(Som::kNeurons);
-
-Result<void> read_count(const YamlNode& root, const char* key, std::int64_t least,
-                        std::uint64_t& field) {
-  const auto node = root.at(key);
-  if (!node.ok()) return node.error();
-  const auto number = node->integer();
-  if (!number.ok()) return number.error();
-  if (*number < least) {
-    return node->error("found " + node->found() + ", expected at least " + std::to_string(least));
-  }
-  field = static_cast<std::uint64_t>(*number);
-  return {};
-}
+constexpr std::int64_t kMostCount = 1'000'000'000;
 
 /// A pair [first, last] with 0 < last <= first <= most, a whole number.
 Result<void> read_annealed(const YamlNode& root, const char* key, int most,
@@ -51,19 +39,6 @@ Result<void> read_scales(const YamlNode& root, std::vector<double>& field) {
                        : Result<void>();
 }
 
-Result<void> read_worlds(const YamlNode& root, std::vector<std::string>& field) {
-  const auto node = root.at("worlds");
-  if (!node.ok()) return node.error();
-  const auto items = node->items();
-  if (!items.ok()) return items.error();
-  for (const YamlNode& item : *items) {
-    const auto name = item.string();
-    if (!name.ok()) return name.error();
-    field.push_back(*name);
-  }
-  return {};
-}
-
 }  // namespace
 
 Result<SomRecipe> SomRecipe::parse(const core::Resource& resource) {
@@ -74,13 +49,14 @@ Result<SomRecipe> SomRecipe::parse(const core::Resource& resource) {
                         "least_runs_ticks", "scales", "worlds"}));
   CLEW_RETURN_IF_ERROR(core::check_format(*root, "clew-som-training/1"));
   SomRecipe recipe;
-  CLEW_RETURN_IF_ERROR(read_count(*root, "seed", 0, recipe.seed));
-  CLEW_RETURN_IF_ERROR(read_count(*root, "iterations", kLeastIterations, recipe.iterations));
+  CLEW_RETURN_IF_ERROR(core::read_count(*root, "seed", 0, kMostCount, recipe.seed));
+  CLEW_RETURN_IF_ERROR(
+      core::read_count(*root, "iterations", kLeastIterations, kMostCount, recipe.iterations));
   CLEW_RETURN_IF_ERROR(read_annealed(*root, "learning_rate", 1, recipe.learning_rate));
   CLEW_RETURN_IF_ERROR(read_annealed(*root, "radius_neurons", 7, recipe.radius_neurons));
   CLEW_RETURN_IF_ERROR(core::read_counts(*root, "least_runs_ticks", recipe.least_runs));
   CLEW_RETURN_IF_ERROR(read_scales(*root, recipe.scales));
-  CLEW_RETURN_IF_ERROR(read_worlds(*root, recipe.worlds));
+  CLEW_RETURN_IF_ERROR(core::read_names(*root, "worlds", recipe.worlds));
   return recipe;
 }
 

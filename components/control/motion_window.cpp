@@ -55,8 +55,13 @@ const WindowCell& MotionWindow::choose(double speed_mps, double turn_rate_radps,
   for (std::size_t i = 0; i < cells_.size(); ++i) follow(i, cycle_s);
   std::fill(nearest2_m2_.begin(), nearest2_m2_.end(), kFar);
   std::fill(excess_m2_.begin(), excess_m2_.end(), kFar);
-  for (const core::Vec2& place : seen) measure(place, true);
-  for (const core::Vec2& place : remembered) measure(place, false);
+  box_ways();
+  for (const core::Vec2& place : seen) {
+    if (can_matter(place)) measure(place, true);
+  }
+  for (const core::Vec2& place : remembered) {
+    if (can_matter(place)) measure(place, false);
+  }
   chosen_ = cells_.size() - 1;
   double least_m = kFar;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -121,6 +126,21 @@ void MotionWindow::follow(std::size_t cell, double cycle_s) {
     y_m_[i] = at.y();
   }
   stops_[cell] = {at.x(), at.y(), core::wrap_angle_rad(turn_rate_radps * lasts_s)};
+}
+
+void MotionWindow::box_ways() {
+  const auto [left, right] = std::minmax_element(x_m_.begin(), x_m_.end());
+  const auto [bottom, top] = std::minmax_element(y_m_.begin(), y_m_.end());
+  const core::Vec2 reach(keep_m_ + parameters_.density_reach_m,
+                         keep_m_ + parameters_.density_reach_m);
+  least_ = core::Vec2(*left, *bottom) - reach;
+  most_ = core::Vec2(*right, *top) + reach;
+}
+
+/// Whether a point may bar a way, or count in its density: most are farther off than that.
+bool MotionWindow::can_matter(const core::Vec2& place) const {
+  return place.x() >= least_.x() && place.x() <= most_.x() && place.y() >= least_.y() &&
+         place.y() <= most_.y();
 }
 
 /// What a point means for all samples; one that is remembered keeps nothing off.

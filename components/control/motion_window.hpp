@@ -106,6 +106,8 @@ class MotionWindow {
 
   void lay_out(double speed_mps, double turn_rate_radps, double cycle_s);
   void follow(std::size_t cell, double cycle_s);
+  void box_ways();
+  bool can_matter(const core::Vec2& place) const;
   void measure(const core::Vec2& place, bool seen);
   double braking_s(double speed_mps, double turn_rate_radps) const;
   double density(std::size_t cell) const;
@@ -121,6 +123,9 @@ class MotionWindow {
   std::vector<double> nearest2_m2_;  // squared distance to the nearest return
   std::vector<double> excess_m2_;    // least of squared distance to what is seen less what is kept
   std::vector<core::Pose2> stops_;   // by cell
+  // Corners of a box around all of them and what may matter to them.
+  core::Vec2 least_ = core::Vec2::Zero();
+  core::Vec2 most_ = core::Vec2::Zero();
 };
 
 }  // namespace clew::control

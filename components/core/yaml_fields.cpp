@@ -42,6 +42,34 @@ Result<void> read_number(const YamlNode& map, const char* key, Range range, doub
   return check_range(*node, field, range);
 }
 
+Result<void> read_count(const YamlNode& map, const char* key, std::int64_t least, std::int64_t most,
+                        std::uint64_t& field) {
+  const auto node = map.at(key);
+  if (!node.ok()) return node.error();
+  const auto number = node->integer();
+  if (!number.ok()) return number.error();
+  if (*number < least || *number > most) {
+    return node->error("found " + node->found() + ", expected a whole number from " +
+                       std::to_string(least) + " to " + std::to_string(most));
+  }
+  field = static_cast<std::uint64_t>(*number);
+  return {};
+}
+
+Result<void> read_names(const YamlNode& map, const char* key, std::vector<std::string>& fields) {
+  const auto node = map.at(key);
+  if (!node.ok()) return node.error();
+  const auto items = node->items();
+  if (!items.ok()) return items.error();
+  if (items->empty()) return node->error("found an empty list, expected at least one name");
+  for (const YamlNode& item : *items) {
+    const auto name = item.string();
+    if (!name.ok()) return name.error();
+    fields.push_back(*name);
+  }
+  return {};
+}
+
 Result<void> read_counts(const YamlNode& map, const char* key,
                          std::array<std::uint32_t, 3>& fields) {
   const auto node = map.at(key);

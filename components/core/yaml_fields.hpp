@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "core/parameters.hpp"
 #include "core/yaml_reader.hpp"
@@ -19,6 +21,13 @@ Result<void> check_range(const YamlNode& node, double number, Range range);
 
 /// The number at a key that must be there, within its range.
 Result<void> read_number(const YamlNode& map, const char* key, Range range, double& field);
+
+/// The whole number at a key that must be there, within its range, both ends included.
+Result<void> read_count(const YamlNode& map, const char* key, std::int64_t least, std::int64_t most,
+                        std::uint64_t& field);
+
+/// The names at a key that must be there, one or more.
+Result<void> read_names(const YamlNode& map, const char* key, std::vector<std::string>& fields);
 
 /// Three counts at a key that must be there, each a whole number of at least 1.
 Result<void> read_counts(const YamlNode& map, const char* key,

@@ -59,5 +59,28 @@ TEST(YamlFields, CountsAreThreeWholeNumbersFromOne) {
             "a.yaml:1:8: found 10000000000, expected whole numbers of at least 1");
 }
 
+TEST(YamlFields, ACountIsAWholeNumberWithinItsRange) {
+  std::uint64_t field = 0;
+  const auto read = [&](const char* yaml) {
+    return answer(read_count(parse(yaml), "n", 1, 20, field));
+  };
+
+  EXPECT_EQ(read("n: 20"), "accepted");
+  EXPECT_EQ(field, 20u);
+  EXPECT_EQ(read("n: 0"), "a.yaml:1:4: found '0', expected a whole number from 1 to 20");
+  EXPECT_EQ(read("n: 21"), "a.yaml:1:4: found '21', expected a whole number from 1 to 20");
+  EXPECT_EQ(read("m: 3"), "a.yaml:1:1: missing key 'n'");
+}
+
+TEST(YamlFields, NamesAreAListThatIsNotEmpty) {
+  std::vector<std::string> names;
+  const auto read = [&](const char* yaml) { return answer(read_names(parse(yaml), "n", names)); };
+
+  EXPECT_EQ(read("n: [a, b]"), "accepted");
+  EXPECT_EQ(names, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(read("n: []"), "a.yaml:1:4: found an empty list, expected at least one name");
+  EXPECT_NE(read("n: [[a]]"), "accepted");
+}
+
 }  // namespace
 }  // namespace clew::core
