@@ -50,10 +50,6 @@ std::vector<long double> reference(const RandomMap& map, Lattice lattice, const 
     for (std::size_t i = 0; i < next.size(); ++i) {
       if (map.passable[i] == 0) continue;
       const Cell cell = map.grid.cell(i);
-      if (cell == target) {
-        next[i] = 1.0L;
-        continue;
-      }
       long double sum = 0.0L;
       for (const Cell& other : neighbours(lattice, cell)) {
         if (!map.grid.contains(other)) continue;
@@ -62,7 +58,7 @@ std::vector<long double> reference(const RandomMap& map, Lattice lattice, const 
             diagonal && lattice == Lattice::kEightNeighbours ? 1.0L / std::sqrt(2.0L) : 1.0L;
         sum += weight * now[map.grid.index(other)];
       }
-      next[i] = std::tanh(static_cast<long double>(gain) * sum);
+      next[i] = cell == target ? 1.0L : std::tanh(static_cast<long double>(gain) * sum);
       if (next[i] - now[i] > 1e-18L * next[i]) at_rest = false;
     }
     now = std::move(next);
