@@ -25,15 +25,18 @@ namespace clew::map {
 /// targets are the only local maxima, and steepest ascent ends at one.
 ///
 /// Activation falls by a factor of three a cell and more, and plain doubles would be flat zero
-/// some 300 cells out. An activation is a mantissa in (2^-480, 1] and a depth, mantissa *
-/// 2^(-480 depth), in one way only. Rows are worked on in chunks of 32 cells; where all that a
-/// chunk reads has one depth, which most have, that is plain arithmetic. A chunk is worked on
-/// again only if something that it reads has changed, bit for bit, since it last was: no raster
-/// could change it otherwise. tanh is the identity in double precision but near targets.
+/// some 300 cells out. An activation is a mantissa in (2^-340, 1] and a depth, mantissa *
+/// 2^(-340 depth), in one way only. Rows are worked on in chunks of 32 cells; where all that a
+/// chunk reads has one depth or two that follow each other, which most have, that is plain
+/// arithmetic. A chunk is worked on again only if something that it reads has changed, bit for bit,
+/// since it last was: no raster could change it otherwise. tanh is the identity in double precision
+/// but near targets.
 ///
 /// What is far from the targets rests only after what is near. So an evolution to rest holds the
 /// rasters within a horizon, a least activation, which it lowers whenever all above it rests: the
-/// time then grows with the number of cells, and not with that times the longest way.
+/// time then grows with the number of cells, and not with that times the longest way. With a start,
+/// the horizon is the start's own activation as soon as it has one, since the way up from there
+/// does not lead below it, and growth by less than a millionth is not passed on.
 ///
 /// 12 bytes a cell, a byte for what it is, and one more for its part of a chunk.
 class NeuralMap {
@@ -47,7 +50,7 @@ class NeuralMap {
   /// How an evolution ended.
   struct Evolution {
     int patterns = 0;      ///< of four rasters each
-    bool at_rest = false;  ///< the last pattern changed nothing
+    bool at_rest = false;  ///< the last pattern passed nothing on
   };
 
   /// The error says what gain the lattice allows.
@@ -55,7 +58,8 @@ class NeuralMap {
 
   /// Evolves the map of `grid` from zero, to rest, or, with a `start`, until a whole pattern of
   /// rasters has reached it and left the order of activations around it as it was, or has reached
-  /// nothing new without it: then there is no way. The start may lie on any cell. Allocates only
+  /// nothing new without it: then there is no way. What is farther from the targets than the start
+  /// may then be active or not. The start may lie on any cell. Allocates only
   /// for a grid larger than all before it.
   ///
   /// passable: one flag a cell of the grid, 0 for blocked. Of `targets`, those that are blocked or
@@ -100,6 +104,11 @@ class NeuralMap {
     std::int32_t row_step;
   };
   struct Span;
+  struct Rows;
+  struct DepthRange {
+    std::int32_t least = -1;
+    std::int32_t greatest = -1;
+  };
   struct Activation {
     double mantissa;
     std::int32_t depth;
@@ -111,17 +120,22 @@ class NeuralMap {
              const std::vector<Cell>& targets);
   Evolution evolve_until_reached(const Cell& start);
   Evolution evolve_to_rest();
-  bool sweep_pattern(std::int64_t horizon_bits);
+  template <typename Horizon>
+  bool sweep_pattern(const Horizon& horizon_bits);
   void sweep(const Raster& raster, std::int64_t horizon_bits);
   bool due(std::int32_t row, std::int32_t chunk, std::int64_t horizon_bits);
   bool update(std::int32_t row, std::int32_t chunk, std::int32_t column_step);
   Span span_of(std::int32_t row, std::int32_t chunk) const;
-  std::optional<std::int32_t> common_depth(const Span& span) const;
+  DepthRange depths_of(const Span& span) const;
+  void copy_scaled(const Span& span, std::int32_t depth, double* values) const;
   template <bool kNearTarget>
-  bool update_flat(const Span& span, std::int32_t column_step, std::int32_t depth);
+  bool update_flat(const Span& span, const Rows& rows, std::int32_t column_step,
+                   std::int32_t depth);
+  void store(std::size_t at, double value, std::int32_t depth);
   bool update_stepped(const Span& span, std::int32_t column_step);
   Activation fresh_activation(const Span& span, std::size_t at) const;
   void note_activations(const Span& span);
+  std::int64_t fall_bits(const Cell& cell) const;
 
   std::size_t padded(const Cell& cell) const {
     return (static_cast<std::size_t>(cell.row) + 1) * stride_ +
@@ -146,6 +160,7 @@ class NeuralMap {
   std::vector<Chunk> chunks_;
   std::uint64_t clock_ = 0;  // updates of chunks so far
   std::size_t active_cells_ = 0;
+  double change_ = 1.0;     // growth by more than this factor is passed on
   bool held_back_ = false;  // a chunk beyond the horizon was left for later
 };
 

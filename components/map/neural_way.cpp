@@ -17,13 +17,14 @@ const std::vector<Vec2>& NeuralWay::find(const CostGrid& costs, const Vec2& from
   const auto start = costs.grid.cell_at(from);
   if (!start) return way_;
   take_targets(costs, to, goal_radius_m);
-  for (const Room least : {Room::kOpen, Room::kNarrow, Room::kSuspected, Room::kTouching}) {
-    take_passable(costs, least, *start);
-    landscape_.evolve(costs.grid, passable_, targets_, start);
-    if (!landscape_.path(*start, cells_)) continue;
-    for (const Cell& cell : cells_) way_.push_back(costs.grid.centre(cell));
-    break;
-  }
+  take_room(costs, *start);
+  const Room least = widest_.between(costs.grid, room_, *start, targets_);
+  if (least == Room::kNone) return way_;
+  passable_.resize(room_.size());
+  for (std::size_t i = 0; i < room_.size(); ++i) passable_[i] = room_[i] >= least;
+  landscape_.evolve(costs.grid, passable_, targets_, start);
+  landscape_.path(*start, cells_);
+  for (const Cell& cell : cells_) way_.push_back(costs.grid.centre(cell));
   return way_;
 }
 
@@ -43,15 +44,14 @@ void NeuralWay::take_targets(const CostGrid& costs, const Vec2& to, double goal_
   }
 }
 
-void NeuralWay::take_passable(const CostGrid& costs, Room least, const Cell& start) {
-  passable_.resize(costs.room.size());
-  for (std::size_t i = 0; i < passable_.size(); ++i) passable_[i] = costs.room[i] >= least;
+void NeuralWay::take_room(const CostGrid& costs, const Cell& start) {
+  room_ = costs.room;
   for (std::int32_t rows = -kStartCells; rows <= kStartCells; ++rows) {
     for (std::int32_t columns = -kStartCells; columns <= kStartCells; ++columns) {
       const Cell cell{start.column + columns, start.row + rows};
       if (!costs.grid.contains(cell)) continue;
-      const std::size_t index = costs.grid.index(cell);
-      passable_[index] = costs.room[index] != Room::kNone;
+      Room& room = room_[costs.grid.index(cell)];
+      if (room != Room::kNone) room = Room::kOpen;
     }
   }
 }

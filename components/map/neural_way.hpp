@@ -6,12 +6,14 @@
 
 #include "map/neural_map.hpp"
 #include "map/way_search.hpp"
+#include "map/widest_way.hpp"
 
 namespace clew::map {
 
-/// Steepest ascent on the neural map of the cells that are open, or, where that leads nowhere, of
-/// the narrow and then the suspected ones besides, and at last of all that have any room. A
-/// landscape knows cells that are passable or not, and no costs: so these are tried in turn.
+/// Steepest ascent on the neural map of the cells that are open, or, if these do not connect both
+/// places, of the narrow and then the suspected ones besides, and at last of all that have any
+/// room. A landscape knows cells that are passable or not, and no costs: so the level is chosen
+/// first, by a flood, and one landscape evolved.
 class NeuralWay final : public WaySearch {
  public:
   explicit NeuralWay(NeuralMap landscape) : landscape_(std::move(landscape)) {}
@@ -21,9 +23,11 @@ class NeuralWay final : public WaySearch {
 
  private:
   void take_targets(const CostGrid& costs, const Vec2& to, double goal_radius_m);
-  void take_passable(const CostGrid& costs, Room least, const Cell& start);
+  void take_room(const CostGrid& costs, const Cell& start);
 
+  WidestWay widest_;
   NeuralMap landscape_;
+  std::vector<Room> room_;
   std::vector<std::uint8_t> passable_;
   std::vector<Cell> targets_;
   std::vector<Cell> cells_;
