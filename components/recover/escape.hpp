@@ -11,6 +11,7 @@ namespace clew::recover {
 
 enum class EscapeStatus : std::uint8_t {
   kActive,      ///< goes on
+  kLooksAgain,  ///< goes on, and all that was seen must be forgotten and seen afresh
   kEnded,       ///< the way is open: back to seeking
   kFailed,      ///< cannot help: the next escape's turn
   kUnreachable  ///< has proved that there is no way to the target
@@ -21,6 +22,9 @@ enum class EscapeStatus : std::uint8_t {
 class Escape {
  public:
   virtual ~Escape() = default;
+
+  /// Whether it needs Situation::surroundings.
+  virtual bool reads_surroundings() const { return false; }
 
   /// Watches every tick before anything else, whether this escape is at work or not.
   virtual void watch(const Situation&) {}

@@ -16,7 +16,6 @@ KnownDetour::KnownDetour(const Parameters& parameters, const domain::BehaviourSe
       way_(parameters.way, setup, std::make_unique<map::AStar>()) {}
 
 std::optional<TrapEvidence> KnownDetour::observe(const Situation& situation) {
-  way_.see(situation);
   TrapEvidence evidence;
   if (!gets_on(situation)) {
     evidence.text = "comes no nearer to the target";

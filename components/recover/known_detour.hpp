@@ -50,6 +50,7 @@ class KnownDetour final : public TrapDetector {
 
   KnownDetour(const Parameters& parameters, const domain::BehaviourSetup& setup);
 
+  bool reads_surroundings() const override { return true; }
   std::optional<TrapEvidence> observe(const Situation& situation) override;
   /// What was seen stays known; only the way is sought again.
   void start_afresh() override;

@@ -9,17 +9,16 @@ namespace {
 
 // Free room around all that was seen, wide enough to go round it.
 constexpr double kMargin_m = 1.0;
-// The way is looked over this far ahead for obstacles seen since.
-constexpr double kLookAhead_m = 1.0;
 // A centre this near to where the robot was held does not pass either.
 constexpr double kRefused_m = 0.06;
 constexpr std::size_t kMostRefused = 4096;
 constexpr double kTouching_m = 0.01;
 
-map::Passage passage_of(const KnownWayParameters& p, double radius_m) {
+map::Passage passage_of(const KnownWayParameters& p, const SurroundingsParameters& seen,
+                        double radius_m) {
   map::Passage passage;
   // A hit stands for a piece of arc, lies anywhere in its cell, and a way passes anywhere in its.
-  const double rounding_m = 0.5 * p.hit_spread_m + 0.5 * std::sqrt(2.0) * p.cell_m;
+  const double rounding_m = 0.5 * seen.hit_spread_m + 0.5 * std::sqrt(2.0) * seen.cell_m;
   passage.impossible_m = std::max(0.3 * radius_m, radius_m - rounding_m);
   passage.touching_m = radius_m - kTouching_m;
   passage.comfortable_m = radius_m + p.comfortable_m;
@@ -51,14 +50,11 @@ KnownWay::KnownWay(const KnownWayParameters& parameters, const domain::Behaviour
     : parameters_(parameters),
       radius_m_(setup.robot.radius_m),
       replan_ticks_(parameters.replan_s / setup.tick_s),
-      evidence_({parameters.hit_spread_m, 0.01}, setup.robot.radius_m),
-      seen_(parameters.cell_m, static_cast<std::size_t>(parameters.capacity_tiles)),
-      passage_(passage_of(parameters, setup.robot.radius_m)),
-      clearance_(passage_, parameters.cell_m),
       search_(std::move(search)) {}
 
-void KnownWay::see(const Situation& situation) {
-  evidence_.mark(situation.odometry, situation.scan, seen_);
+void KnownWay::make_clearance(const SurroundingsParameters& surroundings) {
+  passage_ = passage_of(parameters_, surroundings, radius_m_);
+  clearance_.emplace(passage_, surroundings.cell_m);
 }
 
 bool KnownWay::keep_up(const Situation& situation) {
@@ -74,7 +70,10 @@ void KnownWay::plan(const Situation& situation) {
   state_.next = 1;
   state_.corners_odom.clear();
   const core::Vec2 from = situation.pose().position();
-  map::CostGrid& costs = clearance_.update(seen_, from, situation.target_odom, kMargin_m);
+  const Surroundings& surroundings = *situation.surroundings;
+  if (!clearance_) make_clearance(surroundings.parameters());
+  map::CostGrid& costs =
+      clearance_->update(surroundings.map(), from, situation.target_odom, kMargin_m);
   close_refused(costs);
   open_own_place(costs, from);
   const auto& way =
@@ -84,11 +83,6 @@ void KnownWay::plan(const Situation& situation) {
 
 void KnownWay::refuse(const core::Vec2& place_odom) {
   if (state_.refused_odom.size() < kMostRefused) state_.refused_odom.push_back(place_odom);
-}
-
-void KnownWay::forget_all() {
-  state_ = {};
-  seen_.state() = {};
 }
 
 void KnownWay::close_refused(map::CostGrid& costs) const {
@@ -140,7 +134,7 @@ void KnownWay::pull_tight(const map::CostGrid& costs, const std::vector<core::Ve
 /// Whether something that was seen lies on the next piece of the way.
 bool KnownWay::is_cut(const Situation& situation) const {
   core::Vec2 from = situation.pose().position();
-  double left_m = kLookAhead_m;
+  double left_m = parameters_.look_ahead_m;
   const double room_m = radius_m_ - 2.0 * kTouching_m;
   for (std::size_t i = state_.next; i < state_.corners_odom.size() && left_m > 0.0; ++i) {
     const core::Vec2 to = state_.corners_odom[i];
@@ -151,12 +145,13 @@ bool KnownWay::is_cut(const Situation& situation) const {
     const core::Vec2 end = from + end_m * along;
     const core::Vec2 margin(room_m, room_m);
     bool cut = false;
-    seen_.for_each(map::Mark::kHit, from.cwiseMin(end) - margin, from.cwiseMax(end) + margin,
-                   [&](const core::Vec2& place) {
-                     const core::Vec2 off = place - from;
-                     const double ahead_m = std::clamp(off.dot(along), 0.0, end_m);
-                     cut = cut || core::length(off - ahead_m * along) < room_m;
-                   });
+    situation.surroundings->map().for_each(
+        map::Mark::kHit, from.cwiseMin(end) - margin, from.cwiseMax(end) + margin,
+        [&](const core::Vec2& place) {
+          const core::Vec2 off = place - from;
+          const double ahead_m = std::clamp(off.dot(along), 0.0, end_m);
+          cut = cut || core::length(off - ahead_m * along) < room_m;
+        });
     if (cut) return true;
     left_m -= length_m;
     from = to;
@@ -203,10 +198,9 @@ double KnownWay::rise_m(const Situation& situation) const {
 
 void KnownWay::save(core::StateWriter& writer) const {
   State state = state_;
-  map::SeenMap::State seen = seen_.state();
-  writer(seen, state);
+  writer(state);
 }
 
-void KnownWay::load(core::StateReader& reader) { reader(seen_.state(), state_); }
+void KnownWay::load(core::StateReader& reader) { reader(state_); }
 
 }  // namespace clew::recover

@@ -3,23 +3,20 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/archive.hpp"
 #include "domain/setup.hpp"
 #include "map/clearance.hpp"
-#include "map/scan_evidence.hpp"
-#include "map/seen_map.hpp"
 #include "map/way_search.hpp"
 #include "recover/situation.hpp"
 
 namespace clew::recover {
 
 struct KnownWayParameters {
-  double cell_m = 0.025;
-  std::int64_t capacity_tiles = 4096;
-  double hit_spread_m = 0.1;
   double replan_s = 1.0;
+  double look_ahead_m = 1.0;
   double comfortable_m = 0.1;
   double narrow_cost = 2.0;
   double suspected_cost = 20.0;
@@ -28,13 +25,9 @@ struct KnownWayParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, KnownWayParameters& p) {
-  visit.number("cell_m", p.cell_m, "m", {0.01, 0.1},
-               "side of a cell of what was seen; ways are sought in cells of twice the side");
-  visit.integer("capacity_tiles", p.capacity_tiles, "1", {1, 1000000},
-                "tiles of 64 by 64 cells that are remembered");
-  visit.number("hit_spread_m", p.hit_spread_m, "m", {0.0, 0.3},
-               "an obstacle on a piece of arc at most this long is certain");
   visit.number("replan_s", p.replan_s, "s", {0.0, 60.0}, "a way is sought again after this time");
+  visit.number("look_ahead_m", p.look_ahead_m, "m", {0.0, 100.0},
+               "or if something seen since lies on so much of it");
   visit.number("comfortable_m", p.comfortable_m, "m", {0.0, 1.0},
                "room beside the body from which on more is not better");
   visit.number("narrow_cost", p.narrow_cost, "1", {1.0, 20.0},
@@ -45,8 +38,8 @@ void visit_parameters(Visitor& visit, KnownWayParameters& p) {
                "a metre through suspected obstacles counts as this many");
 }
 
-/// All that a robot has seen, and the way to a place that it knows on it: what *remembered_map*,
-/// *remembered_astar* and *known_detour* share.
+/// The way to the target on all that a robot has seen: what *remembered_map*, *remembered_astar*
+/// and *known_detour* share. Situations must have surroundings, always the same ones.
 ///
 /// Unknown counts as free, and a suspected obstacle as dear, so the way leads there only where
 /// nothing else is left; going there shows what is the case. That there is no way is a proof: the
@@ -55,7 +48,6 @@ void visit_parameters(Visitor& visit, KnownWayParameters& p) {
 class KnownWay {
  public:
   struct State {
-    map::SeenMap::State seen;
     std::vector<core::Vec2> corners_odom;  ///< of the way, the robot's place then first
     std::vector<core::Vec2> refused_odom;  ///< where the robot tried to go and could not
     std::uint32_t next = 0;                ///< corner that the robot is on its way to
@@ -66,9 +58,6 @@ class KnownWay {
   KnownWay(const KnownWayParameters& parameters, const domain::BehaviourSetup& setup,
            std::unique_ptr<map::WaySearch> search);
 
-  /// Takes in what this tick shows.
-  void see(const Situation& situation);
-
   /// Seeks a way if there is none yet, the last one is old, or something seen since lies on it.
   /// True if it sought.
   bool keep_up(const Situation& situation);
@@ -76,8 +65,8 @@ class KnownWay {
   void plan(const Situation& situation);
   /// The robot cannot get to this place, whatever is seen: it has tried.
   void refuse(const core::Vec2& place_odom);
-  /// Forgets all that was seen.
-  void forget_all();
+  /// Forgets the way, and where the robot could not get to.
+  void forget_all() { state_ = {}; }
   /// What is known of ways is void.
   void forget_way() { state_.planned = false; }
 
@@ -89,11 +78,11 @@ class KnownWay {
   /// How much farther from the target the way leads than a place on it before, from the robot on.
   double rise_m(const Situation& situation) const;
 
-  const map::SeenMap& seen() const { return seen_; }
   void save(core::StateWriter& writer) const;
   void load(core::StateReader& reader);
 
  private:
+  void make_clearance(const SurroundingsParameters& surroundings);
   void close_refused(map::CostGrid& costs) const;
   void open_own_place(map::CostGrid& costs, const core::Vec2& place);
   bool is_cut(const Situation& situation) const;
@@ -103,12 +92,10 @@ class KnownWay {
   KnownWayParameters parameters_;
   double radius_m_;
   double replan_ticks_;
-  map::ScanEvidence evidence_;
-  map::SeenMap seen_;
   map::Passage passage_;
-  map::Clearance clearance_;
+  std::optional<map::Clearance> clearance_;  // made with the first way that is sought
   std::unique_ptr<map::WaySearch> search_;
-  State state_;  // but for what was seen, which the map keeps
+  State state_;
 };
 
 template <typename Visitor>

@@ -87,7 +87,8 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
                             inputs.find<domain::Landmark>(),
                             target_odom,
                             state_.virtual_target_odom.value_or(target_odom),
-                            target.radius_m};
+                            target.radius_m,
+                            parts_.surroundings ? &*parts_.surroundings : nullptr};
   auto& guidance = outputs.get<Guidance>();
   auto& event = outputs.get<Event>();
   seek(situation, guidance);
@@ -97,6 +98,7 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
     return;
   }
 
+  if (parts_.surroundings) parts_.surroundings->see(situation.odometry, situation.scan);
   for (auto& escape : parts_.escapes) escape.behaviour->watch(situation);
   take_evidence(situation, event);
   if (state_.escaping) step_escape(situation, guidance, event);
@@ -147,6 +149,10 @@ void RecoverComponent::step_escape(const Situation& situation, Guidance& guidanc
   state_.why.clear();
   const EscapeStatus status = parts_.escapes[state_.escape].behaviour->step(situation, guidance);
   if (status == EscapeStatus::kActive) return;
+  if (status == EscapeStatus::kLooksAgain) {
+    if (parts_.surroundings) parts_.surroundings->forget();
+    return;
+  }
 
   const std::string reason = guidance.why;
   if (status == EscapeStatus::kEnded) {
@@ -216,6 +222,7 @@ void RecoverComponent::start_detectors_afresh() {
 void RecoverComponent::save(core::StateWriter& writer) const {
   State state = state_;
   writer(state);
+  if (parts_.surroundings) parts_.surroundings->save(writer);
   parts_.detector.behaviour->save(writer);
   for (const auto& shadow : parts_.shadows) shadow.behaviour->save(writer);
   for (const auto& escape : parts_.escapes) escape.behaviour->save(writer);
@@ -223,6 +230,7 @@ void RecoverComponent::save(core::StateWriter& writer) const {
 
 void RecoverComponent::load(core::StateReader& reader) {
   reader(state_);
+  if (parts_.surroundings) parts_.surroundings->load(reader);
   parts_.detector.behaviour->load(reader);
   for (auto& shadow : parts_.shadows) shadow.behaviour->load(reader);
   for (auto& escape : parts_.escapes) escape.behaviour->load(reader);

@@ -17,6 +17,7 @@ namespace clew::recover {
 struct RecoverParameters {
   bool immediate_memory = true;
   std::string actions = "krishna_kalra_actions";
+  SurroundingsParameters surroundings;
 };
 
 template <typename Visitor>
@@ -24,6 +25,7 @@ void visit_parameters(Visitor& visit, RecoverParameters& p) {
   visit.flag("immediate_memory", p.immediate_memory,
              "whether landmarks that the map knows fire their actions");
   visit.file("actions", p.actions, "rulebases", "action table of the immediate memory");
+  visit_parameters(visit, p.surroundings);
 }
 
 /// A behaviour and the name that it goes by in events.
@@ -44,6 +46,7 @@ class RecoverComponent final : public runtime::Component {
     std::vector<Named<TrapDetector>> shadows;
     std::vector<Named<Escape>> escapes;  ///< in order of fallback
     std::optional<ImmediateMemory> immediate_memory;
+    std::optional<Surroundings> surroundings;  ///< kept if a behaviour reads_surroundings()
   };
   struct State {
     bool escaping = false;

@@ -11,18 +11,12 @@
 namespace clew::recover {
 namespace {
 
-// A way that becomes shorter by less is no progress: a robot that turns on the spot jitters.
-constexpr double kShorter_m = 0.05;
 // A corner is passed by the robot itself as closely as this.
 constexpr double kAtCorner_m = 0.02;
 // A step off what the bumpers feel, so that it does not hold the robot.
 constexpr double kOffContact_m = 0.02;
-// A robot that is this far from where it was is not held there.
-constexpr double kGotAway_m = 0.12;
 // What holds a robot is this far ahead of its centre.
 constexpr double kAhead_m = 0.05;
-// Turns beyond this are made on the spot, so that the sensors see what the step goes into.
-constexpr double kMostWhileStepping_rad = core::radians(30.0);
 
 }  // namespace
 
@@ -45,7 +39,7 @@ EscapeStatus RememberedWay::step(const Situation& situation, domain::Guidance& g
     if (++state_.proofs < parameters_.proofs) {
       way_.forget_all();
       guidance.why = "looks again at what closes every way";
-      return EscapeStatus::kActive;
+      return EscapeStatus::kLooksAgain;
     }
     guidance.why = "what was seen closes every way";
     return EscapeStatus::kUnreachable;
@@ -74,7 +68,7 @@ EscapeStatus RememberedWay::step(const Situation& situation, domain::Guidance& g
 /// A robot that is led and stays where it is, is held by what it cannot pass.
 void RememberedWay::note_where_held(const Situation& situation, const core::Vec2& corner_odom) {
   const core::Vec2 here = situation.pose().position();
-  if (core::length(here - state_.held_odom) > kGotAway_m) {
+  if (core::length(here - state_.held_odom) > parameters_.held_within_m) {
     state_.held_odom = here;
     state_.held_tick = situation.tick;
   }
@@ -91,7 +85,7 @@ void RememberedWay::note_where_held(const Situation& situation, const core::Vec2
 /// Whether the controller brings the robot on along the way.
 bool RememberedWay::gets_on(const Situation& situation, bool planned) {
   const double length_m = way_.length_m(situation);
-  if (planned || length_m < state_.least_length_m - kShorter_m) {
+  if (planned || length_m < state_.least_length_m - parameters_.shorter_m) {
     state_.least_length_m = length_m;
     state_.progress_tick = situation.tick;
   }
@@ -114,7 +108,7 @@ domain::Motion RememberedWay::motion_to(const Situation& situation,
   }
   motion.kind = domain::CommandKind::kTurnAndStep;
   motion.turn_rad = core::bearing_rad(situation.pose(), place_odom);
-  if (std::fabs(motion.turn_rad) > kMostWhileStepping_rad) return motion;
+  if (std::fabs(motion.turn_rad) > parameters_.turn_first_rad) return motion;
   // More than a drive can turn in a tick would slow its step down.
   const double most_rad = limits_.turn_rate_radps * tick_s_;
   motion.turn_rad = std::clamp(motion.turn_rad, -most_rad, most_rad);

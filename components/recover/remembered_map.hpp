@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/angle.hpp"
 #include "core/result.hpp"
 #include "domain/setup.hpp"
 #include "recover/escape.hpp"
@@ -17,7 +18,10 @@ struct RememberedWayParameters {
   double close_m = 0.3;
   double leave_rise_m = 0.0;
   double nearer_m = 0.2;
+  double shorter_m = 0.05;
   double held_s = 8.0;
+  double held_within_m = 0.12;
+  double turn_first_rad = core::radians(30.0);
   std::int64_t proofs = 2;
 };
 
@@ -31,6 +35,12 @@ void visit_parameters(Visitor& visit, RememberedWayParameters& p) {
                "ends where the rest of the way leads away from the target by no more than this");
   visit.number("nearer_m", p.nearer_m, "m", {0.0, 10.0},
                "ends where the robot is this much nearer to the target than at the last end");
+  visit.number("shorter_m", p.shorter_m, "m", {0.001, 1.0},
+               "gets on if the way still to go becomes shorter by this");
+  visit.number("held_within_m", p.held_within_m, "m", {0.01, 1.0},
+               "a robot that is led and does not get farther from where it was is held there");
+  visit.angle("turn_first_deg", p.turn_first_rad, {1.0, 180.0},
+              "greater turns are made on the spot: the sensors must see what the step goes into");
   visit.number("held_s", p.held_s, "s", {0.1, 1000.0},
                "a place that the robot does not get to for this time is none that it can get to");
   visit.integer("proofs", p.proofs, "1", {1, 10},
@@ -59,7 +69,7 @@ class RememberedWay : public Escape {
   RememberedWay(const Parameters& parameters, const domain::BehaviourSetup& setup,
                 std::unique_ptr<map::WaySearch> search);
 
-  void watch(const Situation& situation) override { way_.see(situation); }
+  bool reads_surroundings() const override { return true; }
   void begin(const Situation& situation, const TrapEvidence& evidence) override;
   EscapeStatus step(const Situation& situation, domain::Guidance& guidance) override;
   void save(core::StateWriter& writer) const override;

@@ -5,6 +5,7 @@
 
 #include "core/geometry.hpp"
 #include "domain/messages.hpp"
+#include "recover/surroundings.hpp"
 
 namespace clew::recover {
 
@@ -17,6 +18,8 @@ struct Situation {
   core::Vec2 target_odom;                      ///< the mission's
   core::Vec2 pursued_odom;  ///< the target in force in the tick before: an escape's own, or that
   double target_radius_m = 0.0;  ///< arrival within this distance of the mission's
+  /// All that was seen, this tick included; null if no behaviour reads_surroundings().
+  const Surroundings* surroundings = nullptr;
 
   const core::Pose2& pose() const { return odometry.pose_odom_robot; }
   double target_bearing_rad() const { return core::bearing_rad(pose(), target_odom); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recover/stage.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "recover/recover_component.hpp"
@@ -25,6 +26,12 @@ Result<std::vector<Named<Behaviour>>> make_all(const runtime::Registry<Behaviour
   return all;
 }
 
+bool anyone_reads_surroundings(const RecoverComponent::Parts& parts) {
+  const auto reads = [](const auto& named) { return named.behaviour->reads_surroundings(); };
+  return reads(parts.detector) || std::any_of(parts.shadows.begin(), parts.shadows.end(), reads) ||
+         std::any_of(parts.escapes.begin(), parts.escapes.end(), reads);
+}
+
 Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfig& config,
                                                  const runtime::RunSetup& setup) {
   RecoverComponent::Parts parts;
@@ -39,6 +46,9 @@ Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfig& con
   parts.escapes = std::move(made_escapes).value();
 
   const auto parameters = core::read_parameters<RecoverParameters>(config.parameters);
+  if (anyone_reads_surroundings(parts)) {
+    parts.surroundings.emplace(parameters.surroundings, setup.behaviour.robot.radius_m);
+  }
   if (parameters.immediate_memory) {
     const auto resource = setup.behaviour.resources.find("rulebases", parameters.actions);
     if (!resource.ok()) return resource.error();

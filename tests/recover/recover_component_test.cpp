@@ -39,7 +39,10 @@ class ToldDetector final : public TrapDetector {
 class ToldEscape final : public Escape {
  public:
   explicit ToldEscape(double turn_rad) : turn_rad_(turn_rad) {}
-  void watch(const Situation&) override { ++watched; }
+  void watch(const Situation& situation) override {
+    ++watched;
+    surroundings = situation.surroundings;
+  }
   void begin(const Situation&, const TrapEvidence& evidence) override {
     ++begins;
     reason = evidence.text;
@@ -65,6 +68,7 @@ class ToldEscape final : public Escape {
   std::optional<core::Vec2> virtual_target;
   int begins = 0;
   int watched = 0;
+  const Surroundings* surroundings = nullptr;
   std::string reason;
 
  private:
@@ -83,8 +87,9 @@ class RecoverComponentTest : public ::testing::Test {
     }
   }
 
-  void make_component() {
+  void make_component(std::optional<Surroundings> surroundings = {}) {
     RecoverComponent::Parts parts;
+    parts.surroundings = std::move(surroundings);
     detector_ = add(parts.detector, "told", std::make_unique<ToldDetector>());
     shadow_ = add(parts.shadows.emplace_back(), "watcher", std::make_unique<ToldDetector>());
     first_ = add(parts.escapes.emplace_back(), "first", std::make_unique<ToldEscape>(0.1));
@@ -162,6 +167,44 @@ TEST_F(RecoverComponentTest, StartsTheFirstEscapeInTheTickOfTheTrap) {
   EXPECT_EQ(event(0).travel_m, 9.0);
   EXPECT_EQ(event(0).cell, 7u);
   EXPECT_EQ(event(1).rule, "first");
+}
+
+TEST_F(RecoverComponentTest, ShowsAllBehavioursTheSameSurroundings) {
+  step();
+  EXPECT_EQ(first_->surroundings, nullptr);  // nobody has asked for them
+
+  make_component(Surroundings({}, 0.15));
+  step(Scene().at(2, 3, 0));
+
+  ASSERT_NE(first_->surroundings, nullptr);
+  EXPECT_EQ(second_->surroundings, first_->surroundings);
+  EXPECT_TRUE(first_->surroundings->map().is(map::Mark::kFree, {2, 3}));  // where it stands
+}
+
+TEST_F(RecoverComponentTest, ForgetsItsSurroundingsWhenTheEscapeLooksAgain) {
+  make_component(Surroundings({}, 0.15));
+  detector_->trap = true;
+  first_->status = EscapeStatus::kLooksAgain;
+
+  const domain::Guidance& guidance = step();
+
+  EXPECT_EQ(guidance.mode, GuidanceMode::kRecover);  // the escape goes on
+  EXPECT_TRUE(first_->surroundings->map().state().tiles.empty());
+}
+
+TEST_F(RecoverComponentTest, SavesItsSurroundingsOnce) {
+  make_component(Surroundings({}, 0.15));
+  step(Scene().at(2, 3, 0));
+  core::StateWriter writer;
+  component_->save(writer);
+  make_component(Surroundings({}, 0.15));
+
+  core::StateReader reader(writer.bytes());
+  component_->load(reader);
+
+  EXPECT_TRUE(reader.complete());
+  step(Scene().at(5, 3, 0));
+  EXPECT_TRUE(first_->surroundings->map().is(map::Mark::kFree, {2, 3}));
 }
 
 TEST_F(RecoverComponentTest, IgnoresEvidenceWhileAnEscapeIsAtWork) {

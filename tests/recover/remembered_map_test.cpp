@@ -25,12 +25,26 @@ struct Answer {
   domain::Guidance guidance;
 };
 
-Answer step(Escape& escape, const Scene& scene) {
-  Answer answer;
-  escape.watch(scene.situation());
-  answer.status = escape.step(scene.situation(), answer.guidance);
-  return answer;
-}
+/// What a robot has seen so far, as the component keeps it.
+class Memory {
+ public:
+  /// The scene, taken in.
+  Situation seen(Situation situation) {
+    surroundings_.see(situation.odometry, situation.scan);
+    situation.surroundings = &surroundings_;
+    return situation;
+  }
+  Answer step(Escape& escape, const Situation& situation) {
+    Answer answer;
+    answer.status = escape.step(seen(situation), answer.guidance);
+    if (answer.status == EscapeStatus::kLooksAgain) surroundings_.forget();
+    return answer;
+  }
+  Surroundings& surroundings() { return surroundings_; }
+
+ private:
+  Surroundings surroundings_{{}, setup().robot.radius_m};
+};
 
 /// At the origin, and a wall across at 0.4 m: the least distance of a straight wall in a cone is
 /// that on its inner border, 0.4 m / cos(border), less the robot's radius. The target is near
@@ -53,6 +67,11 @@ class RememberedWayTest : public ::testing::TestWithParam<bool> {
     if (GetParam()) return RememberedMap::create(parameters, setup()).value();
     return RememberedAStar::create(parameters, setup()).value();
   }
+  Answer step(Escape& escape, const Scene& scene) {
+    return memory_.step(escape, scene.situation());
+  }
+
+  Memory memory_;
 };
 
 TEST_P(RememberedWayTest, LeadsRoundTheWallThatItSaw) {
@@ -149,13 +168,11 @@ TEST_P(RememberedWayTest, IsUnreachableOnlyWhenTheProofHoldsTwice) {
   const auto escape = make();
   const Held held;
   escape->begin(held.situation(0), {});
-  domain::Guidance guidance;
 
-  escape->watch(held.situation(0));
-  EXPECT_EQ(escape->step(held.situation(0), guidance), EscapeStatus::kActive);  // looks again
-  escape->watch(held.situation(1));
-  EXPECT_EQ(escape->step(held.situation(1), guidance), EscapeStatus::kUnreachable);
-  EXPECT_FALSE(guidance.why.empty());
+  EXPECT_EQ(memory_.step(*escape, held.situation(0)).status, EscapeStatus::kLooksAgain);
+  const Answer answer = memory_.step(*escape, held.situation(1));
+  EXPECT_EQ(answer.status, EscapeStatus::kUnreachable);
+  EXPECT_FALSE(answer.guidance.why.empty());
 }
 
 TEST_P(RememberedWayTest, TakesAPlaceThatItDoesNotGetToForClosed) {
@@ -199,10 +216,11 @@ INSTANTIATE_TEST_SUITE_P(All, RememberedWayTest, ::testing::Values(true, false),
 
 TEST(KnownDetour, IsQuietWhereTheWayKnownIsStraight) {
   KnownDetour detector({}, setup());
+  Memory memory;
 
   for (std::uint64_t tick = 0; tick < 20; ++tick) {
     const Scene scene = Scene().at(0.2 * static_cast<double>(tick), 0, 0).target(5, 0).tick(tick);
-    EXPECT_FALSE(detector.observe(scene.situation()).has_value());
+    EXPECT_FALSE(detector.observe(memory.seen(scene.situation())).has_value());
   }
 }
 
@@ -210,13 +228,14 @@ TEST(KnownDetour, NoticesThatEveryWayLeadsAwayFirst) {
   KnownDetourParameters parameters;
   parameters.rise_m = 0.05;
   KnownDetour detector(parameters, setup());
+  Memory memory;
   // Right before the wall, 5 m from the target: round its known end, at (0.2, 0.6) and farther, are
   // sqrt(4.8^2 + 0.6^2) = 4.84 m; seen wider it is more than 5.05 m.
   bool noticed = false;
 
   for (int i = -6; i <= 6 && !noticed; ++i) {
     const Scene scene = before_a_wall().at(0, 0.25 * i, 0).tick(static_cast<std::uint64_t>(i + 6));
-    noticed = detector.observe(scene.situation()).has_value();
+    noticed = detector.observe(memory.seen(scene.situation())).has_value();
   }
 
   EXPECT_TRUE(noticed);
@@ -226,13 +245,15 @@ TEST(KnownDetour, NoticesARobotThatDoesNotGetOn) {
   KnownDetourParameters parameters;
   parameters.patience_s = 10.0;
   KnownDetour detector(parameters, setup());
+  Memory memory;
 
+  const auto trapped_at = [&](std::uint64_t tick) {
+    const Scene scene = Scene().at(0, 0, 0).target(5, 0).tick(tick);
+    return detector.observe(memory.seen(scene.situation())).has_value();
+  };
   // 10 s are 20 ticks.
-  for (std::uint64_t tick = 0; tick < 20; ++tick) {
-    EXPECT_FALSE(
-        detector.observe(Scene().at(0, 0, 0).target(5, 0).tick(tick).situation()).has_value());
-  }
-  EXPECT_TRUE(detector.observe(Scene().at(0, 0, 0).target(5, 0).tick(20).situation()).has_value());
+  for (std::uint64_t tick = 0; tick < 20; ++tick) EXPECT_FALSE(trapped_at(tick)) << tick;
+  EXPECT_TRUE(trapped_at(20));
 }
 
 }  // namespace
