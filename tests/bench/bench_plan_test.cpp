@@ -42,8 +42,8 @@ TEST(BenchPlan, VariationsMakeEveryCombination) {
   suite.graphs = {"krishna_kalra"};
   BenchChanges changes;
   changes.variations = {
-      {"recover.detector", {{"landmark_revisit"}, {"none"}}},
-      {"recover.escape", {{"obstacle_following"}, {"none", "obstacle_following"}}}};
+      {"recover.detector", {{"landmark_revisit"}, {"none"}}, {}},
+      {"recover.escape", {{"obstacle_following"}, {"none", "obstacle_following"}}, {}}};
 
   const auto planned = plan(suite, changes);
 
@@ -72,6 +72,25 @@ TEST(BenchPlan, ParametersAreVariedAsWell) {
   EXPECT_EQ(planned->variants.size(), 4u);
   EXPECT_EQ(planned->variants[3].label(), "reactive [sense.range_m=1.8]");
   EXPECT_EQ(planned->variants[3].overrides.set.back(), "sense.range_m=1.8");
+}
+
+TEST(BenchPlan, ParametersAreSetAlongWithABehaviour) {
+  Suite suite = small_suite();
+  suite.graphs = {"any_sensor"};
+  suite.variations = {
+      {"sense", {{"cones"}, {"laser"}}, {{"laser", {{"range_m", "4"}}}}},
+      {"recover.escape", {{"remembered_map"}}, {{"remembered_map", {{"close_m", "0.5"}}}}}};
+
+  const auto planned = plan(suite);
+
+  ASSERT_TRUE(planned.ok()) << planned.error().text();
+  ASSERT_EQ(planned->variants.size(), 2u);
+  EXPECT_EQ(planned->variants[1].label(), "any_sensor [sense=laser(range_m=4)]");
+  EXPECT_EQ(planned->variants[0].overrides.set,
+            (std::vector<std::string>{"recover.escape.remembered_map.close_m=0.5"}));
+  EXPECT_EQ(
+      planned->variants[1].overrides.set,
+      (std::vector<std::string>{"sense.range_m=4", "recover.escape.remembered_map.close_m=0.5"}));
 }
 
 TEST(BenchPlan, ChangesReplaceGraphsAndVariationsOfTheSuite) {

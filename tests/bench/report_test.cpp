@@ -81,7 +81,23 @@ TEST_F(ReportOfFourRuns, ComparesPairs) {
 
   // One pair differs, in favour of the first; 15 m over 12 m where both arrived.
   ASSERT_EQ(table.rows.size(), 1u);
-  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"bad", "0", "1", "1", "1.250 of 1"}));
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"bad", "good", "0", "1", "1", "1.250 of 1"}));
+}
+
+TEST_F(ReportOfFourRuns, ComparesValuesOfWhatIsVariedLastWithAllElseEqual) {
+  plan_.variants = {{"g", {{"sense", "cones"}, {"escape", "a"}}, {}},
+                    {"g", {{"sense", "cones"}, {"escape", "b"}}, {}},
+                    {"g", {{"sense", "laser"}, {"escape", "a"}}, {}},
+                    {"g", {{"sense", "laser"}, {"escape", "b"}}, {}}};
+  results_.runs.insert(results_.runs.end(), results_.runs.begin(), results_.runs.begin() + 4);
+
+  const Table table = paired_table(results_);
+
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.rows[0][0], "g [sense=cones escape=b]");
+  EXPECT_EQ(table.rows[0][1], "g [sense=cones escape=a]");
+  EXPECT_EQ(table.rows[1][0], "g [sense=laser escape=b]");
+  EXPECT_EQ(table.rows[1][1], "g [sense=laser escape=a]");
 }
 
 TEST_F(ReportOfFourRuns, HasARowForEveryRunInCsv) {

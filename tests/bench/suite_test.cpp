@@ -46,6 +46,19 @@ TEST(Suite, GeneratesEveryFamilyIfNoneIsNamed) {
   EXPECT_EQ(suite->generated.families.size(), 16u);
 }
 
+TEST(Suite, SetsParametersAlongWithABehaviour) {
+  const auto suite = read(
+      "format: clew-suite/1\ngraphs: [reactive]\ngenerated: {count: 1}\n"
+      "vary: {sense: [cones, {laser: {range_m: 4, beams: 181}}]}\n");
+
+  ASSERT_TRUE(suite.ok()) << suite.error().text();
+  const Variation& variation = suite->variations.front();
+  EXPECT_EQ(variation.values, (std::vector<std::vector<std::string>>{{"cones"}, {"laser"}}));
+  ASSERT_EQ(variation.settings.size(), 1u);
+  EXPECT_EQ(variation.settings.at("laser"),
+            (std::vector<std::pair<std::string, std::string>>{{"range_m", "4"}, {"beams", "181"}}));
+}
+
 struct Refusal {
   std::string from;
   std::string to;
@@ -84,6 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{
             "worlds: {traps: [u-trap, kk-*]}\ngenerated: {seed: 7, count: 3, families: [u, v]}\n",
             "", "no worlds"},
+        Refusal{"[none, [a, b]]", "[{a: {x: 1}, b: {y: 2}}]", "expected one behaviour"},
         Refusal{"[none, [a, b]]", "[]", "suite.yaml:4"}));
 
 TEST(Variation, IsReadFromTheCommandLine) {

@@ -1,32 +1,38 @@
 # SPDX-License-Identifier: Apache-2.0
 """Recovery by all that was seen: it reaches what can be reached, and proves what cannot."""
+import json
+import tempfile
 import unittest
 
-from clew_command import SOAK, SOURCE, run_graph
+from clew_command import Run, SOAK, SOURCE, run_graph
 
 # Pockets, a maze, a gap of 1.2 robot diameters, and a world without a way.
 SAMPLE = ["u-trap", "n-fig04-invisible-minimum", "maze-8x8", "narrow-gap", "unsolvable-box"]
+FEW = ["u-trap", "unsolvable-box"]
 SENSORS = {
-    "cones": [],
-    "laser": ["--with", "sense=laser", "--set", "sense.range_m=4"],
+    "cones": ["default"],
+    "laser": ["default", "--with", "sense=laser", "--set", "sense.range_m=4"],
+    "ring": ["any_sensor", "--with", "sense=sonar_ring"],
+    "infrared": ["any_sensor", "--with", "sense=infrared"],
 }
 
 
-def worlds():
-    """Name and text of each static world to be tried."""
+def worlds(sample=None):
+    """Name and text of the static worlds named, or of all, or without CLEW_SOAK of a sample."""
     for path in sorted((SOURCE / "configs" / "worlds").glob("*.yaml")):
         text = path.read_text(encoding="utf-8")
-        if "moving:" not in text and (SOAK or path.stem in SAMPLE):
+        chosen = SOAK or path.stem in SAMPLE if sample is None else path.stem in sample
+        if "moving:" not in text and chosen:
             yield path.stem, text
 
 
 class RememberedWays(unittest.TestCase):
-    def run_everywhere(self, escape, sensor):
-        for world, text in worlds():
+    def run_everywhere(self, escape, sensor, sample=None):
+        for world, text in worlds(sample):
             with self.subTest(escape=escape, sensor=sensor, world=world):
-                run = run_graph("default", "--world", world, "--layout", "composed", "--no-hash",
-                                "--max-ticks", "6000", "--with", f"recover.escape={escape}",
-                                *SENSORS[sensor])
+                run = run_graph(*SENSORS[sensor], "--with", f"recover.escape={escape}",
+                                "--world", world, "--layout", "composed", "--no-hash",
+                                "--max-ticks", "6000")
 
                 solvable = "solvable: false" not in text
                 self.assertEqual(run["outcome"], "reached" if solvable else "unreachable")
@@ -38,11 +44,31 @@ class RememberedWays(unittest.TestCase):
     def test_the_neural_map_with_a_laser(self):
         self.run_everywhere("remembered_map", "laser")
 
+    def test_the_neural_map_with_a_ring_of_sonars(self):
+        self.run_everywhere("remembered_map", "ring", FEW)
+
+    def test_the_neural_map_with_four_infrared_rangers(self):
+        self.run_everywhere("remembered_map", "infrared", FEW)
+
     def test_astar_with_seven_cones(self):
         self.run_everywhere("remembered_astar", "cones")
 
     def test_astar_with_a_laser(self):
         self.run_everywhere("remembered_astar", "laser")
+
+
+@unittest.skipUnless(SOAK, "the whole comparison takes an hour")
+class OwnSuite(unittest.TestCase):
+    def test_reaches_all_that_can_be_reached(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            bench = Run(["bench", "own", "--out", scratch, "--json"], timeout_s=14400)
+            self.assertEqual(bench.status, 0, bench.err)
+
+            for run in map(json.loads, bench.out.splitlines()):
+                with self.subTest(variant=run["variant"], world=run["world"]):
+                    self.assertEqual(run["collisions"], 0)
+                    if "cones" in run["variant"] or "laser" in run["variant"]:
+                        self.assertTrue(run["success"], run["outcome"])
 
 
 if __name__ == "__main__":

@@ -34,14 +34,32 @@ bool names_a_behaviour(const std::string& path, const std::vector<StageInfo>& st
   return false;
 }
 
+/// A value as labels have it: `laser(range_m=4)`.
+std::string value_text(const Variation& variation, const std::vector<std::string>& value) {
+  const auto settings = variation.settings.find(value.front());
+  if (settings == variation.settings.end()) return joined(value, "+");
+  std::vector<std::string> words;
+  for (const auto& [name, setting] : settings->second) words.push_back(name + '=' + setting);
+  return value.front() + '(' + joined(words, ", ") + ')';
+}
+
 void apply(const Variation& variation, const std::vector<std::string>& value, bool is_behaviour,
            Variant& variant) {
-  if (variation.values.size() > 1) variant.values.emplace_back(variation.path, joined(value, "+"));
-  if (is_behaviour) {
-    variant.overrides.with.push_back(variation.path + '=' + joined(value, ","));
-  } else {
+  const std::string& path = variation.path;
+  if (variation.values.size() > 1) variant.values.emplace_back(path, value_text(variation, value));
+  if (!is_behaviour) {
     const std::string text = value.size() == 1 ? value[0] : '[' + joined(value, ", ") + ']';
-    variant.overrides.set.push_back(variation.path + '=' + text);
+    variant.overrides.set.push_back(path + '=' + text);
+    return;
+  }
+  variant.overrides.with.push_back(path + '=' + joined(value, ","));
+  const auto settings = variation.settings.find(value.front());
+  if (settings == variation.settings.end()) return;
+  // Parameters of a stage's behaviour are the stage's; those of a part's are under its name.
+  const bool is_part = path.find('.') != std::string::npos;
+  const std::string owner = is_part ? path + '.' + value.front() : path;
+  for (const auto& [name, setting] : settings->second) {
+    variant.overrides.set.push_back(owner + '.' + name + '=' + setting);
   }
 }
 

@@ -44,10 +44,27 @@ Result<std::int64_t> read_count(const YamlNode& node, std::int64_t least, std::i
                     std::to_string(most));
 }
 
-/// A value of a variation: a word, or a list of words.
-Result<std::vector<std::string>> read_value(const YamlNode& node) {
+/// A behaviour with parameters that are set along with it: `{laser: {range_m: 4}}`.
+Result<std::string> read_behaviour(const YamlNode& node, Variation& variation) {
+  const auto behaviours = node.entries();
+  if (!behaviours.ok()) return behaviours.error();
+  if (behaviours->size() != 1) return node.error("expected one behaviour: {NAME: {PARAM: value}}");
+  const auto& behaviour = behaviours->front();
+  const auto entries = behaviour.value.entries();
+  if (!entries.ok()) return entries.error();
+  auto& settings = variation.settings[behaviour.key];
+  for (const auto& entry : *entries) {
+    auto value = entry.value.string();
+    if (!value.ok()) return value.error();
+    settings.emplace_back(entry.key, std::move(value).value());
+  }
+  return behaviour.key;
+}
+
+/// A value of a variation: a word, a list of words, or a behaviour with parameters.
+Result<std::vector<std::string>> read_value(const YamlNode& node, Variation& variation) {
   if (node.kind() == YamlKind::kList) return read_texts(node);
-  auto text = node.string();
+  auto text = node.kind() == YamlKind::kMap ? read_behaviour(node, variation) : node.string();
   if (!text.ok()) return text.error();
   return std::vector<std::string>{std::move(text).value()};
 }
@@ -56,12 +73,12 @@ Result<void> read_variations(const YamlNode& node, const std::string& file, Suit
   const auto entries = node.entries();
   if (!entries.ok()) return entries.error();
   for (const auto& entry : *entries) {
-    Variation variation{entry.key, {}, file, entry.value.line(), entry.value.column()};
+    Variation variation{entry.key, {}, {}, file, entry.value.line(), entry.value.column()};
     const auto items = entry.value.items();
     if (!items.ok()) return items.error();
     if (items->empty()) return entry.value.error("the list is empty; expected at least one value");
     for (const YamlNode& item : *items) {
-      auto value = read_value(item);
+      auto value = read_value(item, variation);
       if (!value.ok()) return value.error();
       variation.values.push_back(std::move(value).value());
     }

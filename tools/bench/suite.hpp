@@ -18,6 +18,8 @@ namespace clew::bench {
 struct Variation {
   std::string path;
   std::vector<std::vector<std::string>> values;
+  /// Parameters that are set along with a behaviour, by its name: names and values.
+  std::map<std::string, std::vector<std::pair<std::string, std::string>>> settings = {};
   /// Where it is asked for, for messages: a suite file's place, or the option.
   std::string file = {};
   int line = 0;

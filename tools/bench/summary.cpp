@@ -93,6 +93,23 @@ DetectorTotals detector_totals(const Runs& runs) {
   return totals;
 }
 
+/// The variant that another is compared with: itself if it is what others are compared with.
+std::size_t counterpart(const std::vector<Variant>& variants, std::size_t which) {
+  if (variants[which].values.empty()) return 0;
+  // The last variation changes fastest, so the first of its values is the first with all else.
+  const auto all_but_last = [](const Variant& variant) {
+    auto values = variant.values;
+    values.pop_back();
+    return values;
+  };
+  std::size_t other = 0;
+  while (variants[other].graph != variants[which].graph ||
+         all_but_last(variants[other]) != all_but_last(variants[which])) {
+    ++other;
+  }
+  return other;
+}
+
 Table matrix_of(const std::string& graph, const BenchResults& results) {
   const BenchPlan& plan = *results.plan;
   Table table;
@@ -227,15 +244,17 @@ Table paired_table(const BenchResults& results) {
   const auto& variants = results.plan->variants;
   Table table;
   if (variants.size() < 2) return table;
-  table.title = "Compared with " + variants.front().label();
+  table.title = "Compared in pairs";
   table.note =
       "In the same worlds with the same seeds. p: McNemar's test, exact, two-sided. Path: over "
-      "that "
-      "of the first, where both reached the target; median with its 95 % interval (order "
+      "that of the other, where both reached the target; median with its 95 % interval (order "
       "statistics).";
-  table.columns = {"graph", "only this succeeds", "only the first succeeds", "p", "path over path"};
-  const Runs first = results.of_variant(0);
+  table.columns = {"graph", "compared with", "only this succeeds", "only the other succeeds",
+                   "p",     "path over path"};
   for (std::size_t i = 1; i < variants.size(); ++i) {
+    const std::size_t other = counterpart(variants, i);
+    if (other == i) continue;
+    const Runs first = results.of_variant(other);
     const Runs runs = results.of_variant(i);
     std::size_t only_this = 0;
     std::size_t only_first = 0;
@@ -254,7 +273,7 @@ Table paired_table(const BenchResults& results) {
       ratio += fmt::format(" [{:.3f}, {:.3f}]", interval->low, interval->high);
     }
     if (!ratios.empty()) ratio += fmt::format(" of {}", ratios.size());
-    table.rows.push_back({variants[i].label(), std::to_string(only_this),
+    table.rows.push_back({variants[i].label(), variants[other].label(), std::to_string(only_this),
                           std::to_string(only_first),
                           fmt::format("{:.3g}", mcnemar_p(only_this, only_first)), ratio});
   }
