@@ -115,16 +115,34 @@ std::string_view Codec<Message>::encode(const Message& message) {
 
 template <typename Message>
 core::Result<void> Codec<Message>::decode(std::string_view cdr, Message& message) {
-  using Idl = IdlOf<Message>;
-  constexpr domain::Topic kTopic = domain::topic_of<Message>();
-  CLEW_RETURN_IF_ERROR(check_frame(kTopic, cdr, max_size<Idl>()));
-  CLEW_RETURN_IF_ERROR(deserialize(kTopic, cdr, buffers_->idl));
-  domain::FieldCheck check(kTopic);
+  CLEW_RETURN_IF_ERROR(read(cdr));
+  domain::FieldCheck check(domain::topic_of<Message>());
   from_idl(buffers_->idl, message, check);
   core::Result<void> result = check.result();
   if (result.ok()) result = domain::validate(message);
   if (!result.ok()) message = Message{};
   return result;
+}
+
+template <typename Message>
+core::Result<void> Codec<Message>::decode_unvalidated(std::string_view cdr, Message& message) {
+  using Idl = IdlOf<Message>;
+  constexpr domain::Topic kTopic = domain::topic_of<Message>();
+  CLEW_RETURN_IF_ERROR(read(cdr));
+  domain::FieldCheck ignored(kTopic);
+  from_idl(buffers_->idl, message, ignored);
+  const std::size_t size = Idl::getCdrSerializedSize(buffers_->idl);
+  to_idl(message, buffers_->idl);
+  if (Idl::getCdrSerializedSize(buffers_->idl) == size) return {};
+  message = Message{};
+  return refusal(kTopic, cdr, "a list is longer than its bound");
+}
+
+template <typename Message>
+core::Result<void> Codec<Message>::read(std::string_view cdr) {
+  constexpr domain::Topic kTopic = domain::topic_of<Message>();
+  CLEW_RETURN_IF_ERROR(check_frame(kTopic, cdr, max_size<IdlOf<Message>>()));
+  return deserialize(kTopic, cdr, buffers_->idl);
 }
 
 template class Codec<domain::Command>;

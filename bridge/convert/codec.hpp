@@ -32,8 +32,14 @@ class Codec {
   /// refuses. `message` then has valid, unspecified content.
   core::Result<void> decode(std::string_view cdr, Message& message);
 
+  /// The same for messages that are only compared or shown, with whatever values the bytes hold: no
+  /// validation, and enumerators may be unknown (those beyond 255 become 255). Refused is only what
+  /// has no place in `message`.
+  core::Result<void> decode_unvalidated(std::string_view cdr, Message& message);
+
  private:
   struct Buffers;
+  core::Result<void> read(std::string_view cdr);
   std::unique_ptr<Buffers> buffers_;
 };
 

@@ -8,7 +8,10 @@
 #include <clew/msg/Motion.h>
 #include <clew/msg/State.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 
 #include "domain/field_check.hpp"
 #include "domain/messages.hpp"
@@ -57,13 +60,15 @@ Idl enum_to_idl(Domain value) {
   return static_cast<Idl>(value);
 }
 
-/// The domain's enumerator; the first one, and a complaint, if `value` is beyond `last`.
+/// The domain's enumerator. If `value` is beyond `last`, a complaint, and an enumerator that has no
+/// name, with the same number as far as it can hold that.
 template <typename Domain, typename Idl>
 Domain enum_from_idl(Idl value, Domain last, const domain::FieldPath& path,
                      domain::FieldCheck& check) {
   const auto number = static_cast<std::uint32_t>(value);
   check.at_most(path, number, static_cast<std::uint32_t>(last));
-  return number <= static_cast<std::uint32_t>(last) ? static_cast<Domain>(number) : Domain{};
+  constexpr std::uint32_t kLargest = std::numeric_limits<std::underlying_type_t<Domain>>::max();
+  return static_cast<Domain>(std::min(number, kLargest));
 }
 
 }  // namespace clew::bridge

@@ -11,7 +11,6 @@
 #include <type_traits>
 
 #include "convert/named_fields.hpp"
-#include "core/check.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -42,11 +41,12 @@ template <>
 constexpr std::array kNames<Outcome> = {"OUTCOME_RUNNING", "OUTCOME_REACHED", "OUTCOME_COLLIDED",
                                         "OUTCOME_UNREACHABLE", "OUTCOME_TIMEOUT"};
 
+/// An enumerator's name; its number, if it has none.
 template <typename Enum>
-std::string_view enumerator_name(Enum value) {
+FieldValue enumerator_value(Enum value) {
   const auto index = static_cast<std::size_t>(value);
-  CLEW_CHECK(index < kNames<Enum>.size(), "enumerator " + std::to_string(index));
-  return kNames<Enum>[index];
+  if (index >= kNames<Enum>.size()) return std::uint64_t{index};
+  return std::string_view(kNames<Enum>[index]);
 }
 
 template <typename T, typename = void>
@@ -78,7 +78,7 @@ class FieldLister {
   template <typename Member>
   void list(Member& member) {
     if constexpr (std::is_enum_v<Member>) {
-      add(enumerator_name(member));
+      add(enumerator_value(member));
     } else if constexpr (std::is_same_v<Member, bool> || std::is_same_v<Member, double> ||
                          std::is_same_v<Member, std::string>) {
       add(member);

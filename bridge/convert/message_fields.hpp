@@ -13,7 +13,8 @@
 
 namespace clew::bridge {
 
-/// A truth value, a whole number, a number, a text, or an enumerator by its name in idl/.
+/// A truth value, a whole number, a number, a text, or an enumerator by its name in idl/ (by its
+/// number, if it has no name).
 using FieldValue = std::variant<bool, std::uint64_t, double, std::string, std::string_view>;
 
 /// Whether two values are the same bits: 0 and -0 are not, a NaN is the same as itself.

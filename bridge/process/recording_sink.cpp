@@ -60,7 +60,8 @@ core::Result<std::unique_ptr<RecordingSink>> RecordingSink::go_on(const Recordin
 
 RecordingAccount RecordingSink::close(const RunEnding& ending) {
   RecordingAccount account;
-  const auto closed = ending.sealed ? recorder_.seal() : recorder_.finish();
+  const auto closed =
+      ending.sealed ? recorder_.seal(ending.aborted) : recorder_.finish(ending.aborted);
   if (!closed.ok()) account.failure = closed.error().text();
   account.losses = recorder_.losses().texts();
   account.lost_samples = recorder_.losses().samples();

@@ -105,6 +105,7 @@ mcap::Metadata to_metadata(const RunEnd& end) {
   metadata.entries["ticks"] = std::to_string(end.ticks);
   metadata.entries["hash"] = end.hash.hex();
   if (end.lost_samples > 0) metadata.entries["lost_samples"] = std::to_string(end.lost_samples);
+  if (!end.aborted.empty()) metadata.entries["aborted"] = end.aborted;
   metadata.entries[kDigestKey] = digest(metadata.entries);
   return metadata;
 }
@@ -149,7 +150,7 @@ core::Result<RunEnd> end_from_metadata(const mcap::Metadata& metadata) {
   const std::string_view lost = entry(metadata, "lost_samples");
   const auto lost_samples = number_from<std::uint64_t>(lost.empty() ? "0" : lost, 10);
   if (!lost_samples) return refused(metadata, "has no number 'lost_samples'");
-  return RunEnd{*ticks, *hash, *lost_samples};
+  return RunEnd{*ticks, *hash, *lost_samples, std::string(entry(metadata, "aborted"))};
 }
 
 std::uint64_t tick_to_ns(std::uint64_t tick, double tick_s) {

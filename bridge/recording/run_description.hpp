@@ -55,6 +55,9 @@ struct RunEnd {
   std::uint64_t ticks = 0;         ///< for which every topic has a sample
   core::Hash128 hash;              ///< run_hash of all topics
   std::uint64_t lost_samples = 0;  ///< that writers should have written and the recording lacks
+  /// Why the run has no outcome; empty if it has one. Topics of a run that was aborted may have
+  /// samples of later ticks than `ticks`, each up to another one.
+  std::string aborted;
 };
 
 /// The metadata records that carry them (bundle and schemas have records of their own). Metadata

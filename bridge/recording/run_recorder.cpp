@@ -158,7 +158,8 @@ bool RunRecorder::any_topic_waits() const {
                      [](const RecordedTopic& topic) { return !topic.waiting.empty(); });
 }
 
-core::Result<void> RunRecorder::write_tick() {
+// Topics may end before others in a run that was aborted: nothing more of them will come.
+core::Result<void> RunRecorder::write_tick(bool topics_may_end) {
   std::uint64_t tick = std::numeric_limits<std::uint64_t>::max();
   for (const RecordedTopic& topic : topics_) {
     if (!topic.waiting.empty()) tick = std::min(tick, topic.waiting.front().tick);
@@ -167,7 +168,8 @@ core::Result<void> RunRecorder::write_tick() {
   std::size_t written = 0;
   for (RecordedTopic& topic : topics_) {
     const bool there = !topic.waiting.empty() && topic.waiting.front().tick == tick;
-    const std::uint64_t missing = tick - first + (there ? 0 : 1);
+    const bool ended = topics_may_end && topic.waiting.empty();
+    const std::uint64_t missing = ended ? 0 : tick - first + (there ? 0 : 1);
     if (missing > 0) losses_.add_ticks(topic.topic, first, first + missing - 1);
     if (!there) continue;
     CLEW_RETURN_IF_ERROR(write_front(topic));
@@ -204,18 +206,19 @@ std::map<std::string, core::Hash128> RunRecorder::chains() const {
   return chains;
 }
 
-core::Result<void> RunRecorder::write_ending() {
-  while (any_topic_waits()) CLEW_RETURN_IF_ERROR(write_tick());
-  return writer_.write(to_metadata(RunEnd{complete_ticks_, run_hash(chains()), losses_.samples()}));
+core::Result<void> RunRecorder::write_ending(const std::string& aborted) {
+  while (any_topic_waits()) CLEW_RETURN_IF_ERROR(write_tick(!aborted.empty()));
+  return writer_.write(
+      to_metadata(RunEnd{complete_ticks_, run_hash(chains()), losses_.samples(), aborted}));
 }
 
-core::Result<void> RunRecorder::seal() {
-  CLEW_RETURN_IF_ERROR(write_ending());
+core::Result<void> RunRecorder::seal(const std::string& aborted) {
+  CLEW_RETURN_IF_ERROR(write_ending(aborted));
   return writer_.seal();
 }
 
-core::Result<void> RunRecorder::finish() {
-  CLEW_RETURN_IF_ERROR(write_ending());
+core::Result<void> RunRecorder::finish(const std::string& aborted) {
+  CLEW_RETURN_IF_ERROR(write_ending(aborted));
   return writer_.finish();
 }
 

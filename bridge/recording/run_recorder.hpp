@@ -58,10 +58,12 @@ class RunRecorder {
   core::Result<void> write_ahead() { return writer_.write_ahead(); }
 
   /// Writes what is still waiting (of a run that was cut off), the run's end and the index, and
-  /// closes the file, which keeps its temporary name. Nothing may follow.
-  core::Result<void> seal();
+  /// closes the file, which keeps its temporary name. Nothing may follow. `aborted` says why the
+  /// run has no outcome: its topics end where their writers were, and what others have beyond that
+  /// is not lost.
+  core::Result<void> seal(const std::string& aborted = {});
   /// The same, and gives the file its name.
-  core::Result<void> finish();
+  core::Result<void> finish(const std::string& aborted = {});
 
   /// By topic, of what was written so far; topics without a sample are left out.
   std::map<std::string, core::Hash128> chains() const;
@@ -86,9 +88,9 @@ class RunRecorder {
   void note_sequence(RecordedTopic& recorded, std::uint64_t tick, std::uint64_t sequence);
   bool every_topic_waits() const;
   bool any_topic_waits() const;
-  core::Result<void> write_tick();
+  core::Result<void> write_tick(bool topics_may_end = false);
   core::Result<void> write_front(RecordedTopic& topic);
-  core::Result<void> write_ending();
+  core::Result<void> write_ending(const std::string& aborted);
 
   mcap::McapWriter writer_;
   double tick_s_;

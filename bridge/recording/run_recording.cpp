@@ -103,6 +103,12 @@ core::Result<void> RunRecording::read_topics() {
   return {};
 }
 
+std::string RunRecording::cut_off() const {
+  if (!complete()) return "was cut off";
+  if (end_->aborted.empty()) return {};
+  return "is of a run that was aborted (" + end_->aborted + ')';
+}
+
 SampleStream RunRecording::samples(const SampleFilter& filter) const {
   mcap::MessageFilter messages;
   messages.channels.emplace();

@@ -76,6 +76,9 @@ class RunRecording {
   const std::optional<mcap::Tear>& tear() const { return reader_.tear(); }
   /// Whether its recorder finished it, and all of it is there.
   bool complete() const { return end_.has_value() && !tear(); }
+  /// Why it need not hold its run to the end, nor all topics up to the same tick: `was cut off`, or
+  /// `is of a run that was aborted (...)`. Empty if there is no reason.
+  std::string cut_off() const;
 
   SampleStream samples(const SampleFilter& filter = {}) const;
 

@@ -24,10 +24,13 @@ class OutputComparison {
  public:
   explicit OutputComparison(ReplayReport& report) : report_(report) {}
 
+  /// A topic that has ended was cut off: there is nothing to compare with.
   void compare(const FedNode& fed, const RecordedTick& recorded) {
+    const runtime::TopicSet compared = fed.node().ports().outputs & ~recorded.ended();
+    if (compared.none()) return;
     bool different = false;
     for (Topic topic : domain::kAllTopics) {
-      if (!fed.node().ports().outputs[static_cast<std::size_t>(topic)]) continue;
+      if (!compared[static_cast<std::size_t>(topic)]) continue;
       auto fields = compare_output(topic, fed, recorded);
       if (fields.empty()) continue;
       different = true;
@@ -75,6 +78,13 @@ Result<runtime::Node> node_of(const runtime::RunPlan& plan, const std::string& s
   return runtime::make_node(plan, **found);
 }
 
+core::Error no_tick(const RunRecording& recording, std::uint64_t tick,
+                    const std::optional<std::uint64_t>& last) {
+  return {fmt::format("has no tick {}; {}", tick,
+                      last ? fmt::format("its last one is {}", *last) : "it has none"),
+          recording.path(), 0, 0};
+}
+
 /// The component of a stage, to be fed from the recording.
 Result<FedNode> fed_node_of(const RunRecording& recording, const runtime::RunPlan& plan,
                             const std::string& stage) {
@@ -119,6 +129,19 @@ Result<void> check_range(const ReplayRange& range) {
       fmt::format("no tick is from {} to {}", range.first_tick, range.last_tick), {}, 0, 0};
 }
 
+Result<void> check_last_tick(const RunRecording& recording, std::uint64_t last_tick) {
+  const auto there = recording.samples({{}, last_tick}).next();
+  if (!there) return there.error();
+  if (*there) return {};
+  const auto survey = recording.survey_samples();
+  if (!survey) return survey.error();
+  std::optional<std::uint64_t> last;
+  for (const auto& [topic, found] : survey->topics) {
+    last = std::max(last.value_or(0), found.last_tick);
+  }
+  return no_tick(recording, last_tick, last);
+}
+
 Result<ReplayReport> replay_component(const RunRecording& recording, const runtime::RunPlan& plan,
                                       const std::string& stage, const ReplayRange& range) {
   CLEW_RETURN_IF_ERROR(check_range(range));
@@ -133,6 +156,7 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
   report.has_past = fed.has_past();
   OutputComparison comparison(report);
   TickReader reader(recording, topics, range.last_tick);
+  reader.let_end(topics & ~fed.needed_topics());
   const bool paced = range.rate > 0.0;
   TickClock clock(paced ? Pace::kScaled : Pace::kLockstep, paced ? range.rate : 1.0,
                   plan.graph.tick_s);
@@ -144,9 +168,9 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
     if (!recorded) return recorded.error();
     if (*recorded == nullptr) break;
     if (paced) std::this_thread::sleep_until(clock.due(fed_ticks));
-    if (const auto stepped = fed.step(**recorded); !stepped) {
-      return core::Error{stepped.error().message, recording.path(), 0, 0};
-    }
+    const auto stepped = fed.step(**recorded);
+    if (!stepped) return core::Error{stepped.error().message, recording.path(), 0, 0};
+    if (!*stepped) break;
     if (fed.stepped() && (*recorded)->tick() >= range.first_tick)
       comparison.compare(fed, **recorded);
   }
@@ -167,21 +191,18 @@ Result<domain::Picture> picture_at(const RunRecording& recording, const runtime:
   FedNode& fed = *made;
   CLEW_RETURN_IF_ERROR(check_recorded(recording, stage, fed.fed_topics()));
   TickReader reader(recording, fed.fed_topics(), tick);
+  reader.let_end(fed.node().ports().delayed_inputs);
   std::optional<std::uint64_t> last;
   for (;;) {
     const auto recorded = reader.next();
     if (!recorded) return recorded.error();
     if (*recorded == nullptr) break;
-    if (const auto stepped = fed.step(**recorded); !stepped) {
-      return core::Error{stepped.error().message, recording.path(), 0, 0};
-    }
+    const auto stepped = fed.step(**recorded);
+    if (!stepped) return core::Error{stepped.error().message, recording.path(), 0, 0};
+    if (!*stepped) break;
     last = (*recorded)->tick();
   }
-  if (last != tick) {
-    return core::Error{fmt::format("has no tick {}; {}", tick,
-                                   last ? fmt::format("its last one is {}", *last) : "it has none"),
-                       recording.path(), 0, 0};
-  }
+  if (last != tick) return no_tick(recording, tick, last);
   return fed.node().picture();
 }
 

@@ -51,11 +51,15 @@ core::Result<void> check_recorded(const RunRecording& recording, const std::stri
 /// Refused: a range without a tick.
 core::Result<void> check_range(const ReplayRange& range);
 
+/// Refused: a last tick beyond the recording's.
+core::Result<void> check_last_tick(const RunRecording& recording, std::uint64_t last_tick);
+
 /// Makes the component of a stage of `plan`, feeds it the recorded inputs and compares what it
 /// writes with what is recorded, bit by bit. It is fed what was recorded also after a difference.
-/// Refused: a stage that the plan does not have or that is someone else's component, a recording
-/// that lacks a topic or a sample that the component reads or writes, or ticks at its beginning
-/// without being a black box, and an empty range.
+/// Of a recording that was cut off it takes the ticks of which its inputs are there. Refused: a
+/// stage that the plan does not have or that is someone else's component, a recording that lacks a
+/// topic or a sample that the component reads or writes, or ticks at its beginning without being a
+/// black box, and an empty range.
 core::Result<ReplayReport> replay_component(const RunRecording& recording,
                                             const runtime::RunPlan& plan, const std::string& stage,
                                             const ReplayRange& range = {});

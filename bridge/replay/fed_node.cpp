@@ -6,13 +6,17 @@ namespace {
 
 using domain::Topic;
 
-std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
+constexpr std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
 
 core::Error refused(const std::string& what) { return {what, {}, 0, 0}; }
 
 std::string sample_of(Topic topic, std::uint64_t tick) {
   return "sample of '" + std::string(domain::topic_name(topic)) + "' of tick " +
          std::to_string(tick);
+}
+
+core::Error bad_sample(Topic topic, std::uint64_t tick, const core::Error& error) {
+  return refused("holds a bad " + sample_of(topic, tick) + ": " + error.message);
 }
 
 }  // namespace
@@ -32,14 +36,15 @@ core::Result<void> FedNode::check(const RecordedTick& recorded) const {
 }
 
 core::Result<void> FedNode::check_present(const RecordedTick& recorded) const {
-  const runtime::TopicSet missing = fed_topics() & ~recorded.present();
+  const runtime::TopicSet missing = needed_topics() & ~recorded.present();
   for (Topic topic : domain::kAllTopics) {
-    if (missing[index_of(topic)]) {
-      return refused("has no " + sample_of(topic, recorded.tick()) + ", which " + node_.name() +
-                     " needs");
-    }
+    if (missing[index_of(topic)]) return lacks(topic, recorded.tick());
   }
   return {};
+}
+
+core::Error FedNode::lacks(Topic topic, std::uint64_t tick) const {
+  return refused("has no " + sample_of(topic, tick) + ", which " + node_.name() + " needs");
 }
 
 core::Result<void> FedNode::decode(Topic topic, std::uint64_t tick, std::string_view cdr) {
@@ -49,29 +54,42 @@ core::Result<void> FedNode::decode(Topic topic, std::uint64_t tick, std::string_
     decoded = std::get<kIndex>(codecs_).decode(cdr, std::get<kIndex>(messages_));
   });
   if (decoded) return decoded;
-  return refused("holds a bad " + sample_of(topic, tick) + ": " + decoded.error().message);
+  return bad_sample(topic, tick, decoded.error());
+}
+
+// `state` is drive's own output: what else it says is compared, not relied on.
+core::Result<bool> FedNode::command_late(const RecordedTick& recorded) {
+  auto& state = std::get<domain::State>(messages_);
+  const auto decoded = std::get<index_of(Topic::kState)>(codecs_).decode_unvalidated(
+      recorded.cdr(Topic::kState), state);
+  if (!decoded) return bad_sample(Topic::kState, recorded.tick(), decoded.error());
+  return state.command_late;
 }
 
 /// Takes up the inputs of the tick before, unless they were late; those of this tick are kept.
-core::Result<void> FedNode::decode_delayed(const RecordedTick& recorded) {
+/// False: one has ended.
+core::Result<bool> FedNode::decode_delayed(const RecordedTick& recorded) {
   const runtime::TopicSet& delayed = node_.ports().delayed_inputs;
-  if (delayed.none()) return {};
-  CLEW_RETURN_IF_ERROR(decode(Topic::kState, recorded.tick(), recorded.cdr(Topic::kState)));
-  const bool late = std::get<domain::State>(messages_).command_late;
+  if (delayed.none()) return true;
+  const auto late = command_late(recorded);
+  if (!late) return late.error();
   for (Topic topic : domain::kAllTopics) {
-    if (!delayed[index_of(topic)]) continue;
-    if (recorded.tick() > 0 && !late) {
-      CLEW_RETURN_IF_ERROR(decode(topic, recorded.tick() - 1, cdr_before_[index_of(topic)]));
-      present_.set(index_of(topic));
-    }
+    const std::size_t index = index_of(topic);
+    if (!delayed[index] || recorded.tick() == 0 || *late) continue;
+    if (ended_before_[index]) return false;
+    if (!present_before_[index]) return lacks(topic, recorded.tick() - 1);
+    CLEW_RETURN_IF_ERROR(decode(topic, recorded.tick() - 1, cdr_before_[index]));
+    present_.set(index);
   }
   keep_delayed(recorded);
-  return {};
+  return true;
 }
 
 void FedNode::keep_delayed(const RecordedTick& recorded) {
+  present_before_ = recorded.present();
+  ended_before_ = recorded.ended();
   for (Topic topic : domain::kAllTopics) {
-    if (!node_.ports().delayed_inputs[index_of(topic)]) continue;
+    if (!node_.ports().delayed_inputs[index_of(topic)] || !recorded.has(topic)) continue;
     cdr_before_[index_of(topic)].assign(recorded.cdr(topic));
   }
 }
@@ -85,16 +103,17 @@ core::Result<void> FedNode::begin_at(std::uint64_t tick, const std::optional<std
   return {};
 }
 
-core::Result<void> FedNode::step(const RecordedTick& recorded) {
+core::Result<bool> FedNode::step(const RecordedTick& recorded) {
   stepped_ = next_tick_ > first_tick_ || recorded.tick() + 1 != first_tick_;
   if (!stepped_) {
     CLEW_RETURN_IF_ERROR(check_present(recorded));
     keep_delayed(recorded);
-    return {};
+    return true;
   }
   CLEW_RETURN_IF_ERROR(check(recorded));
   present_ = node_.ports().inputs;
-  CLEW_RETURN_IF_ERROR(decode_delayed(recorded));
+  const auto delayed = decode_delayed(recorded);
+  if (!delayed || !*delayed) return delayed;
   for (Topic topic : domain::kAllTopics) {
     if (!node_.ports().inputs[index_of(topic)]) continue;
     CLEW_RETURN_IF_ERROR(decode(topic, recorded.tick(), recorded.cdr(topic)));
@@ -104,7 +123,7 @@ core::Result<void> FedNode::step(const RecordedTick& recorded) {
   }
   node_.step(next_tick_, present_, messages_);
   ++next_tick_;
-  return {};
+  return true;
 }
 
 }  // namespace clew::bridge

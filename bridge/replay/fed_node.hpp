@@ -32,17 +32,21 @@ class FedNode {
       : node_(std::move(node)), hand_over_(std::move(hand_over)) {}
 
   const runtime::Node& node() const { return node_; }
-  /// What a tick must hold to be fed.
+  /// What is read of a tick.
   runtime::TopicSet fed_topics() const;
+  /// What a tick must hold to be fed: all of that but the delayed inputs, which are used a tick
+  /// later, if they were not late.
+  runtime::TopicSet needed_topics() const { return fed_topics() & ~node_.ports().delayed_inputs; }
 
   /// Begins at `tick` instead of 0, in a state that was saved there, or in that of a component that
   /// is new. The tick before is fed first, and is not stepped: of it come the delayed inputs.
   core::Result<void> begin_at(std::uint64_t tick, const std::optional<std::string>& state);
 
-  /// Steps for the next tick. Refused: another tick than that, one without a sample of a
+  /// Steps for the next tick; false: a delayed input has ended before this tick could use it, in a
+  /// recording that was cut off. Refused: another tick than the next, one without a sample of a
   /// wired input, samples that are not valid, and a state handed over that is not one of the
   /// component's.
-  core::Result<void> step(const RecordedTick& recorded);
+  core::Result<bool> step(const RecordedTick& recorded);
 
   /// The outputs of the last step, and its inputs as far as they were present.
   const domain::Messages& messages() const { return messages_; }
@@ -58,9 +62,11 @@ class FedNode {
  private:
   core::Result<void> check(const RecordedTick& recorded) const;
   core::Result<void> check_present(const RecordedTick& recorded) const;
+  core::Error lacks(domain::Topic topic, std::uint64_t tick) const;
   void keep_delayed(const RecordedTick& recorded);
   core::Result<void> decode(domain::Topic topic, std::uint64_t tick, std::string_view cdr);
-  core::Result<void> decode_delayed(const RecordedTick& recorded);
+  core::Result<bool> command_late(const RecordedTick& recorded);
+  core::Result<bool> decode_delayed(const RecordedTick& recorded);
 
   runtime::Node node_;
   std::optional<HandOver> hand_over_;
@@ -68,6 +74,8 @@ class FedNode {
   domain::Messages messages_;
   runtime::TopicSet present_;
   std::array<std::string, domain::kTopicCount> cdr_before_;  ///< delayed inputs, of the last tick
+  runtime::TopicSet present_before_;                         ///< of them
+  runtime::TopicSet ended_before_;
   std::uint64_t next_tick_ = 0;
   std::uint64_t first_tick_ = 0;  ///< that is stepped
   bool has_past_ = true;

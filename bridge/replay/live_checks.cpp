@@ -85,6 +85,9 @@ Result<void> check_fed(const RunRecording& recording, const runtime::GraphStage&
 Result<void> check_live(const RunRecording& recording, const runtime::RunPlan& plan,
                         const LiveReplayOptions& options) {
   CLEW_RETURN_IF_ERROR(check_range(options.range));
+  if (options.range.last_tick != ReplayRange{}.last_tick) {
+    CLEW_RETURN_IF_ERROR(check_last_tick(recording, options.range.last_tick));
+  }
   if (options.component.empty()) {
     if (options.topics.any()) return {};
     return Error{"nothing to publish: name topics, or a stage with --component", {}, 0, 0};

@@ -36,7 +36,9 @@ std::vector<FieldDifference> SampleComparison::explain(domain::Topic topic, std:
     auto& a = std::get<kIndex>(a_);
     auto& b = std::get<kIndex>(b_);
     // Bytes that are no message, or padding that differs, have no field to tell of.
-    if (!codec.decode(cdr_a, a) || !codec.decode(cdr_b, b)) return {first_byte(cdr_a, cdr_b)};
+    if (!codec.decode_unvalidated(cdr_a, a) || !codec.decode_unvalidated(cdr_b, b)) {
+      return {first_byte(cdr_a, cdr_b)};
+    }
     auto fields = differences(a, b);
     if (fields.empty()) return {first_byte(cdr_a, cdr_b)};
     return tolerance_ > 0.0 ? differences(a, b, tolerance_) : fields;

@@ -19,8 +19,8 @@ SampleFilter filter_of(const runtime::TopicSet& topics, std::uint64_t first_tick
 
 TickReader::TickReader(const RunRecording& recording, const runtime::TopicSet& topics,
                        std::uint64_t last_tick, std::uint64_t first_tick)
-    : path_(recording.path()),
-      cut_off_(!recording.complete()),
+    : recording_(recording),
+      cut_off_(!recording.cut_off().empty()),
       topics_(topics),
       stream_(recording.samples(filter_of(topics, first_tick, last_tick))) {}
 
@@ -31,11 +31,22 @@ core::Result<void> TickReader::look_ahead() {
   return {};
 }
 
+core::Result<void> TickReader::note_ended() {
+  const runtime::TopicSet missing = topics_ & ~current_.present_ & ~current_.ended_;
+  for (domain::Topic topic : domain::kAllTopics) {
+    if (!missing[static_cast<std::size_t>(topic)]) continue;
+    const auto later = recording_.samples({{topic}, current_.tick_ + 1}).next();
+    if (!later) return later.error();
+    if (!*later) current_.ended_.set(static_cast<std::size_t>(topic));
+  }
+  return {};
+}
+
 core::Error TickReader::not_in_order() const {
   return {"its samples are not in the order of tick and topic at tick " +
               std::to_string(ahead_->tick) + " of " +
               std::string(domain::topic_name(ahead_->topic)),
-          path_, 0, 0};
+          recording_.path(), 0, 0};
 }
 
 core::Result<const RecordedTick*> TickReader::next() {
@@ -53,7 +64,8 @@ core::Result<const RecordedTick*> TickReader::next() {
     current_.cdr_[index].assign(ahead_->cdr);
     CLEW_RETURN_IF_ERROR(look_ahead());
   }
-  if (!ahead_ && cut_off_ && current_.present_ != topics_) return nullptr;
+  if (cut_off_) CLEW_RETURN_IF_ERROR(note_ended());
+  if ((current_.ended_ & ~may_end_).any()) return nullptr;
   return &current_;
 }
 

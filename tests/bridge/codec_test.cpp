@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -156,9 +158,11 @@ TYPED_TEST(CodecOf, SurvivesAnyChangedByte) {
     std::string bad = good;
     bad[i] = static_cast<char>(~bad[i]);
 
-    if (codec.decode(bad, message).ok()) {
+    const bool valid = codec.decode(bad, message).ok();
+    if (valid) {
       EXPECT_TRUE(domain::validate(message).ok());
     }
+    EXPECT_TRUE(codec.decode_unvalidated(bad, message).ok() || !valid);
   }
 }
 
@@ -231,6 +235,43 @@ TEST(Codec, RefusesAnEnumeratorThatFitsAByteOnlyWhenCut) {
 
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().text(), "state: outcome is 256; allowed: at most 4");
+}
+
+TEST(Codec, ReadsUnvalidatedWhateverValuesThereAre) {
+  std::string bytes = cdr_of_state_by_hand();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::memcpy(&bytes[4 + 24], &nan, sizeof nan);  // pose_world_robot.x_m
+  bytes[4 + 64 + 7] ^= '\x80';                    // the sign of path_length_m
+  bytes[4 + 72] = '\x09';                         // outcome
+  Codec<domain::State> codec;
+  domain::State state;
+
+  ASSERT_TRUE(codec.decode_unvalidated(bytes, state).ok());
+  EXPECT_TRUE(std::isnan(state.pose_world_robot.x_m));
+  EXPECT_EQ(state.path_length_m, -12.25);
+  EXPECT_EQ(static_cast<int>(state.outcome), 9);
+  EXPECT_EQ(state.collisions, 3U);
+
+  bytes[4 + 73] = '\x01';  // outcome 256 + 9, more than the domain's can hold
+  ASSERT_TRUE(codec.decode_unvalidated(bytes, state).ok());
+  EXPECT_EQ(static_cast<int>(state.outcome), 255);
+}
+
+TEST(Codec, RefusesUnvalidatedWhatHasNoPlaceInTheMessage) {
+  Codec<domain::Guidance> codec;
+  domain::Guidance guidance;
+  const std::string none(codec.encode(guidance));
+  guidance.virtual_obstacles.resize(16);
+  std::string bytes(codec.encode(guidance));
+  const auto length = std::mismatch(none.begin(), none.end(), bytes.begin()).second;
+  *length = 17;
+  bytes.insert(bytes.size() - 5, 32, '\0');  // an obstacle's four numbers, before `why`
+
+  const core::Result<void> result = codec.decode_unvalidated(bytes, guidance);
+
+  ASSERT_FALSE(result.ok());
+  EXPECT_NE(result.error().text().find("a list is longer than its bound"), std::string::npos);
+  EXPECT_FALSE(codec.decode_unvalidated(none.substr(0, 50), guidance).ok());
 }
 
 TEST(Codec, RefusesABooleanThatIsNeither) {

@@ -107,6 +107,60 @@ TEST(RunRecorder, SaysWhichSamplesAreLost) {
   EXPECT_EQ(recording->end()->lost_samples, 4U);
 }
 
+/// The samples of a run that was interrupted: commands up to tick 11, scans to 14, states to 13.
+std::vector<StoredSample> samples_of_interrupted_run() {
+  std::vector<StoredSample> samples;
+  for (const StoredSample& sample : samples_of_run(15)) {
+    if (sample.topic == Topic::kCommand && sample.tick > 11) continue;
+    if (sample.topic == Topic::kState && sample.tick > 13) continue;
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+TEST(RunRecorder, CallsNothingLostThatAnAbortedRunDidNotReach) {
+  const ScratchDirectory scratch;
+  const std::string path = scratch.file("a.mcap");
+  auto recorder = RunRecorder::create(path, description(), false);
+  ASSERT_TRUE(recorder);
+  for (const StoredSample& sample : samples_of_interrupted_run()) {
+    // Behind the last command, and yet lost: a later scan is there.
+    if (sample.topic == Topic::kScan && sample.tick == 12) continue;
+    ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
+  }
+  ASSERT_TRUE(recorder->finish("interrupted"));
+
+  EXPECT_EQ(recorder->losses().texts(), std::vector<std::string>{"'scan' of tick 12"});
+  const auto recording = RunRecording::open(path);
+  ASSERT_TRUE(recording && recording->end());
+  EXPECT_EQ(recording->end()->aborted, "interrupted");
+  EXPECT_EQ(recording->end()->lost_samples, 1U);
+  EXPECT_EQ(recording->end()->ticks, 12U);
+  EXPECT_TRUE(recording->complete());
+  EXPECT_EQ(recording->cut_off(), "is of a run that was aborted (interrupted)");
+}
+
+TEST(RunRecorder, GoesOnWithAnAbortedRun) {
+  const ScratchDirectory scratch;
+  record(scratch.file("whole.mcap"), samples_of_run(15));
+  const std::string path = scratch.file("again.mcap");
+  auto recorder = RunRecorder::create(path, description(), false);
+  ASSERT_TRUE(recorder);
+  for (const StoredSample& sample : samples_of_interrupted_run()) {
+    ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
+  }
+  ASSERT_TRUE(recorder->seal("interrupted"));
+
+  auto next = RunRecorder::go_on(path, description());
+  ASSERT_TRUE(next) << next.error().text();
+  for (const StoredSample& sample : samples_of_run(15)) {
+    ASSERT_TRUE(next->add(sample.topic, sample.tick, sample.tick, sample.cdr));
+  }
+  ASSERT_TRUE(next->finish());
+
+  EXPECT_EQ(read_bytes(path), read_bytes(scratch.file("whole.mcap")));
+}
+
 TEST(RunRecorder, GivesUpATopicThatStaysBehind) {
   const ScratchDirectory scratch;
   auto recorder = RunRecorder::create(scratch.file("a.mcap"), description(), false);

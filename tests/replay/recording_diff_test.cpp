@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -87,6 +89,60 @@ TEST_F(RecordingDiffTest, NamesTheFieldAndBothValues) {
   EXPECT_EQ(found.first->fields[0].path, "ranges_m[3]");
   EXPECT_EQ(found.first->fields[0].a, FieldValue(before_m));
   EXPECT_EQ(found.first->fields[0].b, FieldValue(0.25));
+}
+
+// Of a scan's bytes: 4 of the header, 24 of the stamp, 5 numbers, 4 of the length and 4 of padding.
+constexpr std::size_t kRangesAt = 4 + 24 + 5 * 8 + 4 + 4;
+
+TEST_F(RecordingDiffTest, NamesAFieldWhoseValueIsOutsideItsRange) {
+  Codec<domain::Scan> codec;
+  domain::Scan scan;
+  std::string& cdr = draft_.sample(Topic::kScan, 9).cdr;
+  ASSERT_TRUE(codec.decode(cdr, scan));
+  cdr[kRangesAt + 3 * 8 + 7] = static_cast<char>(cdr[kRangesAt + 3 * 8 + 7] ^ 0x80);
+
+  const RecordingDiff found = diff();
+
+  ASSERT_FALSE(found.identical());
+  ASSERT_EQ(found.first->fields.size(), 1U);
+  EXPECT_EQ(found.first->fields[0].path, "ranges_m[3]");
+  EXPECT_EQ(found.first->fields[0].a, FieldValue(scan.ranges_m[3]));
+  EXPECT_EQ(found.first->fields[0].b, FieldValue(-scan.ranges_m[3]));
+}
+
+TEST_F(RecordingDiffTest, NamesAFieldThatIsNoNumber) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  std::memcpy(&draft_.sample(Topic::kScan, 9).cdr[kRangesAt], &none, sizeof none);
+
+  const RecordingDiff found = diff(0.5);
+
+  ASSERT_FALSE(found.identical());
+  ASSERT_EQ(found.first->fields.size(), 1U);
+  EXPECT_EQ(found.first->fields[0].path, "ranges_m[0]");
+  EXPECT_TRUE(same_bits(*found.first->fields[0].b, FieldValue(none)));
+}
+
+TEST_F(RecordingDiffTest, NamesAnUnknownEnumeratorByItsNumber) {
+  // Before the outcome: the header, the stamp, the pose, two speeds and the path's length.
+  constexpr std::size_t kOutcomeAt = 4 + 24 + 24 + 16 + 8;
+  draft_.sample(Topic::kState, 9).cdr[kOutcomeAt] = 9;
+
+  const RecordingDiff found = diff();
+
+  ASSERT_FALSE(found.identical());
+  ASSERT_EQ(found.first->fields.size(), 1U);
+  EXPECT_EQ(found.first->fields[0].path, "outcome");
+  EXPECT_EQ(found.first->fields[0].a, FieldValue(std::string_view("OUTCOME_RUNNING")));
+  EXPECT_EQ(found.first->fields[0].b, FieldValue(std::uint64_t{9}));
+}
+
+TEST_F(RecordingDiffTest, NamesTheByteWhereThereIsNoMessage) {
+  draft_.sample(Topic::kScan, 9).cdr[kRangesAt - 8] = 127;  // more ranges than there are bytes
+
+  const RecordingDiff found = diff();
+
+  ASSERT_FALSE(found.identical());
+  EXPECT_EQ(found.first->fields[0].path, "(byte 68)");
 }
 
 TEST_F(RecordingDiffTest, ReportsTheFirstDifferenceInOrderOfTickAndTopic) {

@@ -51,7 +51,7 @@ void RecordingDraft::write(const std::string& path) const {
   }
   const std::uint64_t ticks = samples.empty() ? 0 : samples.back().tick + 1;
   if (finished) {
-    ASSERT_TRUE(writer->write(to_metadata(RunEnd{ticks, run_hash(values)})));
+    ASSERT_TRUE(writer->write(to_metadata(RunEnd{ticks, run_hash(values), 0, aborted})));
   }
   ASSERT_TRUE(writer->finish());
 }

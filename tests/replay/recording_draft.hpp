@@ -22,6 +22,7 @@ struct RecordingDraft {
   bridge::RunDescription description;
   std::vector<Sample> samples;
   bool finished = true;  ///< else it has no end, as after a crash
+  std::string aborted;   ///< why the run has no outcome, if it has none
 
   static RecordingDraft read(const std::string& path);
   /// With the end that a recorder would write: the hash is that of the samples.

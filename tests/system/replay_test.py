@@ -179,6 +179,7 @@ class Replay(Recordings):
         self.assertEqual(before["ticks"], tick)
         self.assertEqual(there["ticks"], 1)
         self.refused([*arguments, "--from", 1000], "has no tick from 1000 on; it has 151")
+        self.refused([*arguments, "--to", 1000], "has no tick 1000; its last one is 150")
         self.refused([*arguments, "--from", 5, "--to", 4], "no tick is from 5 to 4")
 
     def test_of_a_torn_recording_goes_up_to_the_tear(self):

@@ -51,10 +51,10 @@ void print(const RecordingDiff& diff) {
   fmt::print("{}\n", diff.identical() ? "identical" : "different");
 }
 
-/// A tear ends a recording early, which shows as missing samples: said so that nobody wonders.
-void note_tear(const bridge::RunRecording& recording) {
-  if (!recording.complete()) {
-    fmt::print(stderr, "clew: {}: was cut off; compared is what is there\n", recording.path());
+/// A recording that ends early shows as missing samples: said so that nobody wonders.
+void note_early_end(const bridge::RunRecording& recording) {
+  if (const std::string why = recording.cut_off(); !why.empty()) {
+    fmt::print(stderr, "clew: {}: {}; compared is what is there\n", recording.path(), why);
   }
 }
 
@@ -67,8 +67,8 @@ int diff_command(const DiffOptions& options) {
   if (!b.ok()) return complain(b.error());
   const auto diff = bridge::diff_recordings(*a, *b, options.tolerance);
   if (!diff.ok()) return complain(diff.error());
-  note_tear(*a);
-  note_tear(*b);
+  note_early_end(*a);
+  note_early_end(*b);
   if (options.json) {
     fmt::print("{}\n", json_line(to_json(*diff)));
   } else {

@@ -24,7 +24,7 @@ using nlohmann::ordered_json;
 struct TopicFacts {
   domain::Topic topic = domain::Topic::kCommand;
   RunSurvey::TopicSurvey survey;
-  std::uint64_t missing_ticks = 0;  ///< of those that the recording spans
+  std::uint64_t missing_ticks = 0;  ///< of those that it should have
 };
 
 /// All that the command tells of a recording.
@@ -32,13 +32,28 @@ struct RecordingFacts {
   std::vector<TopicFacts> topics;
   std::uint64_t first_tick = 0;
   std::uint64_t last_tick = 0;
-  std::uint64_t ticks = 0;  ///< spanned
+  std::uint64_t ticks = 0;           ///< spanned
+  std::uint64_t missing_at_end = 0;  ///< whole ticks of its recorder, behind those spanned
   std::uint64_t missing_samples = 0;
   core::Hash128 hash;
   bool hash_matches = true;  ///< or the recording does not say
   bool types_match = false;
+  std::string no_plan;  ///< why this version cannot make the run's components; empty if it can
   std::optional<std::uint64_t> branch_tick;
 };
+
+bool was_aborted(const RunRecording& recording) {
+  return recording.end() && !recording.end()->aborted.empty();
+}
+
+/// How many samples a topic should have. Of a run that was aborted, those up to its own last one
+/// and to the ticks that were whole.
+std::uint64_t ticks_of(const RunSurvey::TopicSurvey& topic, const RunRecording& recording,
+                       const RecordingFacts& facts) {
+  if (!was_aborted(recording)) return facts.ticks + facts.missing_at_end;
+  const std::uint64_t own_end = topic.samples > 0 ? topic.last_tick + 1 : facts.first_tick;
+  return std::max({own_end, recording.end()->ticks, facts.first_tick}) - facts.first_tick;
+}
 
 RecordingFacts gather(const RunRecording& recording, const RunSurvey& survey) {
   RecordingFacts facts;
@@ -52,11 +67,15 @@ RecordingFacts gather(const RunRecording& recording, const RunSurvey& survey) {
     first = false;
   }
   if (!survey.topics.empty()) facts.ticks = facts.last_tick - facts.first_tick + 1;
+  const std::uint64_t end_tick = facts.first_tick + facts.ticks;
+  if (recording.end() && recording.end()->ticks > end_tick) {
+    facts.missing_at_end = recording.end()->ticks - end_tick;
+  }
   for (const auto& [topic, schema] : recording.description().schemas) {
     TopicFacts of_topic{topic, {}, 0};
     const auto found = survey.topics.find(topic);
     if (found != survey.topics.end()) of_topic.survey = found->second;
-    of_topic.missing_ticks = facts.ticks - of_topic.survey.samples;
+    of_topic.missing_ticks = ticks_of(of_topic.survey, recording, facts) - of_topic.survey.samples;
     facts.missing_samples += of_topic.missing_ticks;
     facts.topics.push_back(std::move(of_topic));
   }
@@ -64,14 +83,23 @@ RecordingFacts gather(const RunRecording& recording, const RunSurvey& survey) {
 }
 
 bool is_good(const RunRecording& recording, const RecordingFacts& facts) {
-  return recording.complete() && facts.missing_samples == 0 && facts.hash_matches;
+  return recording.complete() && facts.missing_samples == 0 && facts.hash_matches &&
+         facts.no_plan.empty();
 }
 
-std::string state_text(const RunRecording& recording) {
+std::string state_text(const RunRecording& recording, const RecordingFacts& facts) {
   if (recording.tear()) {
     return fmt::format("torn at byte {}: {}", recording.tear()->at_byte, recording.tear()->reason);
   }
-  return recording.complete() ? "complete" : "cut off: its recorder did not finish it";
+  if (!recording.complete()) return "cut off: its recorder did not finish it";
+  if (!facts.no_plan.empty()) return "cannot be replayed: " + facts.no_plan;
+  if (facts.missing_at_end > 0) {
+    return fmt::format("lacks the last {} ticks that its recorder wrote", facts.missing_at_end);
+  }
+  if (facts.missing_samples > 0) return fmt::format("lacks {} samples", facts.missing_samples);
+  if (!facts.hash_matches) return "holds other samples than its recorder wrote";
+  if (was_aborted(recording)) return "complete; the run was aborted: " + recording.end()->aborted;
+  return "complete";
 }
 
 std::string hash_text(const RunRecording& recording, const RecordingFacts& facts) {
@@ -100,7 +128,7 @@ void print_configuration(const RunRecording& recording) {
 
 void print(const RunRecording& recording, const RecordingFacts& facts) {
   const auto& description = recording.description();
-  fmt::print("{}: {}\n", recording.path(), state_text(recording));
+  fmt::print("{}: {}\n", recording.path(), state_text(recording, facts));
   if (facts.ticks > 0) {
     fmt::print("ticks      {} to {}, {} s each: {:.1f} s\n", facts.first_tick, facts.last_tick,
                description.tick_s, static_cast<double>(facts.last_tick) * description.tick_s);
@@ -165,7 +193,11 @@ ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts)
   const auto& description = recording.description();
   ordered_json json;
   json["recording"] = recording.path();
-  json["complete"] = recording.complete();
+  json["complete"] = is_good(recording, facts);
+  json["aborted"] =
+      was_aborted(recording) ? ordered_json(recording.end()->aborted) : ordered_json(nullptr);
+  json["cannot_be_replayed"] =
+      facts.no_plan.empty() ? ordered_json(nullptr) : ordered_json(facts.no_plan);
   json["torn"] = nullptr;
   if (const auto& tear = recording.tear()) {
     json["torn"] = {{"at_byte", tear->at_byte}, {"reason", tear->reason}};
@@ -209,6 +241,10 @@ int info_command(const InfoOptions& options) {
   if (!branch.ok()) return complain(branch.error());
   RecordingFacts facts = gather(*recording, *survey);
   if (*branch) facts.branch_tick = (*branch)->tick;
+  if (facts.types_match) {
+    const auto plan = runtime::prepare_run(recording->description().bundle, stages::all());
+    if (!plan.ok()) facts.no_plan = plan.error().text();
+  }
   if (options.json) {
     fmt::print("{}\n", json_line(to_json(*recording, facts)));
   } else {

@@ -97,7 +97,10 @@ Result<std::vector<ReplayReport>> replay_all(const bridge::RunRecording& recordi
   const std::uint64_t own_tick = *branch ? (*branch)->tick : 0;
   bridge::ReplayRange range;
   range.first_tick = options.first_tick.value_or(own_tick);
-  if (options.last_tick) range.last_tick = *options.last_tick;
+  if (options.last_tick) {
+    CLEW_RETURN_IF_ERROR(bridge::check_last_tick(recording, *options.last_tick));
+    range.last_tick = *options.last_tick;
+  }
   range.rate = options.rate;
   if (!options.first_tick && own_tick > 0) {
     fmt::print(stderr, "clew: {}: branched at tick {} off another run; compared from there\n",
@@ -124,8 +127,8 @@ int replay_command(const ReplayOptions& options) {
   const auto plan = bridge::changed_plan(*recording, options.overrides,
                                          runtime::ConfigPath::from_environment(), stages::all());
   if (!plan.ok()) return complain(plan.error());
-  if (!recording->complete()) {
-    fmt::print(stderr, "clew: {}: was cut off; used is what is there\n", recording->path());
+  if (const std::string why = recording->cut_off(); !why.empty()) {
+    fmt::print(stderr, "clew: {}: {}; used is what is there\n", recording->path(), why);
   }
   if (options.branch_tick) return replay_branch(options, *recording, *recorded, *plan);
   if (options.publishes) return replay_publish(options, *recording, *recorded, *plan);
