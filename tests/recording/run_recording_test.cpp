@@ -192,7 +192,7 @@ TEST(RunRecording, NoticesSamplesThatAreNotThoseOfTheRun) {
   const auto schema = writer->add_schema("clew::msg::Scan", "omgidl", "struct Scan {};");
   const auto channel = writer->add_channel(schema, "/scan", "cdr");
   ASSERT_TRUE(writer->write(mcap::Message{channel, 0, 0, 0, "x"}));
-  ASSERT_TRUE(writer->write(to_metadata(RunEnd{1, {1, 1}})));
+  ASSERT_TRUE(writer->write(to_metadata(RunEnd{1, {1, 1}, 0, {}})));
   ASSERT_TRUE(writer->finish());
 
   const auto recording = RunRecording::open(path);
