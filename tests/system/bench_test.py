@@ -90,7 +90,8 @@ class Bench(unittest.TestCase):
         page = (self.one / "report.html").read_text()
 
         self.assertIn("| spiral |", report)
-        self.assertIn("Compared with krishna_kalra", report)
+        self.assertIn("Compared in pairs", report)
+        self.assertRegex(report, r"\| reactive \| krishna_kalra \| 0 \| [1-9]")
         pictures = list((self.one / "pictures").iterdir())
         self.assertEqual(sorted(path.suffix for path in pictures), [".svg", ".svg"])
         for picture in pictures:
