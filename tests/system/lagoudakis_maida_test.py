@@ -108,7 +108,7 @@ class Inside(unittest.TestCase):
                 ([recording, "--tick", 99], "has no tick 99; its last one is 20"),
                 ([recording, recording, "--tick", 5],
                  "--tick looks into one recording; found 2"),
-                ([silent, "--tick", 5], "no component of this run shows anything of tick 5")):
+                ([silent, "--tick", 5], "no behaviour of this run shows its inside at tick 5")):
             done = Run(["plot", *arguments, "-o", out])
             self.assertEqual(done.status, 2, arguments)
             self.assertIn(sentence, done.err)
