@@ -214,13 +214,14 @@ class Output(BadInput):
             self.assertIn("standard output: No space left on device", done.stderr)
 
     def test_a_reader_that_has_gone_is_no_crash(self):
-        reader, writer = os.pipe()
-        os.close(reader)
-        with open(writer, "wb") as pipe:
-            done = subprocess.run([CLEW, "list", "worlds"], stdout=pipe, stderr=subprocess.PIPE,
-                                  text=True, check=False)
+        for arguments in (["list", "worlds"], ["check", "default", "--expand"]):
+            reader, writer = os.pipe()
+            os.close(reader)
+            with open(writer, "wb") as pipe:
+                done = subprocess.run([CLEW, *arguments], stdout=pipe, stderr=subprocess.PIPE,
+                                      text=True, check=False)
 
-        self.assertEqual((done.returncode, done.stderr), (1, ""))
+            self.assertEqual((done.returncode, done.stderr), (1, ""))
 
     def test_names_that_are_no_utf8_give_json_and_svg_all_the_same(self):
         with tempfile.TemporaryDirectory() as directory:

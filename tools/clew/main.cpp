@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <poll.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <csignal>
@@ -306,9 +309,16 @@ int parse_and_run(int argc, char** argv) {
   return outcome.status;
 }
 
-/// What was said has not arrived. A reader that has gone wants no more, also no complaint.
+/// Whether nobody reads standard output any more.
+bool reader_has_gone() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  return ::poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
+}
+
+/// What was said has not arrived, for the reason `number`, or 0 if that is not known any more. A
+/// reader that has gone wants no more, also no complaint.
 int complain_of_output(int number) {
-  if (number == EPIPE) return kExitFailed;
+  if (reader_has_gone()) return kExitFailed;
   const std::string why = number == 0 ? "writing failed" : std::generic_category().message(number);
   return complain({why, "standard output", 0, 0}, kExitFailed);
 }
