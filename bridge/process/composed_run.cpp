@@ -10,6 +10,7 @@
 
 #include "process/journal.hpp"
 #include "process/tick_clock.hpp"
+#include "process/tick_rate.hpp"
 #include "recording/run_hash.hpp"
 
 namespace clew::bridge {
@@ -124,15 +125,9 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart
   const EndSignals signals;
 
   RunReport report;
-  auto first_tick_at = Clock::now();
-  auto displayed_at = first_tick_at;
-  clock.start(first_tick_at, start.next_tick);
-  // From the end of the first tick to that of the last, as TickRate does.
-  const auto ticks_per_s = [&] {
-    const auto stepped = static_cast<double>(executor.next_tick() - start.next_tick);
-    const double ticking_s = seconds_since(first_tick_at);
-    return stepped > 1.0 && ticking_s > 0.0 ? (stepped - 1.0) / ticking_s : 0.0;
-  };
+  TickRate rate;
+  auto displayed_at = Clock::now();
+  clock.start(displayed_at, start.next_tick);
   const RunTally& tally = bookkeeper.journal().tally();
   const auto goes_on = [&] {
     return !tally.truth || tally.truth->outcome == domain::Outcome::kRunning;
@@ -141,7 +136,7 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart
     if (!clock.is_free()) std::this_thread::sleep_until(clock.due(executor.next_tick()));
     bookkeeper.checkpoint(executor.nodes(), executor.next_tick());
     executor.step();
-    if (executor.next_tick() == start.next_tick + 1) first_tick_at = Clock::now();
+    if (executor.next_tick() == start.next_tick + 1) rate.note(executor.next_tick(), Clock::now());
     if (layout.on_record_error == OnRecordError::kStop) report.aborted = bookkeeper.failure();
     if (asked_to_end != 0) {
       report.interrupted_by = asked_to_end;
@@ -151,13 +146,15 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart
     const bool look = !clock.is_free() || executor.next_tick() % kTicksPerLook == 0;
     if (display && look && Clock::now() - displayed_at >= kDisplayPeriod) {
       displayed_at = Clock::now();
-      display(tally, ticks_per_s());
+      rate.note(executor.next_tick(), displayed_at);
+      display(tally, rate.per_s());
     }
   }
 
   report.tally = tally;
   report.wall_s = seconds_since(start.started_at);
-  report.ticks_per_s = ticks_per_s();
+  rate.note(executor.next_tick(), Clock::now());
+  report.ticks_per_s = rate.per_s();
   if (layout.hash && report.aborted.empty()) report.hash = run_hash(bookkeeper.journal().chains());
   return report;
 }

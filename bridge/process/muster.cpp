@@ -14,6 +14,13 @@ namespace {
 constexpr auto kPatience = std::chrono::hours(1);
 constexpr double kPatientLease_s = 3600.0;
 
+/// A word that a shell takes as it is.
+std::string for_shell(const std::string& word) {
+  std::string quoted = "'";
+  for (const char c : word) c == '\'' ? quoted += "'\\''" : quoted += c;
+  return quoted + '\'';
+}
+
 }  // namespace
 
 Muster::Muster(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
@@ -45,10 +52,10 @@ std::string Muster::how_to_start(const Member& member) const {
   if (member.foreign) {
     command = "env";
     for (const auto& [name, value] : environment_of(domain_, run_id_)) {
-      command += ' ' + name + "='" + value + '\'';
+      command += ' ' + name + '=' + for_shell(value);
     }
     for (const std::string& word : plan_.graph.find(member.stage)->deployment.exec) {
-      command += " '" + word + '\'';
+      command += ' ' + for_shell(word);
     }
   }
   return "waiting for " + member.stage + "; start it with: " + command;

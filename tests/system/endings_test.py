@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """However a run ends, no process is left, and the message says why."""
 import os
+import shutil
 import signal
 import subprocess
+import tempfile
 import unittest
 
 from clew_command import (CLEW, THIRD_PARTY, Run, command_line, components_of,
@@ -196,17 +198,21 @@ class External(unittest.TestCase):
         self.assertIn(whole, out)
 
     def test_a_person_starts_a_program_of_someone_else_with_the_line_that_the_run_prints(self):
+        directory = tempfile.mkdtemp(prefix="somebody's programs ")
+        self.addCleanup(shutil.rmtree, directory)
+        program = os.path.join(directory, "straight_control")
+        os.symlink(THIRD_PARTY / "straight_control", program)
         graph = write_file("world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n"
-                           f"control: {{exec: ['{THIRD_PARTY}/straight_control', "
-                           "'--without-guidance']}\ndrive: {behaviour: turn_then_step}\n")
+                           f'control: {{exec: ["{program}", "--without-guidance"]}}\n'
+                           "drive: {behaviour: turn_then_step}\n")
         run = subprocess.Popen([CLEW, "run", graph, "--json", "--external", "control"], text=True,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         line = run.stderr.readline()
-        program = subprocess.Popen(line.split("start it with: ")[1], shell=True,
+        started = subprocess.Popen(line.split("start it with: ")[1], shell=True,
                                    start_new_session=True)
         out, err = run.communicate(timeout=60)
-        os.killpg(program.pid, signal.SIGKILL)
-        program.wait()
+        os.killpg(started.pid, signal.SIGKILL)
+        started.wait()
 
         self.assertEqual(run.returncode, 0, line + err)
         self.assertIn('"outcome":"reached"', out)
