@@ -116,8 +116,7 @@ bool NeuralMap::update_flat(const Span& span, const Rows& rows, std::int32_t col
                             std::int32_t depth) {
   std::array<double, kChunk> sums;
   sum_up(rows, row_links(parameters_.lattice, span.row), column_step, span.length, sums);
-  const double gain = parameters_.gain;
-  const std::array<double, 3> gains = {0.0, gain, 0.0};  // by Kind
+  const std::array<double, 4> gains = {0.0, parameters_.gain, kLeastGain, 0.0};  // by Kind
   std::size_t i = column_step > 0 ? 0 : span.length - 1;
   const auto step = static_cast<std::size_t>(column_step);  // wraps around, as i does
   const Kind* kinds = kinds_.data() + span.begin;
@@ -164,7 +163,7 @@ bool NeuralMap::update_stepped(const Span& span, std::int32_t column_step) {
   std::size_t i = column_step > 0 ? 0 : span.length - 1;
   for (; i < span.length; i += static_cast<std::size_t>(column_step)) {
     const std::size_t at = span.begin + i;
-    if (kinds_[at] != Kind::kFree) continue;
+    if (kinds_[at] != Kind::kFree && kinds_[at] != Kind::kDear) continue;
     const Activation fresh = fresh_activation(span, i);
     const bool higher = mantissas_[at] == 0.0 || fresh.depth < depths_[at] ||
                         (fresh.depth == depths_[at] && fresh.mantissa > mantissas_[at]);
@@ -199,7 +198,9 @@ NeuralMap::Activation NeuralMap::fresh_activation(const Span& span, std::size_t 
   const RowLinks links = row_links(parameters_.lattice, span.row);
   const double sum = (around[1] + around[7]) +
                      (links.left * (around[0] + around[6]) + links.right * (around[2] + around[8]));
-  Activation fresh{(sum + (around[3] + around[5])) * parameters_.gain, least};
+  const bool dear = kinds_[span.begin + offset] == Kind::kDear;
+  const double gain = dear ? kLeastGain : parameters_.gain;
+  Activation fresh{(sum + (around[3] + around[5])) * gain, least};
   if (least == 0) fresh.mantissa = phi(fresh.mantissa);
   if (fresh.mantissa > 0.0 && !(fresh.mantissa > kBand)) {
     fresh.mantissa *= kBandInverse;

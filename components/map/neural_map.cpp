@@ -17,8 +17,6 @@ namespace {
 // How far the horizon moves at a time: some 60 cells in the open.
 constexpr std::int64_t kHorizonBits = 96;
 
-constexpr double kLeastGain = 0.001;
-
 // Growth by less than this share is not passed on where only the ways to a start are asked for.
 constexpr double kNoticed = 0x1p-20;
 
@@ -127,7 +125,7 @@ void NeuralMap::clear(const Grid& grid, const std::vector<std::uint8_t>& passabl
     const std::uint8_t* from = passable.data() + grid.index({0, row});
     Kind* to = kinds_.data() + padded({0, row});
     for (std::int32_t i = 0; i < grid.columns; ++i) {
-      to[i] = from[i] != 0 ? Kind::kFree : Kind::kBlocked;
+      to[i] = from[i] == kBlocked ? Kind::kBlocked : from[i] == kDear ? Kind::kDear : Kind::kFree;
     }
   }
   for (const Cell& target : targets) {

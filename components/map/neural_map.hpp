@@ -19,10 +19,15 @@ namespace clew::map {
 ///     v_i = 1 at a target, 0 at a blocked cell, and elsewhere
 ///     v_i = phi(sum_j w_ij v_j),  phi(x) = 0 for x <= 0, tanh(gain x) above.
 ///
+/// *Deviation:* cells may be dear, with the least gain that there is in place of the map's: from
+/// one to the next, activation falls as over some five others at the default gain, so that ways
+/// lead through them where they must, and by the shortest piece. Nothing else differs for them.
+///
 /// It evolves from zero by sequential rasters from corner to corner, each of the four in turn: the
 /// paper's pattern. So activation only grows, and as gain times the sum of a cell's weights is
 /// below 1, a neighbour of each active cell was and is higher than it: at any time, at rest or not,
-/// targets are the only local maxima, and steepest ascent ends at one.
+/// targets are the only local maxima, and steepest ascent ends at one. That holds for a gain of
+/// each cell as for one of all.
 ///
 /// Activation falls by a factor of three a cell and more, and plain doubles would be flat zero
 /// some 300 cells out. An activation is a mantissa in (2^-340, 1] and a depth, mantissa *
@@ -43,9 +48,13 @@ class NeuralMap {
  public:
   struct Parameters {
     Lattice lattice = Lattice::kEightNeighbours;
-    /// Steepest slope of phi: from 0.001, and below 1 / eigenvalue_bound(lattice).
+    /// Steepest slope of phi: from kLeastGain, and below 1 / eigenvalue_bound(lattice).
     double gain = 0.1;
   };
+  static constexpr double kLeastGain = 0.001;
+
+  /// What evolve() is told of a cell.
+  enum Passable : std::uint8_t { kBlocked = 0, kFree = 1, kDear = 2 };
 
   /// How an evolution ended.
   struct Evolution {
@@ -62,8 +71,8 @@ class NeuralMap {
   /// may then be active or not. The start may lie on any cell. Allocates only
   /// for a grid larger than all before it.
   ///
-  /// passable: one flag a cell of the grid, 0 for blocked. Of `targets`, those that are blocked or
-  /// lie outside the grid do not count.
+  /// passable: one Passable a cell of the grid. Of `targets`, those that are blocked or lie outside
+  /// the grid do not count.
   Evolution evolve(const Grid& grid, const std::vector<std::uint8_t>& passable,
                    const std::vector<Cell>& targets, const std::optional<Cell>& start = {});
 
@@ -87,7 +96,7 @@ class NeuralMap {
   bool path(const Cell& from, std::vector<Cell>& cells) const;
 
  private:
-  enum class Kind : std::uint8_t { kBlocked, kFree, kTarget };
+  enum class Kind : std::uint8_t { kBlocked, kFree, kDear, kTarget };
   static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
   /// kChunk cells of a row that are worked on together.

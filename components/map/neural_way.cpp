@@ -21,7 +21,11 @@ const std::vector<Vec2>& NeuralWay::find(const CostGrid& costs, const Vec2& from
   const Room least = widest_.between(costs.grid, room_, *start, targets_);
   if (least == Room::kNone) return way_;
   passable_.resize(room_.size());
-  for (std::size_t i = 0; i < room_.size(); ++i) passable_[i] = room_[i] >= least;
+  for (std::size_t i = 0; i < room_.size(); ++i) {
+    passable_[i] = room_[i] < least              ? NeuralMap::kBlocked
+                   : costs.room[i] < Room::kOpen ? NeuralMap::kDear
+                                                 : NeuralMap::kFree;
+  }
   landscape_.evolve(costs.grid, passable_, targets_, start);
   landscape_.path(*start, cells_);
   for (const Cell& cell : cells_) way_.push_back(costs.grid.centre(cell));

@@ -12,8 +12,9 @@ namespace clew::map {
 
 /// Steepest ascent on the neural map of the cells that are open, or, if these do not connect both
 /// places, of the narrow and then the suspected ones besides, and at last of all that have any
-/// room. A landscape knows cells that are passable or not, and no costs: so the level is chosen
-/// first, by a flood, and one landscape evolved.
+/// room. A landscape knows no costs: so the level is chosen first, by a flood, and one landscape
+/// evolved, in which all that is not open is dear. Were all cells of a level alike, the shortest
+/// way would lead along walls, in what is believed to touch them.
 class NeuralWay final : public WaySearch {
  public:
   explicit NeuralWay(NeuralMap landscape) : landscape_(std::move(landscape)) {}

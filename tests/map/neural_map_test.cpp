@@ -58,7 +58,9 @@ std::vector<long double> reference(const RandomMap& map, Lattice lattice, const 
             diagonal && lattice == Lattice::kEightNeighbours ? 1.0L / std::sqrt(2.0L) : 1.0L;
         sum += weight * now[map.grid.index(other)];
       }
-      next[i] = cell == target ? 1.0L : std::tanh(static_cast<long double>(gain) * sum);
+      const bool dear = map.passable[i] == NeuralMap::kDear;
+      const long double slope = dear ? NeuralMap::kLeastGain : gain;
+      next[i] = cell == target ? 1.0L : std::tanh(slope * sum);
       if (next[i] - now[i] > 1e-18L * next[i]) at_rest = false;
     }
     now = std::move(next);
@@ -126,6 +128,59 @@ TEST(NeuralMap, OrdersAllNeighboursAsTheHighPrecisionReferenceDoes) {
     expect_ascent_to(landscape, map, target);
     if (HasFatalFailure()) FAIL() << "map " << seed;
   }
+}
+
+TEST(NeuralMap, OrdersAllNeighboursAsTheReferenceDoesWithDearCells) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const Lattice lattice = kLattices[seed % 3];
+    RandomMap map = random_map(seed, 31, 29, 0.15, 2);
+    const RandomMap dear = random_map(seed + 1000, 31, 29, 0.01 * static_cast<double>(seed), 3);
+    for (std::size_t i = 0; i < map.passable.size(); ++i) {
+      if (map.passable[i] != 0 && dear.passable[i] == 0) map.passable[i] = NeuralMap::kDear;
+    }
+    const Cell target{static_cast<std::int32_t>(seed % 31), static_cast<std::int32_t>(seed % 29)};
+    map.passable[map.grid.index(target)] = NeuralMap::kFree;
+    NeuralMap landscape = neural_map(lattice);
+
+    landscape.evolve(map.grid, map.passable, {target});
+
+    expect_same_order(landscape, map, reference(map, lattice, target, 0.1));
+    expect_ways_to(landscape, map, target);
+    expect_ascent_to(landscape, map, target);
+    if (HasFatalFailure()) FAIL() << "map " << seed;
+  }
+}
+
+TEST(NeuralMap, LeadsRoundDearCellsWhereThatIsNotMuchFarther) {
+  // A wall of dear cells three thick: straight on is 20 cells, of which 3 count as five or six
+  // each, that is 33 or more; round an end 6 rows off it is some 20 + 0.41 * 12 = 25 steps.
+  RandomMap map = random_map(1, 21, 31, 0.0, 0);
+  for (std::int32_t row = 10; row <= 20; ++row) {
+    for (std::int32_t column = 9; column <= 11; ++column) {
+      map.passable[map.grid.index({column, row})] = NeuralMap::kDear;
+    }
+  }
+  const auto dear_cells = [&](const std::vector<Cell>& path) {
+    return std::count_if(path.begin(), path.end(), [&](const Cell& cell) {
+      return map.passable[map.grid.index(cell)] == NeuralMap::kDear;
+    });
+  };
+  NeuralMap landscape = neural_map();
+  std::vector<Cell> path;
+
+  landscape.evolve(map.grid, map.passable, {{20, 15}});
+  ASSERT_TRUE(landscape.path({0, 15}, path));
+  EXPECT_EQ(dear_cells(path), 0);
+
+  // Closed above and below, it is crossed straight.
+  for (std::int32_t row = 0; row < 31; ++row) {
+    for (std::int32_t column = 9; column <= 11 && (row < 10 || row > 20); ++column) {
+      map.passable[map.grid.index({column, row})] = NeuralMap::kBlocked;
+    }
+  }
+  landscape.evolve(map.grid, map.passable, {{20, 15}});
+  ASSERT_TRUE(landscape.path({0, 15}, path));
+  EXPECT_EQ(dear_cells(path), 3);
 }
 
 TEST(NeuralMap, ComesToTheSameLandscapeByRastersAsByParallelUpdates) {

@@ -163,6 +163,45 @@ TEST_P(WaySearchTest, FindsTheSameAgainAfterOtherSearches) {
   EXPECT_EQ(search_->find(costs, {2.5, 2.5}, {18.5, 7.5}, 0.1), first);
 }
 
+TEST_P(WaySearchTest, CrossesWhatTouchesAWallAndDoesNotGoAlongIt) {
+  // The wall's only hole, at row 9, is believed to touch, and so is all along the wall, two deep.
+  CostGrid costs = open_grid(21, 21);
+  for (std::int32_t row = 0; row < 21; ++row) {
+    for (std::int32_t column = 8; column <= 12; ++column) {
+      costs.room[costs.grid.index({column, row})] = Room::kTouching;
+      costs.cost[costs.grid.index({column, row})] = 40.0F;
+    }
+    if (row != 9) close(costs, {10, row});
+  }
+
+  const auto& way = search_->find(costs, {7.5, 18.5}, {18.5, 9.5}, 0.1);
+
+  ASSERT_FALSE(way.empty());
+  int touching = 0;
+  for (const Vec2& place : way) {
+    touching += costs.room[costs.grid.index(*costs.grid.cell_at(place))] == Room::kTouching;
+  }
+  EXPECT_EQ(touching, 5);
+}
+
+// The first step of a robot that stands beside a wall leads away from it, and not along it.
+TEST(NeuralWay, LeavesTheTouchingCellsThatTheRobotStandsIn) {
+  CostGrid costs = open_grid(21, 21);
+  for (std::int32_t column = 0; column < 21; ++column) {
+    close(costs, {column, 0});
+    for (std::int32_t row = 1; row <= 2; ++row) {
+      costs.room[costs.grid.index({column, row})] = Room::kTouching;
+      costs.cost[costs.grid.index({column, row})] = 40.0F;
+    }
+  }
+
+  const std::vector<Vec2> way = neural_way()->find(costs, {2.5, 1.5}, {18.5, 4.5}, 0.1);
+
+  ASSERT_GT(way.size(), 3u);
+  EXPECT_EQ(way[1].y(), 2.5);
+  EXPECT_EQ(way[2].y(), 3.5);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, WaySearchTest, ::testing::Values(false, true),
                          [](const auto& test) { return test.param ? "NeuralWay" : "AStar"; });
 
