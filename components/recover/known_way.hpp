@@ -88,6 +88,7 @@ class KnownWay {
   bool is_cut(const Situation& situation) const;
   void pull_tight(const map::CostGrid& costs, const std::vector<core::Vec2>& way,
                   const core::Vec2& from);
+  void centre_corners(const map::SeenMap& seen, double cell_m);
 
   KnownWayParameters parameters_;
   double radius_m_;
@@ -95,6 +96,7 @@ class KnownWay {
   map::Passage passage_;
   std::optional<map::Clearance> clearance_;  // made with the first way that is sought
   std::unique_ptr<map::WaySearch> search_;
+  std::vector<core::Vec2> hits_odom_;  // memory to work in
   State state_;
 };
 
