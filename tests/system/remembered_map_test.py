@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Recovery by all that was seen: it reaches what can be reached, and proves what cannot."""
-import json
-import tempfile
 import unittest
 
-from clew_command import Run, SOAK, SOURCE, run_graph
+from clew_command import SOAK, SOURCE, run_graph
 
 # Pockets, a maze, a gap of 1.2 robot diameters, and a world without a way.
 SAMPLE = ["u-trap", "n-fig04-invisible-minimum", "maze-8x8", "narrow-gap", "unsolvable-box"]
@@ -45,7 +43,7 @@ class RememberedWays(unittest.TestCase):
         self.run_everywhere("remembered_map", "laser")
 
     def test_the_neural_map_with_a_ring_of_sonars(self):
-        self.run_everywhere("remembered_map", "ring", FEW)
+        self.run_everywhere("remembered_map", "ring", [*FEW, "narrow-gap"])
 
     def test_the_neural_map_with_four_infrared_rangers(self):
         self.run_everywhere("remembered_map", "infrared", FEW)
@@ -55,20 +53,6 @@ class RememberedWays(unittest.TestCase):
 
     def test_astar_with_a_laser(self):
         self.run_everywhere("remembered_astar", "laser")
-
-
-@unittest.skipUnless(SOAK, "the whole comparison takes an hour")
-class OwnSuite(unittest.TestCase):
-    def test_reaches_all_that_can_be_reached(self):
-        with tempfile.TemporaryDirectory() as scratch:
-            bench = Run(["bench", "own", "--out", scratch, "--json"], timeout_s=14400)
-            self.assertEqual(bench.status, 0, bench.err)
-
-            for run in map(json.loads, bench.out.splitlines()):
-                with self.subTest(variant=run["variant"], world=run["world"]):
-                    self.assertEqual(run["collisions"], 0)
-                    if "cones" in run["variant"] or "laser" in run["variant"]:
-                        self.assertTrue(run["success"], run["outcome"])
 
 
 if __name__ == "__main__":
