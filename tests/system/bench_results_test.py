@@ -14,9 +14,25 @@ graphs: [krishna_kalra]
 generated: {seed: 1, count: 12, families: [u, recursive-u]}
 max_ticks: 6000
 """
+# Our own recovery and its rival, in worlds with a pocket and in worlds without a way.
+OWN_SAMPLE = """format: clew-suite/1
+graphs: [any_sensor]
+vary:
+  sense: [{cones: {range_m: 1.5}}]
+  recover.escape: [remembered_astar, remembered_map]
+generated: {seed: 1, count: 4, families: [u, unreachable]}
+max_ticks: 6000
+"""
+POCKETS = """format: clew-suite/1
+graphs: [default]
+generated: {seed: 1, count: 12, families: [u]}
+max_ticks: 6000
+"""
+MOST_STOPS = 5  # of a run, with a sensor that sees what is ahead
 NOISE = ["--vary", "sense.noise_stddev_m=0,0.01,0.03,0.1"]
 DRIFT = ["--vary", "drive.drift_rad_per_sqrt_m=0,0.01,0.03,0.1"]
 TRAPS = ["traps", "--graph", "krishna_kalra"]
+OWN_TRAPS = ["traps", "--graph", "default"]
 LONGEST_S = 30000
 TIMING = ("wall_s", "ticks_per_s")
 
@@ -31,6 +47,23 @@ def curve(report):
     [variants] = [part for part in report.split("\n## ") if part.startswith("All worlds")]
     return [[cells[0].split("=")[1].rstrip("]"), cells[2], " ".join(cells[3].split()[:1]), cells[6]]
             for cells in rows(variants)[1:]]
+
+
+def behaviours(label):
+    """Sensor and escape of a variant of our own suites."""
+    return [part.split("=", 1)[1] for part in label.split("[")[1].rstrip("]").split(" ")]
+
+
+def own_lines(runs, report):
+    """The rows of a comparison of escapes with each other, as they are published."""
+    parts = report.split("\n## ")
+    [variants] = [part for part in parts if part.startswith("All worlds")]
+    [pairs] = [part for part in parts if part.startswith("Compared in pairs")]
+    over_rival = {cells[0]: cells[5] for cells in rows(pairs)[1:]}
+    for cells in rows(variants)[1:]:
+        most = max(run["safety_stops"] for run in runs if run["variant"] in cells[0])
+        yield [*behaviours(cells[0]), cells[2], cells[3], cells[6], str(most), cells[7],
+               over_rival.get(cells[0], "")]
 
 
 class Published(unittest.TestCase):
@@ -50,10 +83,16 @@ class Published(unittest.TestCase):
         self.assertEqual(sum(run["collisions"] for run in runs), 0)
         return runs, (self.out / name / "report.md").read_text(encoding="utf-8")
 
-    def assert_published(self, lines):
-        """Every line of a table stands in RESULTS.md."""
+    def assert_published(self, lines, text=RESULTS):
+        """Every line of a table stands in RESULTS.md, or in another text."""
         for cells in lines:
-            self.assertIn("| " + " | ".join(cells) + " |\n", RESULTS)
+            self.assertIn("| " + " | ".join(cells) + " |\n", text)
+
+    def assert_few_stops(self, runs):
+        """The safety layer hardly has to stop robots that see what is ahead."""
+        for run in runs:
+            if "infrared" not in run["variant"]:
+                self.assertLessEqual(run["safety_stops"], MOST_STOPS, run["world"])
 
     def matrix(self, report):
         """The matrix of a report."""
@@ -81,6 +120,22 @@ class Sample(Published):
             for level, solvable, _, stops in levels:
                 self.assert_published([[variation[1].split(".")[1].split("=")[0], level, solvable,
                                         stops]])
+
+    def test_a_sample_of_our_own_recovery(self):
+        runs, report = self.bench(write_file(OWN_SAMPLE))
+
+        self.assertEqual(len(runs), 16)
+        self.assert_published(own_lines(runs, report))
+        self.assert_few_stops(runs)
+
+    def test_a_sample_of_our_own_curves(self):
+        for variation in ("sense.noise_stddev_m=0.03", "drive.drift_rad_per_sqrt_m=0.03"):
+            runs, _ = self.bench(write_file(POCKETS), "--set", variation, name=variation)
+
+            reached = sum(run["outcome"] == "reached" for run in runs)
+            stops = sum(run["safety_stops"] for run in runs)
+            self.assert_published([[*variation.split(".", 1)[1].split("="),
+                                    f"{reached}/{len(runs)}", str(stops)]])
 
     def test_false_alarms_in_clutter(self):
         runs, _ = self.bench("clutter")
@@ -113,10 +168,21 @@ class Whole(Published):
         return sum(sum(each) >= share * len(each) for each in reached.values())
 
     def test_the_curves(self):
-        _, noise = self.bench(*TRAPS, *NOISE, name="noise")
-        _, drift = self.bench(*TRAPS, *DRIFT, name="drift")
+        for traps in (TRAPS, OWN_TRAPS):
+            _, noise = self.bench(*traps, *NOISE, name=f"noise of {traps[-1]}")
+            _, drift = self.bench(*traps, *DRIFT, name=f"drift of {traps[-1]}")
 
-        self.assert_published([a + b for a, b in zip(curve(noise), curve(drift))])
+            self.assert_published([a + b for a, b in zip(curve(noise), curve(drift))])
+
+    def test_our_own_recovery(self):
+        readme = (SOURCE / "components/recover/README.md").read_text(encoding="utf-8")
+        for suite, text in (("own", readme), ("own_traps", RESULTS)):
+            runs, report = self.bench(suite, name=suite)
+
+            self.assert_published(own_lines(runs, report), text)
+            for run in runs:
+                if "cones" in run["variant"] or "laser" in run["variant"]:
+                    self.assertTrue(run["success"], (suite, run["variant"], run["world"]))
 
     def test_the_static_worlds(self):
         paper_table = load_tool("paper-table")
