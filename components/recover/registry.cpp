@@ -6,6 +6,7 @@
 #include "recover/known_detour.hpp"
 #include "recover/landmark_revisit.hpp"
 #include "recover/local_minimum_planner.hpp"
+#include "recover/no_connecting_path.hpp"
 #include "recover/no_progress.hpp"
 #include "recover/no_recovery.hpp"
 #include "recover/no_safe_region.hpp"
@@ -30,6 +31,9 @@ const runtime::Registry<TrapDetector>& detectors() {
           "positions seen before, with the same heading, in a row (Pin & Bender 1996)"),
       runtime::registration<TrapDetector, NoSafeRegion>(
           "no_safe_region", "no navigable gap toward the target (Nakhaeinia et al. 2015)"),
+      runtime::registration<TrapDetector, NoConnectingPath>(
+          "no_connecting_path",
+          "at the end of a leg, no path in view connects to the target (Nakhaeinia et al. 2015)"),
       runtime::registration<TrapDetector, HeadingReversal>(
           "heading_reversal",
           "a turn of 160 degrees (Huang & Lee 1992, as in Krishna & Kalra 2000, section 4.5)"),

@@ -63,6 +63,7 @@ const std::map<std::string, std::set<std::string>> kSensorsFor = {
     {"polar_neural_map", {"laser", "sonar_ring"}},
     {"obstacle_following", {"cones", "laser", "sonar_ring"}},
     {"no_safe_region", {"cones", "laser", "sonar_ring"}},
+    {"no_connecting_path", {"cones", "laser", "sonar_ring"}},
 };
 
 struct Combination {
