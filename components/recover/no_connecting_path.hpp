@@ -48,7 +48,8 @@ void visit_parameters(Visitor& visit, NoConnectingPathParameters& p) {
 /// - a target that has just come in force, actual or virtual, is given a leg before it is judged.
 ///
 /// The robot should be driven by nearest_virtual_target: the legs of other controllers are not
-/// known here, and only their length ends them.
+/// known here, and only their length ends them. A judgement, in a tick in which a leg ends,
+/// compares each of n directions with up to n returns.
 class NoConnectingPath final : public TrapDetector {
  public:
   using Parameters = NoConnectingPathParameters;
