@@ -39,7 +39,7 @@ namespace clew::map {
 ///
 /// What is far from the targets rests only after what is near. So an evolution to rest holds the
 /// rasters within a horizon, a least activation, which it lowers whenever all above it rests: the
-/// time then grows with the number of cells, and not with that times the longest way. With a start,
+/// time then does not grow with the number of cells times the longest way. With a start,
 /// the horizon is the start's own activation as soon as it has one, since the way up from there
 /// does not lead below it, and growth by less than a millionth is not passed on.
 ///
