@@ -135,6 +135,12 @@ class Options(BadInput):
         self.assertEqual(Run([]).status, 2)
         self.refused(Run(["chekc", "reactive"]), "did you mean 'check'?")
 
+    def test_an_unknown_option_is_named_before_what_is_missing(self):
+        for command, option, nearest in (("plot", "--tikc", "--tick"), ("info", "--jsno", "--json"),
+                                         ("bench", "--jbos", "--jobs")):
+            self.refused(Run([command, option, "3"]), f"unknown option '{option}'",
+                         f"did you mean '{nearest}'?")
+
     def test_help_and_version(self):
         for arguments in ([], *([command] for command in (
                 "run", "bench", "check", "list", "component", "plot", "info", "diff", "replay",

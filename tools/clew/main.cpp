@@ -266,6 +266,22 @@ core::Result<void> check_command(const CLI::App& app, const std::string& name) {
   return core::Error{core::unknown_name("command", name, known), {}, 0, 0};
 }
 
+/// CLI11 would rather name an argument that is missing than an option that nobody knows.
+core::Result<void> check_options(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    CLEW_RETURN_IF_ERROR(check_options(*command));
+  }
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  for (const std::string& word : app.remaining()) {
+    if (word.size() < 2 || word.front() != '-') continue;
+    return core::Error{core::unknown_name("option", word, known), {}, 0, 0};
+  }
+  return {};
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Sensor-based navigation of a mobile robot as a graph of DDS components", "clew");
   app.require_subcommand(1);
@@ -303,6 +319,8 @@ int parse_and_run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    const auto all_known = check_options(app);
+    if (!all_known.ok()) return complain(all_known.error());
     const int code = app.exit(error);
     return code == 0 ? kExitGood : kExitBadInput;
   }
