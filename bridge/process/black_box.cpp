@@ -32,8 +32,6 @@ const char* bad_end(domain::Outcome outcome) {
   return "";
 }
 
-std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
-
 }  // namespace
 
 Result<std::unique_ptr<BlackBox>> BlackBox::go_on(const RecordingOrder& order,

@@ -22,7 +22,7 @@ using core::Error;
 using core::Result;
 
 // How often a component that has nothing else to do reports, and tries waiting writes again.
-constexpr auto kHeartbeat = std::chrono::milliseconds(20);
+constexpr auto kFlushPeriod = std::chrono::milliseconds(20);
 
 Result<Frame> receive_frame(Link& link, Clock::time_point deadline) {
   while (true) {
@@ -50,7 +50,7 @@ class ComponentLoop {
       if (finish_at_ && !finished_) try_to_finish();
       if (now >= next_flush_) {
         host_.flush();
-        next_flush_ = now + kHeartbeat;
+        next_flush_ = now + kFlushPeriod;
       }
       wait();
       if (!link_.receive()) return finished_;

@@ -16,8 +16,6 @@ constexpr std::uint64_t kTicksPerReport = 32;
 // go on from the same one. Histories hold more than two periods.
 constexpr std::size_t kSpoolBytes = 64 * 1024;
 
-std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
-
 EndpointSpec spec_of(Topic topic, const std::string& user_data, int history_depth) {
   return {std::string(domain::topic_name(topic)), std::string(domain::type_name(topic)), user_data,
           history_depth};

@@ -18,7 +18,7 @@ constexpr std::uint32_t kDeathsInPlace = 2;
 constexpr std::size_t kBytesAtOnce = 64 * 1024;
 constexpr auto kLongestDelay = std::chrono::milliseconds(20);
 // Half a history: see Restart in ARCHITECTURE.md.
-constexpr std::uint64_t kLead = 256;
+constexpr std::uint64_t kTicksAhead = 256;
 // In real time; minutes of the fastest run.
 constexpr std::size_t kMaxKeptBytes = std::size_t{64} << 20;
 
@@ -66,7 +66,7 @@ void RecorderKeeper::end(const std::string& aborted) {
 }
 
 std::uint64_t RecorderKeeper::credit() const {
-  return account_ || drops_ ? UINT64_MAX : progress_.ticks + kLead;
+  return account_ || drops_ ? UINT64_MAX : progress_.ticks + kTicksAhead;
 }
 
 std::optional<pollfd> RecorderKeeper::descriptor() const {

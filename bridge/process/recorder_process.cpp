@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 using core::Error;
 using core::Result;
 
-constexpr auto kHeartbeat = std::chrono::milliseconds(100);
+constexpr auto kReportPeriod = std::chrono::milliseconds(100);
 // What is in the open chunk is left in the file as often as this.
 constexpr auto kWriteAheadPeriod = std::chrono::milliseconds(500);
 // The run is told at once that it may go on, but not of every tick: a small part of its lead.
@@ -42,7 +42,7 @@ class KeepAlive {
   void run(Link& link) {
     for (int beat = 0; !ended_; ++beat) {
       if (beat % 10 == 0) link.send(FrameType::kWaiting, Waiting{{"recorder reads its file"}});
-      std::this_thread::sleep_for(kHeartbeat / 10);
+      std::this_thread::sleep_for(kReportPeriod / 10);
     }
   }
 
@@ -65,7 +65,7 @@ class Recorder {
       }
       if (!failure_.empty()) return give_up();
       pollfd descriptor{link_.socket(), POLLIN, 0};
-      ::poll(&descriptor, 1, static_cast<int>(kHeartbeat.count()));
+      ::poll(&descriptor, 1, static_cast<int>(kReportPeriod.count()));
       if (!link_.receive()) return false;
       while (auto frame = link_.next()) {
         if (frame->type == FrameType::kSamples) record(frame->payload);
@@ -96,7 +96,7 @@ class Recorder {
     const Kept kept = sink_.kept();
     reported_ = kept.ticks;
     link_.send(FrameType::kKept, kept);
-    next_report_ = now + kHeartbeat;
+    next_report_ = now + kReportPeriod;
   }
 
   bool give_up() {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/result.hpp"
@@ -21,6 +22,9 @@ struct ReadLimits {
   /// Of the chunks that must be open together because their times overlap.
   std::uint64_t open_bytes = std::uint64_t{1} << 30;
 };
+
+/// What is wrong with a record; who reads the file adds its name.
+inline core::Error damage(std::string what) { return {std::move(what), {}, 0, 0}; }
 
 /// A part of the data section that holds messages: one chunk, or a run of records outside chunks.
 struct Segment {

@@ -11,8 +11,6 @@ namespace {
 /// Records outside chunks are read again in runs of at most this size, unless one alone is larger.
 constexpr std::uint64_t kLooseSegmentBytes = 1 << 20;
 
-core::Error damage(std::string what) { return {std::move(what), {}, 0, 0}; }
-
 /// Reads a file record by record from the front.
 class Scanner {
  public:

@@ -9,8 +9,6 @@
 namespace clew::bridge::mcap {
 namespace {
 
-core::Error damage(std::string what) { return {std::move(what), {}, 0, 0}; }
-
 core::Result<void> check_channel(std::uint16_t channel_id, const Declarations& declarations) {
   const auto channel = declarations.channels().find(channel_id);
   if (channel == declarations.channels().end()) {

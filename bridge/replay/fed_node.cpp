@@ -6,8 +6,6 @@ namespace {
 
 using domain::Topic;
 
-constexpr std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
-
 core::Error refused(const std::string& what) { return {what, {}, 0, 0}; }
 
 std::string sample_of(Topic topic, std::uint64_t tick) {

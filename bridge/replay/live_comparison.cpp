@@ -12,8 +12,6 @@ namespace {
 using core::Result;
 using domain::Topic;
 
-std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
-
 }  // namespace
 
 /// The reader of one output. Samples are brought into the form in which they are recorded, since

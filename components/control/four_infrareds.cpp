@@ -11,11 +11,11 @@
 namespace clew::control {
 namespace {
 
-constexpr double kToleranceRad = core::radians(1.0);
 constexpr std::array<double, 4> kBearingsRad = {0.0, core::radians(180.0), core::radians(90.0),
                                                 core::radians(-90.0)};  // by InfraredSide
 
 std::optional<std::size_t> beam_at(const domain::ScanLayout& layout, double bearing_rad) {
+  constexpr double kToleranceRad = core::radians(1.0);
   for (std::size_t i = 0; i < layout.beam_count; ++i) {
     const double beam_rad =
         layout.bearing_first_rad + static_cast<double>(i) * layout.bearing_step_rad;

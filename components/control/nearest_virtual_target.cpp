@@ -12,20 +12,15 @@
 namespace clew::control {
 namespace {
 
-constexpr double kBlindRad = core::radians(15.0);
-constexpr double kFieldRad = core::radians(45.0);
-constexpr double kToleranceRad = core::radians(0.1);
 constexpr int kDepths = 3;  // depth_ratio, half and a quarter of it
 
-/// Whether gaps can be told: no blind sector over kBlindRad, and kFieldRad seen on each side.
+/// Whether gaps can be told: no blind sector over 15 degrees, and 45 degrees seen on each side.
 bool shows_gaps(const domain::ScanLayout& scan) {
   if (scan.beam_count < 2) return false;
-  const double last_rad =
-      scan.bearing_first_rad + static_cast<double>(scan.beam_count - 1) * scan.bearing_step_rad;
-  const double most_rad = std::max(scan.bearing_first_rad, last_rad);
-  const double least_rad = std::min(scan.bearing_first_rad, last_rad);
-  return std::fabs(scan.bearing_step_rad) - scan.beam_width_rad <= kBlindRad + kToleranceRad &&
-         most_rad >= kFieldRad - kToleranceRad && least_rad <= -kFieldRad + kToleranceRad;
+  constexpr double kMostBlindRad = core::radians(15.1);
+  constexpr double kLeastSideRad = core::radians(44.9);
+  return std::fabs(scan.bearing_step_rad) - scan.beam_width_rad <= kMostBlindRad &&
+         scan.leftmost_rad() >= kLeastSideRad && scan.rightmost_rad() <= -kLeastSideRad;
 }
 
 }  // namespace

@@ -12,21 +12,18 @@
 namespace clew::control {
 namespace {
 
-constexpr double kApartRad = core::radians(30.0);
-constexpr double kFieldRad = core::radians(90.0);
-constexpr double kToleranceRad = core::radians(0.1);
 constexpr double kAtRest_radps = 1e-6;
 
-/// Whether a scan tells what is ahead of and beside the robot.
+/// Whether a scan tells what is ahead of and beside the robot: beams at most 30 degrees apart, over
+/// 90 degrees on each side.
 bool shows_surroundings(const domain::ScanLayout& scan) {
   if (scan.beam_count < 2) return false;
-  const double last_rad =
-      scan.bearing_first_rad + static_cast<double>(scan.beam_count - 1) * scan.bearing_step_rad;
+  constexpr double kMostApartRad = core::radians(30.1);
+  constexpr double kLeastSideRad = core::radians(89.9);
   const double half_width_rad = 0.5 * scan.beam_width_rad;
-  const double most_rad = std::max(scan.bearing_first_rad, last_rad) + half_width_rad;
-  const double least_rad = std::min(scan.bearing_first_rad, last_rad) - half_width_rad;
-  return std::fabs(scan.bearing_step_rad) <= kApartRad + kToleranceRad &&
-         most_rad >= kFieldRad - kToleranceRad && least_rad <= -kFieldRad + kToleranceRad;
+  return std::fabs(scan.bearing_step_rad) <= kMostApartRad &&
+         scan.leftmost_rad() + half_width_rad >= kLeastSideRad &&
+         scan.rightmost_rad() - half_width_rad <= -kLeastSideRad;
 }
 
 /// A place of the world in the frame of a pose.

@@ -16,17 +16,6 @@
 namespace clew::core {
 namespace {
 
-struct Value {
-  YamlKind kind = YamlKind::kNull;
-  bool quoted = false;
-  int line = 0;
-  int column = 0;
-  // A scalar's text, or where a list's or map's children are listed; a map's are key, value, key
-  // ...
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-};
-
 constexpr std::size_t kMostShown = 40;
 
 // What yaml-cpp takes and we do not. An exception, because it passes through yaml-cpp's parser.
@@ -62,6 +51,17 @@ bool has_closing_quote(std::string_view yaml, std::size_t begin) {
 }
 
 }  // namespace
+
+struct YamlNode::Value {
+  YamlKind kind = YamlKind::kNull;
+  bool quoted = false;
+  int line = 0;
+  int column = 0;
+  // A scalar's text, or where a list's or map's children are listed; a map's are key, value, key
+  // ...
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
 
 /// All values of a file in a few arrays: a world of 100,000 walls has half a million.
 struct YamlNode::Document {

@@ -62,6 +62,7 @@ class YamlNode {
   Result<YamlNode> at(std::string_view key) const;
 
  private:
+  struct Value;
   struct Document;
   class Builder;
   YamlNode(std::shared_ptr<const Document> document, std::uint32_t index)

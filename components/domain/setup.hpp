@@ -2,6 +2,7 @@
 /// What a behaviour may know of the run before the first tick.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -30,6 +31,15 @@ struct ScanLayout {
   double beam_width_rad = 0.0;
   double range_max_m = 0.0;
   std::optional<InfraredCurve> infrared_curve = std::nullopt;  ///< of a sensor that answers by one
+
+  /// Bearings of the outermost beams' axes; of at least one beam.
+  double leftmost_rad() const { return std::max(bearing_first_rad, bearing_last_rad()); }
+  double rightmost_rad() const { return std::min(bearing_first_rad, bearing_last_rad()); }
+
+ private:
+  double bearing_last_rad() const {
+    return bearing_first_rad + static_cast<double>(beam_count - 1) * bearing_step_rad;
+  }
 };
 
 /// What a drive can do, so that nobody asks for more; infinite where it has no limit.

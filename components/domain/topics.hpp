@@ -26,12 +26,15 @@ enum class Topic : std::uint8_t {
 };
 inline constexpr std::size_t kTopicCount = 8;
 
+/// Where what is kept for each topic stands: in Messages and in arrays of kTopicCount.
+constexpr std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
+
 /// One value of each topic, indexed by Topic.
 using Messages = std::tuple<Command, Event, Guidance, Landmark, Odometry, Scan, State, Target>;
 static_assert(std::tuple_size_v<Messages> == kTopicCount);
 
 template <Topic topic>
-using MessageOf = std::tuple_element_t<static_cast<std::size_t>(topic), Messages>;
+using MessageOf = std::tuple_element_t<index_of(topic), Messages>;
 
 /// The topic whose messages are of type M.
 template <typename M, std::size_t I = 0>

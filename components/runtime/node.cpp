@@ -6,11 +6,6 @@
 #include "domain/reset.hpp"
 
 namespace clew::runtime {
-namespace {
-
-std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
-
-}  // namespace
 
 NodePorts resolve_ports(const StageInfo& stage, const TopicSet& written,
                         const TopicSet& taken_over) {

@@ -9,7 +9,6 @@ namespace {
 using core::Error;
 using core::Result;
 
-std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
 std::string quoted(Topic topic) { return "'" + std::string(domain::topic_name(topic)) + "'"; }
 
 Error wiring_error(std::string message) { return {std::move(message), {}, 0, 0}; }

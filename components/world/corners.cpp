@@ -13,8 +13,6 @@ constexpr double kJoin_m = 1e-3;
 // Where two segments go on straight, or lie on each other, there is no corner: sine of the angle.
 constexpr double kStraight = 1e-3;
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
-
 // An arm is a part of a segment that leaves a point.
 struct Arm {
   Vec2 direction;

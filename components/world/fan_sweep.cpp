@@ -11,8 +11,6 @@ namespace {
 constexpr double kAtTheApex_m = 1e-6;
 constexpr double kFullTurn = 2.0 * core::kPi;
 
-double dot(const Vec2& a, const Vec2& b) { return a.x() * b.x() + a.y() * b.y(); }
-
 }  // namespace
 
 FanSweep::FanSweep(const RayFan& fan, const Pose2& pose, double* squared_distances)

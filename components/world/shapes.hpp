@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/geometry.hpp"
@@ -21,7 +22,11 @@ inline Box box_of(const World::Circle& c) {
           c.centre.y() + c.radius_m};
 }
 
+inline double dot(const Vec2& a, const Vec2& b) { return a.x() * b.x() + a.y() * b.y(); }
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// A bound on a box that holds nothing of what is asked for.
+inline constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// Square of the least distance from a point to a box; 0 inside.
 inline double squared_distance(const Vec2& point, const Box& box) {

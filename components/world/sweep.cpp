@@ -15,8 +15,6 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 // Approaching by less than this on the whole way is moving along: rounding of the direction.
 constexpr double kAlong_m = 1e-12;
 
-double dot(const Vec2& a, const Vec2& b) { return a.x() * b.x() + a.y() * b.y(); }
-
 // First fraction at which a point outside a circle reaches it.
 double reach_circle(const Motion& motion, const Vec2& centre, double radius_m) {
   const Vec2 p{motion.from.x() - centre.x(), motion.from.y() - centre.y()};

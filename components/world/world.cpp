@@ -20,7 +20,6 @@
 namespace clew::world {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
 // Contacts nearer to each other than this are one: two sides that share a point.
 constexpr double kSamePoint_m = 1e-9;
 

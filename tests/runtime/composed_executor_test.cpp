@@ -10,8 +10,6 @@
 namespace clew::runtime {
 namespace {
 
-constexpr std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
-
 /// A component of one function and one number.
 class Lambda : public Component {
  public:

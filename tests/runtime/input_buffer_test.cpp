@@ -19,8 +19,6 @@ using domain::Scan;
 
 constexpr std::size_t kDepth = 4;
 
-constexpr std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
-
 /// Reads scan and odometry of the tick, and command of the tick before.
 NodePorts three_inputs() {
   NodePorts ports;

@@ -8,8 +8,6 @@
 namespace clew::runtime {
 namespace {
 
-constexpr std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
-
 TopicSet set_of(std::initializer_list<Topic> topics) {
   TopicSet set;
   for (Topic topic : topics) set.set(index_of(topic));

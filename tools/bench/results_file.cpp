@@ -18,11 +18,11 @@ using core::Error;
 using core::Result;
 using Configuration = std::map<std::string, std::string>;
 
-constexpr char kFormat[] = "clew-bench/1";
+constexpr char kResultsFormat[] = "clew-bench/1";
 
 std::string header_text(const Configuration& configuration) {
   nlohmann::ordered_json header;
-  header["format"] = kFormat;
+  header["format"] = kResultsFormat;
   header["configuration"] = configuration;
   return header.dump();
 }
@@ -44,9 +44,10 @@ std::string difference(const Configuration& made_with, const Configuration& now)
 
 Result<Configuration> read_header(const std::string& line, const std::string& path) {
   const auto header = nlohmann::json::parse(line, nullptr, false);
-  if (!header.is_object() || header.value("format", "") != kFormat ||
+  if (!header.is_object() || header.value("format", "") != kResultsFormat ||
       !header.contains("configuration") || !header["configuration"].is_object()) {
-    return Error{std::string("is no file of results; expected format ") + kFormat, path, 1, 0};
+    return Error{std::string("is no file of results; expected format ") + kResultsFormat, path, 1,
+                 0};
   }
   Configuration configuration;
   for (const auto& [key, value] : header["configuration"].items()) {

@@ -15,7 +15,7 @@ using core::Result;
 using core::YamlKind;
 using core::YamlNode;
 
-constexpr char kFormat[] = "clew-suite/1";
+constexpr char kSuiteFormat[] = "clew-suite/1";
 constexpr std::int64_t kMostWorlds = 1000;  // of a family
 constexpr std::int64_t kMostCount = std::int64_t{1} << 53;
 
@@ -174,7 +174,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 Result<Suite> read_suite(const core::Resource& file, const std::string& name) {
   const auto root = YamlNode::parse(file.text, file.file);
   if (!root.ok()) return root.error();
-  CLEW_RETURN_IF_ERROR(core::check_format(*root, kFormat));
+  CLEW_RETURN_IF_ERROR(core::check_format(*root, kSuiteFormat));
   CLEW_RETURN_IF_ERROR(root->check_keys(
       {"format", "about", "graphs", "vary", "worlds", "generated", "seeds", "max_ticks"}));
   Suite suite;

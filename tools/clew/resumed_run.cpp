@@ -22,7 +22,7 @@ using core::Result;
 
 constexpr char kTemporary[] = ".tmp~";
 
-Result<void> check_options(const RunOptions& options) {
+Result<void> check_nothing_is_decided_anew(const RunOptions& options) {
   const auto& overrides = options.overrides;
   const std::pair<bool, const char*> decided[] = {{!options.graph.empty(), "a graph"},
                                                   {overrides.world.has_value(), "--world"},
@@ -87,7 +87,7 @@ Result<void> take_over(const std::string& file, const std::string& becomes, bool
 }  // namespace
 
 Result<ResumedRun> resume_run(const RunOptions& options) {
-  CLEW_RETURN_IF_ERROR(check_options(options));
+  CLEW_RETURN_IF_ERROR(check_nothing_is_decided_anew(options));
   const std::string file = existing(options.resume);
   const auto recording = bridge::RunRecording::open(file);
   if (!recording.ok()) return recording.error();

@@ -15,8 +15,8 @@ constexpr double kLeftPx = 70.0;
 constexpr double kRightPx = 600.0;
 constexpr double kTopPx = 60.0;
 constexpr double kBottomPx = 420.0;
-constexpr double kLegendPx = kRightPx + 24.0;
-constexpr double kLegendLinePx = 22.0;
+constexpr double kLegendLeftPx = kRightPx + 24.0;
+constexpr double kEntryPx = 22.0;
 constexpr double kTicks = 5.0;
 
 /// 1, 2 or 5 times a power of ten: the step of about kTicks ticks up to `most`.
@@ -100,9 +100,9 @@ class ChartPainter {
   }
 
   void name(const std::string& text, const Paint& paint, std::size_t entry) {
-    const double y = kTopPx + kLegendLinePx * static_cast<double>(entry);
-    svg_.line({kLegendPx, y}, {kLegendPx + 26, y}, paint);
-    svg_.text({kLegendPx + 34, y + 4}, text);
+    const double y = kTopPx + kEntryPx * static_cast<double>(entry);
+    svg_.line({kLegendLeftPx, y}, {kLegendLeftPx + 26, y}, paint);
+    svg_.text({kLegendLeftPx + 34, y + 4}, text);
   }
 
   const LineChart& chart_;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "plot/map_view.hpp"
+#include "plot/page.hpp"
 #include "plot/palette.hpp"
 #include "plot/svg_writer.hpp"
 #include "plot/symbols.hpp"
@@ -14,12 +15,7 @@
 namespace clew::plot {
 namespace {
 
-constexpr double kMarginPx = 24.0;
-constexpr double kTitlePx = 56.0;    ///< height of title and details
-constexpr double kMapPx = 720.0;     ///< the map's longer side
 constexpr double kLegendPx = 250.0;  ///< the legend's width
-constexpr double kFooterPx = 44.0;   ///< height of the scale bar
-constexpr double kLegendLinePx = 21.0;
 constexpr std::size_t kLongestName = 30;
 
 std::string outcome_text(const RunTrack& track) {

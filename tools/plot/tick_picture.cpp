@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "plot/map_view.hpp"
+#include "plot/page.hpp"
 #include "plot/palette.hpp"
 #include "plot/svg_writer.hpp"
 #include "plot/world_layer.hpp"
@@ -16,12 +17,7 @@ namespace {
 using domain::PictureChart;
 using domain::PictureLayer;
 
-constexpr double kMarginPx = 24.0;
-constexpr double kTitlePx = 56.0;
-constexpr double kMapPx = 720.0;
 constexpr double kColumnPx = 300.0;  ///< of legend and charts
-constexpr double kFooterPx = 44.0;
-constexpr double kLegendLinePx = 21.0;
 constexpr double kChartWidthPx = 240.0;
 constexpr double kChartHeightPx = 150.0;
 constexpr double kChartLinePx = kChartHeightPx + 80.0;  ///< with its name and labels

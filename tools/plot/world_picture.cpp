@@ -4,16 +4,12 @@
 #include <algorithm>
 
 #include "plot/map_view.hpp"
+#include "plot/page.hpp"
 #include "plot/palette.hpp"
 #include "plot/world_layer.hpp"
 
 namespace clew::plot {
 namespace {
-
-constexpr double kMarginPx = 24.0;
-constexpr double kTitlePx = 56.0;   ///< height of name and subject
-constexpr double kMapPx = 720.0;    ///< the map's longer side
-constexpr double kFooterPx = 44.0;  ///< height of the scale bar
 
 double last_time_s(const world::World& world) {
   double last_s = 0.0;
