@@ -19,8 +19,8 @@ bool shows_gaps(const domain::ScanLayout& scan) {
   if (scan.beam_count < 2) return false;
   constexpr double kMostBlindRad = core::radians(15.1);
   constexpr double kLeastSideRad = core::radians(44.9);
-  return std::fabs(scan.bearing_step_rad) - scan.beam_width_rad <= kMostBlindRad &&
-         scan.leftmost_rad() >= kLeastSideRad && scan.rightmost_rad() <= -kLeastSideRad;
+  return scan.between_beams_rad() <= kMostBlindRad && scan.leftmost_rad() >= kLeastSideRad &&
+         scan.rightmost_rad() <= -kLeastSideRad;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -35,6 +36,12 @@ struct ScanLayout {
   /// Bearings of the outermost beams' axes; of at least one beam.
   double leftmost_rad() const { return std::max(bearing_first_rad, bearing_last_rad()); }
   double rightmost_rad() const { return std::min(bearing_first_rad, bearing_last_rad()); }
+  /// What two neighbours leave unseen between them; 0 where they overlap.
+  double between_beams_rad() const {
+    return std::max(0.0, std::fabs(bearing_step_rad) - beam_width_rad);
+  }
+  /// The field of view: as many steps as beams.
+  double field_rad() const { return static_cast<double>(beam_count) * std::fabs(bearing_step_rad); }
 
  private:
   double bearing_last_rad() const {

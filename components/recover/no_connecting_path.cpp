@@ -12,8 +12,6 @@
 namespace clew::recover {
 namespace {
 
-constexpr double kMostBetweenBeams_rad = core::radians(15.0);
-constexpr double kField_rad = core::radians(90.0);
 constexpr double kTolerance_rad = core::radians(1.0);
 // A target farther than this from the one before is another one.
 constexpr double kSameTarget_m = 1e-6;
@@ -38,15 +36,15 @@ std::optional<double> free_toward_m(const world::SafeRegions& regions, double be
 core::Result<std::unique_ptr<NoConnectingPath>> NoConnectingPath::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
   const domain::ScanLayout& scan = setup.scan;
-  const double step_rad = std::fabs(scan.bearing_step_rad);
-  const double field_rad = static_cast<double>(scan.beam_count) * step_rad;
-  if (step_rad - scan.beam_width_rad > kMostBetweenBeams_rad + 1e-9 ||
-      field_rad < kField_rad - 1e-9) {
+  constexpr double kMostBetweenBeams_rad = core::radians(15.0);
+  constexpr double kLeastField_rad = core::radians(90.0);
+  if (scan.between_beams_rad() > kMostBetweenBeams_rad + 1e-9 ||
+      scan.field_rad() < kLeastField_rad - 1e-9) {
     return core::Error{
         fmt::format("no_connecting_path needs a field of view of 90 degrees with at most 15 "
                     "between beams; '{}' has {:.4g} degrees with {:.4g} between",
-                    scan.sensor, core::degrees(field_rad),
-                    core::degrees(std::max(0.0, step_rad - scan.beam_width_rad))),
+                    scan.sensor, core::degrees(scan.field_rad()),
+                    core::degrees(scan.between_beams_rad())),
         {},
         0,
         0};

@@ -8,8 +8,6 @@
 namespace clew::recover {
 namespace {
 
-constexpr double kMostBetweenBeams_rad = core::radians(15.0);
-
 std::string in_degrees(double angle_rad) {
   return std::to_string(std::lround(core::degrees(angle_rad))) + " deg";
 }
@@ -19,7 +17,8 @@ std::string in_degrees(double angle_rad) {
 core::Result<std::unique_ptr<NoSafeRegion>> NoSafeRegion::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
   const domain::ScanLayout& scan = setup.scan;
-  const double between_rad = std::fabs(scan.bearing_step_rad) - scan.beam_width_rad;
+  constexpr double kMostBetweenBeams_rad = core::radians(15.0);
+  const double between_rad = scan.between_beams_rad();
   if (scan.beam_count > 1 && between_rad > kMostBetweenBeams_rad + 1e-9) {
     return core::Error{"no_safe_region needs beams with at most " +
                            in_degrees(kMostBetweenBeams_rad) + " between them; '" + scan.sensor +
@@ -28,7 +27,7 @@ core::Result<std::unique_ptr<NoSafeRegion>> NoSafeRegion::create(
                        0,
                        0};
   }
-  const double field_rad = static_cast<double>(scan.beam_count) * std::fabs(scan.bearing_step_rad);
+  const double field_rad = scan.field_rad();
   const double needed_rad = 2.0 * parameters.sector_rad * parameters.seen_ratio;
   if (field_rad < needed_rad - 1e-9) {
     return core::Error{"no_safe_region needs a field of view of " + in_degrees(needed_rad) +
