@@ -20,7 +20,8 @@ struct Behaviour {
 /// All that are registered, as `clew list` shows them.
 std::vector<Behaviour> all_behaviours();
 
-/// The last shipped graph, by name, in which the behaviour fits the others, with it, for `max_ticks`.
+/// The last shipped graph, by name, in which the behaviour fits the others, with it, for
+/// `max_ticks`.
 std::optional<runtime::RunPlan> plan_with(const Behaviour& behaviour, std::uint64_t max_ticks);
 
 }  // namespace clew::replay_test
