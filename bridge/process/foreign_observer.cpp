@@ -82,6 +82,11 @@ RunTally ForeignObserver::tally() const {
   return progress_.tally;
 }
 
+std::uint64_t ForeignObserver::refused_samples() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return progress_.refused_samples;
+}
+
 std::map<std::string, core::Hash128> ForeignObserver::chains() const {
   const auto finished = host_->finished(0);
   return finished ? finished->chains : std::map<std::string, core::Hash128>{};

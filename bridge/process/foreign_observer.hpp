@@ -29,6 +29,7 @@ class ForeignObserver {
   std::uint64_t ticks() const;
   bool finished(std::uint64_t last_tick) const;
   RunTally tally() const;
+  std::uint64_t refused_samples() const;
   std::map<std::string, core::Hash128> chains() const;
   std::string take_spooled();
   std::vector<std::string> take_notices();

@@ -358,6 +358,10 @@ class Supervisor {
           finished ? finished->refused_samples : member.progress.refused_samples;
       if (finished) chains.insert(finished->chains.begin(), finished->chains.end());
     }
+    // What it refuses the readers refuse as well, but the run may be over before they have said so.
+    if (observer_) {
+      report_.refused_samples = std::max(report_.refused_samples, observer_->refused_samples());
+    }
     if (observer_ && report_.aborted.empty()) chains.merge(observer_->chains());
     if (layout_.hash && report_.aborted.empty()) report_.hash = run_hash(chains);
     return report_;
