@@ -147,6 +147,23 @@ RunTally total_tally(const std::vector<Member>& members) {
   return total;
 }
 
+std::map<std::string, core::Hash128> all_chains(const std::vector<Member>& members) {
+  std::map<std::string, core::Hash128> chains;
+  for (const Member& member : members) {
+    if (!member.finished) continue;
+    chains.insert(member.finished->chains.begin(), member.finished->chains.end());
+  }
+  return chains;
+}
+
+std::uint64_t total_refused_samples(const std::vector<Member>& members) {
+  std::uint64_t total = 0;
+  for (const Member& member : members) {
+    total += member.finished ? member.finished->refused_samples : member.progress.refused_samples;
+  }
+  return total;
+}
+
 void end_processes(std::vector<Member>& members, bool orderly) {
   for (Member& member : members) {
     member.link.reset();

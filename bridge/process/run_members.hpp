@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
@@ -82,6 +83,12 @@ void end_processes(std::vector<Member>& members, bool orderly);
 
 /// What all members together have gathered.
 RunTally total_tally(const std::vector<Member>& members);
+
+/// The chained hashes of what those that have finished wrote, by topic.
+std::map<std::string, core::Hash128> all_chains(const std::vector<Member>& members);
+
+/// Samples that they have refused.
+std::uint64_t total_refused_samples(const std::vector<Member>& members);
 
 /// Who has not reported, and every endpoint that somebody waits for: `observed` by the observer. A
 /// line each, after a line break.

@@ -351,18 +351,13 @@ class Supervisor {
     report_.tally = tally();
     report_.ticks_per_s = rate_.per_s();
     report_.wall_s = std::chrono::duration<double>(Clock::now() - started_at_).count();
-    std::map<std::string, core::Hash128> chains;
-    for (const Member& member : members_) {
-      const auto& finished = member.finished;
-      report_.refused_samples +=
-          finished ? finished->refused_samples : member.progress.refused_samples;
-      if (finished) chains.insert(finished->chains.begin(), finished->chains.end());
-    }
-    // What it refuses the readers refuse as well, but the run may be over before they have said so.
+    auto chains = all_chains(members_);
+    report_.refused_samples = total_refused_samples(members_);
     if (observer_) {
+      // What it refuses its readers do, too, but the run may be over before they have said so.
       report_.refused_samples = std::max(report_.refused_samples, observer_->refused_samples());
+      if (report_.aborted.empty()) chains.merge(observer_->chains());
     }
-    if (observer_ && report_.aborted.empty()) chains.merge(observer_->chains());
     if (layout_.hash && report_.aborted.empty()) report_.hash = run_hash(chains);
     return report_;
   }
