@@ -78,7 +78,7 @@ void add_run(CLI::App& main, RunOptions& options, Outcome& outcome) {
   app->add_flag("--json", options.json, "print the result as one JSON object");
   app->add_flag("--no-hash", options.no_hash, "do not hash what is published");
   auto view = std::make_shared<bool>(false);
-  app->add_flag("--view", *view, "not in this version");
+  app->add_flag("--view", *view, "not in this version")->group("");
   app->callback([&options, &outcome, view] {
     outcome.status =
         *view ? complain({"--view is not in this version", {}, 0, 0}) : run_command(options);
@@ -273,6 +273,7 @@ core::Result<void> check_options(const CLI::App& app) {
   }
   std::vector<std::string> known;
   for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) continue;  // kept for later
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   }
   for (const std::string& word : app.remaining()) {
