@@ -17,9 +17,19 @@ struct Layout {
 
 // Neighbours in the loop on different cores: with five processes on two cores each hop then wakes
 // the other core.
-constexpr char kPinned[] =
-    " --prefix drive='taskset -c 0' --prefix sense='taskset -c 1' --prefix classify='taskset -c 0'"
-    " --prefix recover='taskset -c 1' --prefix control='taskset -c 0'";
+std::string pinned(const std::string& scheduling = {}) {
+  std::string options;
+  int core = 0;
+  for (const char* stage : {"drive", "sense", "classify", "recover", "control"}) {
+    options += std::string(" --prefix ") + stage + "='" + scheduling + "taskset -c " +
+               std::to_string(core) + "'";
+    core = 1 - core;
+  }
+  return options;
+}
+
+// Who is woken waits until the one that wakes it has sent all. Not everybody may ask for it.
+constexpr char kFirstInFirstOut[] = "chrt --fifo 1 ";
 
 // In this world nobody arrives, and without a detector nobody gives up: every run has all ticks.
 constexpr char kUnsolvable[] = " --world unsolvable-box";
@@ -99,7 +109,9 @@ int main(int argc, char** argv) {
                  std::string(kComposed.options) + kUnsolvable + " --no-hash", 20000, "default");
   for (const Layout& layout : kProcesses) {
     const std::string name = layout.name;
-    register_ticks("ticks/" + name + "/pinned", layout.options + endless + kPinned, 10000);
+    register_ticks("ticks/" + name + "/pinned", layout.options + endless + pinned(), 10000);
+    register_ticks("ticks/" + name + "/pinned/fifo",
+                   layout.options + endless + pinned(kFirstInFirstOut), 10000);
     register_ticks("ticks/" + name, layout.options + endless, 10000);
     register_ticks("ticks/" + name + "/recorded",
                    layout.options + endless + " --record /tmp/clew-benchmark.mcap --force", 10000);
