@@ -12,8 +12,6 @@
 namespace clew::control {
 namespace {
 
-constexpr int kDepths = 3;  // depth_ratio, half and a quarter of it
-
 /// Whether gaps can be told: no blind sector over 15 degrees, and 45 degrees seen on each side.
 bool shows_gaps(const domain::ScanLayout& scan) {
   if (scan.beam_count < 2) return false;
@@ -72,7 +70,7 @@ std::optional<core::Vec2> NearestVirtualTarget::choose(const core::Pose2& pose,
                                                        const core::Vec2& target_odom,
                                                        double range_m) {
   double depth_m = std::min(parameters_.depth_ratio * range_m, core::distance_m(pose, target_odom));
-  for (int i = 0; i < kDepths; ++i, depth_m *= 0.5) {
+  for (int i = 0; i < world::kSafeDepths; ++i, depth_m *= 0.5) {
     regions_.find(depth_m, gaps_);
     if (gaps_.empty()) continue;
     state_.virtual_target_odom = nearest_gap(pose, target_odom, depth_m);

@@ -23,6 +23,15 @@ double narrow_cost(const Passage& passage, double distance_m) {
 
 }  // namespace
 
+Passage passage_of(double radius_m, double hit_spread_m, double seen_cell_m) {
+  // A hit lies anywhere in its cell, and a way passes anywhere in its.
+  const double rounding_m = 0.5 * hit_spread_m + 0.5 * std::sqrt(2.0) * seen_cell_m;
+  Passage passage;
+  passage.impossible_m = std::max(0.3 * radius_m, radius_m - rounding_m);
+  passage.touching_m = radius_m - kTouching_m;
+  return passage;
+}
+
 Clearance::Clearance(const Passage& passage, double seen_cell_m)
     : cell_m_(2.0 * seen_cell_m),
       known_cost_(static_cast<float>(passage.known_cost)),

@@ -41,6 +41,13 @@ struct Passage {
   double narrow_cost = 2.0;     ///< just not touching; falls to 1 where it is comfortable
 };
 
+/// A centre this much nearer than the robot's radius is not believed to touch.
+inline constexpr double kTouching_m = 0.01;
+
+/// How near is impossible and how near touches, for a robot of `radius_m` on a map with cells of
+/// `seen_cell_m` whose hits stand for `hit_spread_m` of arc. The rest as by default.
+Passage passage_of(double radius_m, double hit_spread_m, double seen_cell_m);
+
 /// Tells of each cell of a grid what it costs to have the robot's centre there, as far as is known:
 /// unknown counts as free.
 class Clearance {

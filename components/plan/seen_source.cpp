@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plan/seen_source.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace clew::plan {
 namespace {
 
@@ -11,15 +8,9 @@ namespace {
 constexpr double kAround_m = 1.0;
 // Free parts of beams end this far before what returned.
 constexpr double kClearMargin_m = 0.01;
-// A robot that passes this much nearer than its radius is not believed to touch.
-constexpr double kTouching_m = 0.01;
 
 map::Passage passage_of(const SeenSource::Parameters& p, const RoomNeeds& needs) {
-  map::Passage passage;
-  // A hit stands for a piece of arc, lies anywhere in its cell, and a way passes anywhere in its.
-  const double rounding_m = 0.5 * p.hit_spread_m + 0.25 * std::sqrt(2.0) * p.cell_m;
-  passage.impossible_m = std::max(0.3 * needs.radius_m, needs.radius_m - rounding_m);
-  passage.touching_m = needs.radius_m - kTouching_m;
+  map::Passage passage = map::passage_of(needs.radius_m, p.hit_spread_m, 0.5 * p.cell_m);
   // Half way from touching to comfortable, a cell is open.
   passage.comfortable_m = 2.0 * (needs.radius_m + needs.margin_m) - passage.touching_m;
   return passage;

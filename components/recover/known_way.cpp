@@ -12,15 +12,10 @@ constexpr double kMargin_m = 1.0;
 // A centre this near to where the robot was held does not pass either.
 constexpr double kRefused_m = 0.06;
 constexpr std::size_t kMostRefused = 4096;
-constexpr double kTouching_m = 0.01;
 
 map::Passage passage_of(const KnownWayParameters& p, const SurroundingsParameters& seen,
                         double radius_m) {
-  map::Passage passage;
-  // A hit stands for a piece of arc, lies anywhere in its cell, and a way passes anywhere in its.
-  const double rounding_m = 0.5 * seen.hit_spread_m + 0.5 * std::sqrt(2.0) * seen.cell_m;
-  passage.impossible_m = std::max(0.3 * radius_m, radius_m - rounding_m);
-  passage.touching_m = radius_m - kTouching_m;
+  map::Passage passage = map::passage_of(radius_m, seen.hit_spread_m, seen.cell_m);
   passage.comfortable_m = radius_m + p.comfortable_m;
   passage.narrow_cost = p.narrow_cost;
   passage.known_cost = p.known_cost;
@@ -169,7 +164,7 @@ void KnownWay::centre_corners(const map::SeenMap& seen, double cell_m) {
 bool KnownWay::is_cut(const Situation& situation) const {
   core::Vec2 from = situation.pose().position();
   double left_m = parameters_.look_ahead_m;
-  const double room_m = radius_m_ - 2.0 * kTouching_m;
+  const double room_m = radius_m_ - 2.0 * map::kTouching_m;
   for (std::size_t i = state_.next; i < state_.corners_odom.size() && left_m > 0.0; ++i) {
     const core::Vec2 to = state_.corners_odom[i];
     const double length_m = core::length(to - from);

@@ -109,7 +109,7 @@ void NoConnectingPath::begin_leg(const Situation& situation) {
   double length_m = depth_m(situation);
   state_.on_leg = false;
   state_.travelled_m = 0.0;
-  for (int k = 0; k < kDepths && !state_.on_leg; ++k, length_m *= 0.5) {
+  for (int k = 0; k < world::kSafeDepths && !state_.on_leg; ++k, length_m *= 0.5) {
     leg_regions_.find(length_m, gaps_);
     double least_m = std::numeric_limits<double>::max();
     for (const world::SafeRegion& gap : gaps_) {
@@ -139,7 +139,7 @@ bool NoConnectingPath::a_path_connects(const Situation& situation) {
                            core::direction(pose.heading_rad + scan.bearing_rad(i)));
   }
   double length_m = depth_m(situation);
-  for (int k = 0; k < kDepths; ++k, length_m *= 0.5) {
+  for (int k = 0; k < world::kSafeDepths; ++k, length_m *= 0.5) {
     for (std::size_t i = 0; i < path_regions_.size(); ++i) {
       if (path_regions_.free_m(i) < length_m) continue;
       const core::Vec2 end =

@@ -76,8 +76,6 @@ class NoConnectingPath final : public TrapDetector {
   void load(core::StateReader& reader) override;
 
  private:
-  static constexpr int kDepths = 3;  // depth_ratio, half and a quarter of it
-
   bool leg_is_over(const Situation& situation) const;
   void begin_leg(const Situation& situation);
   bool a_path_connects(const Situation& situation);

@@ -8,6 +8,10 @@
 
 namespace clew::world {
 
+/// At how many depths safe regions are looked for, one after the other: the one that is asked for,
+/// half of it, and a quarter.
+inline constexpr int kSafeDepths = 3;
+
 /// Neighbouring directions in which the robot may go. Bearings from the heading.
 struct SafeRegion {
   double right_rad = 0.0;  ///< its rightmost direction, in (-pi, pi]
