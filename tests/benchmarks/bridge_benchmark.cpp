@@ -9,7 +9,6 @@
 
 #include "convert/codec.hpp"
 #include "echo_process.hpp"
-#include "patient_writer.hpp"
 #include "recording_listeners.hpp"
 #include "test_domain.hpp"
 
@@ -48,29 +47,27 @@ BENCHMARK_TEMPLATE(decode, domain::Command);
 /// Sends a sample back and forth, in the thread that delivers it.
 class PingPong : public SampleListener {
  public:
-  void start(PatientWriter& writer, int rounds, std::string_view cdr) {
+  void start(SampleWriter& writer, int rounds, std::string_view cdr) {
     writer_ = &writer;
     left_ = rounds;
     writer.write(cdr);
   }
+  /// False if no answer came, or a write would have had to wait: that would be no latency.
   bool wait() {
     std::unique_lock lock(mutex_);
     const bool done = ended_.wait_for(lock, kPatience, [&] { return is_done_; });
     is_done_ = false;
-    return done;
+    return done && left_ == 0;
   }
   void on_sample(std::string_view cdr, const RemoteEndpoint*) override {
-    if (--left_ > 0) {
-      writer_->write(cdr);
-      return;
-    }
+    if (--left_ > 0 && writer_->write(cdr) == WriteStatus::kTaken) return;
     const std::lock_guard lock(mutex_);
     is_done_ = true;
     ended_.notify_one();
   }
 
  private:
-  PatientWriter* writer_ = nullptr;
+  SampleWriter* writer_ = nullptr;
   int left_ = 0;
   std::mutex mutex_;
   std::condition_variable ended_;
@@ -92,18 +89,19 @@ void one_way(benchmark::State& state) {
   PingPong game;
   const auto vendor = static_cast<Vendor>(state.range(0));
   const auto participant = create_participant(vendor, {domain.number(), "ping", 1.5}, discovery);
-  const auto writer = (*participant)->create_writer({"question", "clew::msg::Test", "", 256});
-  const auto reader = (*participant)->create_reader({"answer", "clew::msg::Test", "", 256}, game);
+  const auto writer =
+      (*participant)->create_writer({"question", "clew::msg::Test", "", kEchoDepth});
+  const auto reader =
+      (*participant)->create_reader({"answer", "clew::msg::Test", "", kEchoDepth}, game);
   {
     EchoProcess echo(static_cast<Vendor>(state.range(1)), domain.number(), 1);
-    PatientWriter patient_writer(**writer);
     std::string cdr("\x00\x01\x00\x00", 4);
     cdr.resize(200);
     bool is_playing = discovery.wait_for_matches(2);
     for (auto _ : state) {
-      game.start(patient_writer, kRounds, cdr);
+      game.start(**writer, kRounds, cdr);
       is_playing = is_playing && game.wait();
-      if (!is_playing) state.SkipWithError("the echo is silent");
+      if (!is_playing) state.SkipWithError("the echo is silent, or a history is full");
     }
   }
   sched_setaffinity(0, sizeof all_cores, &all_cores);

@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "dds/participant.hpp"
+#include "echo_process.hpp"
 #include "patient_writer.hpp"
 
 namespace {
@@ -43,10 +44,11 @@ int main(int argc, char** argv) {
     std::cerr << participant.error().text() << '\n';
     return 1;
   }
-  const auto writer = (*participant)->create_writer({"answer", "clew::msg::Test", "", 256});
+  const auto writer = (*participant)->create_writer({"answer", "clew::msg::Test", "", kEchoDepth});
   if (!writer.ok()) return 1;
   Echo echo(**writer);
-  const auto reader = (*participant)->create_reader({"question", "clew::msg::Test", "", 256}, echo);
+  const auto reader =
+      (*participant)->create_reader({"question", "clew::msg::Test", "", kEchoDepth}, echo);
   if (!reader.ok()) return 1;
   char byte = 0;
   while (read(STDIN_FILENO, &byte, 1) > 0) {

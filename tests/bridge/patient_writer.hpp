@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -43,9 +44,7 @@ class PatientWriter {
       if (writer_.write(backlog_.front()) == WriteStatus::kTaken) {
         backlog_.pop_front();
       } else {
-        lock.unlock();
-        std::this_thread::yield();
-        lock.lock();
+        changed_.wait_for(lock, std::chrono::milliseconds(1), [&] { return stop_; });
       }
     }
   }
