@@ -10,6 +10,7 @@
 
 #include "convert/codec.hpp"
 #include "dds/participant.hpp"
+#include "process/keep_alive.hpp"
 #include "process/link.hpp"
 #include "process/node_host.hpp"
 #include "process/start_barrier.hpp"
@@ -107,14 +108,27 @@ Result<Assignment> take_assignment(Link& link, const std::string& stage) {
   return *std::move(assignment);
 }
 
-Result<bool> take_part(Link& link, const Assignment& assignment, const std::string& stage,
-                       const std::vector<runtime::StageInfo>& stages) {
-  const auto plan = runtime::prepare_run(assignment.bundle, stages);
+struct Prepared {
+  runtime::Node node;
+  double tick_s;
+};
+
+Result<Prepared> prepare(Link& link, const Assignment& assignment, const std::string& stage,
+                         const std::vector<runtime::StageInfo>& stages) {
+  const KeepAlive alive(link, stage + " still makes its component");
+  const auto plan = runtime::read_prepared_run(assignment.bundle, stages, stage);
   if (!plan.ok()) return plan.error();
   const runtime::GraphStage* graph_stage = plan->graph.find(stage);
   if (graph_stage == nullptr) return Error{"the run's graph has no stage " + stage, {}, 0, 0};
   auto node = runtime::make_node(*plan, *graph_stage);
   if (!node.ok()) return node.error();
+  return Prepared{std::move(node).value(), plan->graph.tick_s};
+}
+
+Result<bool> take_part(Link& link, const Assignment& assignment, const std::string& stage,
+                       const std::vector<runtime::StageInfo>& stages) {
+  auto prepared = prepare(link, assignment, stage, stages);
+  if (!prepared.ok()) return prepared.error();
 
   const auto say = [&link](FrameType type) {
     return [&link, type](std::string text) { link.send(type, Text{std::move(text)}); };
@@ -133,7 +147,7 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
       create_participant(*vendor, {assignment.domain, stage, assignment.lease_s}, barrier);
   if (!participant.ok()) return participant.error();
   NodeHost host(
-      std::move(node).value(), assignment, plan->graph.tick_s,
+      std::move(prepared->node), assignment, prepared->tick_s,
       {say(FrameType::kNotice), say(FrameType::kFatal),
        [&link](const Progress& progress) { link.send(FrameType::kProgress, progress); },
        [&link](const Checkpoint& checkpoint) { link.send(FrameType::kCheckpoint, checkpoint); },

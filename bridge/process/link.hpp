@@ -26,7 +26,8 @@ namespace clew::bridge {
 enum class FrameType : std::uint8_t {
   // from a component
   kHello,
-  kWaiting,  ///< which endpoints are not there yet; none: ready
+  kPreparing,  ///< with what it is busy before it can say for whom it waits
+  kWaiting,    ///< which endpoints are not there yet; none: ready
   kProgress,
   kSamples,  ///< what was written, for the recording
   kCheckpoint,

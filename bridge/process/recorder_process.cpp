@@ -4,14 +4,13 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <memory>
-#include <thread>
 #include <utility>
 
 #include "convert/codec.hpp"
+#include "process/keep_alive.hpp"
 #include "process/link.hpp"
 
 namespace clew::bridge {
@@ -26,29 +25,6 @@ constexpr auto kReportPeriod = std::chrono::milliseconds(100);
 constexpr auto kWriteAheadPeriod = std::chrono::milliseconds(500);
 // The run is told at once that it may go on, but not of every tick: a small part of its lead.
 constexpr std::uint64_t kReportStep = 4;
-
-/// Reports, while it lives, that the process lives: reading a long recording again takes its time.
-class KeepAlive {
- public:
-  explicit KeepAlive(Link& link) : thread_([this, &link] { run(link); }) {}
-  ~KeepAlive() {
-    ended_ = true;
-    thread_.join();
-  }
-  KeepAlive(const KeepAlive&) = delete;
-  KeepAlive& operator=(const KeepAlive&) = delete;
-
- private:
-  void run(Link& link) {
-    for (int beat = 0; !ended_; ++beat) {
-      if (beat % 10 == 0) link.send(FrameType::kWaiting, Waiting{{"recorder reads its file"}});
-      std::this_thread::sleep_for(kReportPeriod / 10);
-    }
-  }
-
-  std::atomic<bool> ended_{false};
-  std::thread thread_;
-};
 
 class Recorder {
  public:
@@ -153,7 +129,7 @@ int run_recorder_process(int domain, double connect_timeout_s) {
   const auto assignment = take_assignment(link);
   if (!assignment.ok()) return complain(assignment.error());
   auto sink = [&] {
-    const KeepAlive alive(link);
+    const KeepAlive alive(link, "the recorder still reads its file");
     return sink_for(*assignment);
   }();
   if (!sink.ok()) {

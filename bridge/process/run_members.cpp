@@ -58,10 +58,24 @@ void Member::begin(const ProcessStart& start) {
   if (checkpoint != start.checkpoints.end()) checkpoints.push_back(checkpoint->second);
 }
 
-void Member::keep(Checkpoint checkpoint) {
-  if (!checkpoints.empty() && checkpoint.tick <= checkpoints.back().tick) return;
-  checkpoints.push_back(std::move(checkpoint));
-  if (checkpoints.size() > kCheckpointsKept) checkpoints.pop_front();
+void Member::note(const Frame& frame, std::chrono::steady_clock::time_point now) {
+  if (frame.type == FrameType::kPreparing) {
+    if (const auto doing = frame.as<Text>()) missing = {doing->text};
+    joined_at = now;
+  } else if (frame.type == FrameType::kWaiting) {
+    if (const auto waiting = frame.as<Waiting>()) {
+      missing = waiting->missing;
+      ready = missing.empty();
+    }
+  } else if (frame.type == FrameType::kCheckpoint) {
+    auto checkpoint = frame.as<Checkpoint>();
+    if (!checkpoint) return;
+    if (!checkpoints.empty() && checkpoint->tick <= checkpoints.back().tick) return;
+    checkpoints.push_back(*std::move(checkpoint));
+    if (checkpoints.size() > kCheckpointsKept) checkpoints.pop_front();
+  } else if (frame.type == FrameType::kFinished) {
+    finished = frame.as<Finished>();
+  }
 }
 
 const Checkpoint* Member::checkpoint_at(std::uint64_t tick) const {

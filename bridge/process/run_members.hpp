@@ -24,11 +24,11 @@ struct Member {
   bool starts_ticks = false;
   std::optional<ChildProcess> child;
   std::unique_ptr<Link> link;
-  std::vector<std::string> missing;  ///< endpoints that it still waits for
+  std::vector<std::string> missing;  ///< what it still waits for
   bool ready = false;
   Progress progress;
   std::optional<Finished> finished;
-  std::chrono::steady_clock::time_point joined_at{};
+  std::chrono::steady_clock::time_point joined_at{};  ///< when it began to wait for the others
   std::chrono::steady_clock::time_point heard_at{};
   bool was_lonely = false;             ///< killed since it did not find the others
   std::deque<Checkpoint> checkpoints;  ///< the newest last, at most kCheckpointsKept
@@ -42,8 +42,8 @@ struct Member {
 
   /// Takes its place in a run that begins there.
   void begin(const ProcessStart& start);
-  /// Notes a newer checkpoint.
-  void keep(Checkpoint checkpoint);
+  /// Notes what a frame says of the member alone: for whom it waits, its checkpoints, its end.
+  void note(const Frame& frame, std::chrono::steady_clock::time_point now);
   /// The checkpoint at `tick`, if it is kept.
   const Checkpoint* checkpoint_at(std::uint64_t tick) const;
 };

@@ -25,9 +25,7 @@ namespace clew::bridge {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using core::Error;
 using core::Result;
-using runtime::GraphStage;
 using std::chrono::milliseconds;
 
 constexpr auto kPollPeriod = milliseconds(20);
@@ -182,25 +180,14 @@ class Supervisor {
 
   void handle(Member& member, Frame frame) {
     member.heard_at = Clock::now();
+    member.note(frame, member.heard_at);
     switch (frame.type) {
-      case FrameType::kCheckpoint:
-        if (auto checkpoint = frame.as<Checkpoint>()) member.keep(*std::move(checkpoint));
-        break;
-      case FrameType::kWaiting:
-        if (const auto waiting = frame.as<Waiting>()) {
-          member.missing = waiting->missing;
-          member.ready = waiting->missing.empty();
-        }
-        break;
       case FrameType::kProgress:
         if (const auto progress = frame.as<Progress>()) note_progress(member, *progress);
         break;
       case FrameType::kSamples:
         // Its progress was reported before: all of this is older.
         if (recorder_) recorder_->add(std::move(frame.payload), member.progress.ticks);
-        break;
-      case FrameType::kFinished:
-        member.finished = frame.as<Finished>();
         break;
       case FrameType::kNotice:
       case FrameType::kFatal:

@@ -107,14 +107,8 @@ std::vector<std::string> FedComponent::missing() const {
 }
 
 Result<void> FedComponent::handle(const Frame& frame) {
-  if (frame.type == FrameType::kWaiting) {
-    if (const auto waiting = frame.as<Waiting>()) {
-      member_.missing = waiting->missing;
-      member_.ready = waiting->missing.empty();
-    }
-  } else if (frame.type == FrameType::kFinished) {
-    member_.finished = frame.as<Finished>();
-  } else if (frame.type == FrameType::kNotice || frame.type == FrameType::kFatal) {
+  member_.note(frame, std::chrono::steady_clock::now());
+  if (frame.type == FrameType::kNotice || frame.type == FrameType::kFatal) {
     const auto text = frame.as<Text>();
     if (text && frame.type == FrameType::kFatal) return Error{text->text, {}, 0, 0};
     if (text) log_(text->text);

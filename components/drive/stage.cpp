@@ -46,7 +46,8 @@ const runtime::StageInfo& stage() {
       tick_s,
       nullptr,
       make,
-      limits};
+      limits,
+      /*knows_world=*/true};
   return info;
 }
 

@@ -81,7 +81,9 @@ const runtime::StageInfo& stage() {
                                           {{"behaviour", false, planners().variants()}},
                                           [](const runtime::StageConfig&) { return 0.0; },
                                           nullptr,
-                                          make};
+                                          make,
+                                          nullptr,
+                                          /*knows_world=*/true};
   return info;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/run_plan.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "core/yaml_reader.hpp"
@@ -133,8 +134,26 @@ Result<domain::Robot> read_robot(const core::Resource& file, const std::string& 
   return robot;
 }
 
-Result<RunPlan> prepare_run(const std::string& graph_name, const GraphOverrides& overrides,
-                            const ConfigSource& source, const std::vector<StageInfo>& stages) {
+namespace {
+
+Result<void> check_parts_fit(const RunPlan& plan) {
+  for (const GraphStage& stage : plan.graph.stages) {
+    if (!stage.deployment.exec.empty()) continue;
+    const auto node = make_node(plan, stage);
+    if (!node.ok()) return node.error();
+  }
+  return {};
+}
+
+bool knows_world(const Graph& graph, const std::string& stage) {
+  const GraphStage* found = graph.find(stage);
+  return found != nullptr && found->info->knows_world;
+}
+
+// With `only`, as far as that stage needs it.
+Result<RunPlan> read_run(const std::string& graph_name, const GraphOverrides& overrides,
+                         const ConfigSource& source, const std::vector<StageInfo>& stages,
+                         const std::optional<std::string>& only = {}) {
   const auto file = source.find("graphs", graph_name);
   if (!file.ok()) return file.error();
   auto graph = load_graph(*file, graph_name, overrides, stages);
@@ -143,15 +162,19 @@ Result<RunPlan> prepare_run(const std::string& graph_name, const GraphOverrides&
   plan.graph = std::move(graph).value();
   CLEW_RETURN_IF_ERROR(check_drive(plan.graph));
   CLEW_RETURN_IF_ERROR(load_robot(source, plan));
-  CLEW_RETURN_IF_ERROR(load_world(source, plan));
+  if (!only || knows_world(plan.graph, *only)) CLEW_RETURN_IF_ERROR(load_world(source, plan));
   CLEW_RETURN_IF_ERROR(load_data_files(source, plan));
   fill_setup(plan);
   plan.bundle["graph.yaml"] = plan.graph.expanded_yaml();
-  for (const GraphStage& stage : plan.graph.stages) {
-    if (!stage.deployment.exec.empty()) continue;
-    const auto node = make_node(plan, stage);
-    if (!node.ok()) return node.error();
-  }
+  return plan;
+}
+
+}  // namespace
+
+Result<RunPlan> prepare_run(const std::string& graph_name, const GraphOverrides& overrides,
+                            const ConfigSource& source, const std::vector<StageInfo>& stages) {
+  auto plan = read_run(graph_name, overrides, source, stages);
+  if (plan.ok()) CLEW_RETURN_IF_ERROR(check_parts_fit(*plan));
   return plan;
 }
 
@@ -159,8 +182,15 @@ Result<RunPlan> prepare_run(const Bundle& bundle, const std::vector<StageInfo>& 
   return prepare_run("graph", {}, BundleSource(bundle), stages);
 }
 
+Result<RunPlan> read_prepared_run(const Bundle& bundle, const std::vector<StageInfo>& stages,
+                                  const std::string& only) {
+  return read_run("graph", {}, BundleSource(bundle), stages, only);
+}
+
 Result<Node> make_node(const RunPlan& plan, const GraphStage& stage) {
-  auto component = stage.info->make(stage.config, plan.setup);
+  RunSetup setup = plan.setup;
+  if (!stage.info->knows_world) setup.world.reset();
+  auto component = stage.info->make(stage.config, setup);
   if (!component.ok()) return component.error();
   return Node(stage.info->name, stage.ports, std::move(component).value(), plan.graph.tick_s);
 }

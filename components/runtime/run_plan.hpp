@@ -25,6 +25,11 @@ core::Result<RunPlan> prepare_run(const std::string& graph, const GraphOverrides
 /// The plan that a bundle was made from: a recording's, or a running supervisor's.
 core::Result<RunPlan> prepare_run(const Bundle& bundle, const std::vector<StageInfo>& stages);
 
+/// What the stage `only` needs of a plan that somebody else has prepared: no component is made, and
+/// the world, which may be large, is read only for a stage that knows it.
+core::Result<RunPlan> read_prepared_run(const Bundle& bundle, const std::vector<StageInfo>& stages,
+                                        const std::string& only);
+
 /// Makes the component of a stage with its ports.
 core::Result<Node> make_node(const RunPlan& plan, const GraphStage& stage);
 

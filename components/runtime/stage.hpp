@@ -24,7 +24,7 @@ struct RunSetup {
   std::uint64_t seed = 1;
   std::uint32_t robot_index = 0;  ///< for random numbers, where there are several robots
   std::uint64_t max_ticks = 20000;
-  std::shared_ptr<const world::World> world;
+  std::shared_ptr<const world::World> world;  ///< null for a stage that may not know it
   /// What behaviours may know of it, the layout of the scans included.
   domain::BehaviourSetup behaviour;
 };
@@ -77,6 +77,8 @@ struct StageInfo {
   std::function<core::Result<std::unique_ptr<Component>>(const StageConfig&, const RunSetup&)> make;
   /// What the drive of this configuration can do; only drive knows.
   std::function<domain::MotionLimits(const StageConfig&)> motion_limits = nullptr;
+  /// Whether its component is told the world; all others know what sensors and the bus tell.
+  bool knows_world = false;
 };
 
 }  // namespace clew::runtime

@@ -32,7 +32,9 @@ const runtime::StageInfo& stage() {
                                           {{"behaviour", false, sensors().variants()}},
                                           [](const runtime::StageConfig&) { return 0.0; },
                                           scan_layout,
-                                          make};
+                                          make,
+                                          nullptr,
+                                          /*knows_world=*/true};
   return info;
 }
 

@@ -79,6 +79,17 @@ TEST_F(LonelyMember, IsGivenTimeAfterTheLastOneHasCome) {
   EXPECT_EQ(restarts.kill_lonely(kNow + seconds(4)).size(), 1u);
 }
 
+TEST_F(LonelyMember, IsGivenTimeAfterTheLastOneHasMadeItsComponent) {
+  core::StateWriter writer;
+  Text doing{"recover still makes its component"};
+  writer(doing);
+  members_[0].note({FrameType::kPreparing, writer.take()}, kNow - seconds(1));
+  Restarts restarts(members_, graph_);
+
+  EXPECT_EQ(members_[0].missing, std::vector<std::string>{doing.text});
+  EXPECT_TRUE(restarts.kill_lonely(kNow).empty());
+}
+
 TEST_F(LonelyMember, MayWaitForAComponentThatIsNotOurs) {
   members_.emplace_back();
   members_.back().stage = "control";

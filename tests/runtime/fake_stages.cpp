@@ -10,7 +10,10 @@ namespace {
 
 using core::ParameterInfo;
 
-/// Counts its steps; refuses to be made in a run of the seed 13.
+bool knows_world(const std::string& stage) { return stage == "sense" || stage == "drive"; }
+
+/// Counts its steps; refuses to be made in a run of the seed 13, and with or without a world where
+/// its stage says otherwise.
 class Counter : public Component {
  public:
   void step(const TickInputs&, TickOutputs&) override { ++steps_; }
@@ -27,6 +30,9 @@ class Counter : public Component {
 core::Result<std::unique_ptr<Component>> make_counter(const StageConfig& config,
                                                       const RunSetup& setup) {
   if (setup.seed == 13) return core::Error{config.stage + " does not like 13", {}, 0, 0};
+  if ((setup.world != nullptr) != knows_world(config.stage)) {
+    return core::Error{config.stage + " is told too much of the world, or too little", {}, 0, 0};
+  }
   return std::unique_ptr<Component>(std::make_unique<Counter>());
 }
 
@@ -63,7 +69,9 @@ StageInfo drive() {
       {{"behaviour", false, {{"slow", "0.3 s", {}, {}}, {"quick", "0.1 s", {}, {}}}}},
       [](const StageConfig& config) { return config.part("behaviour").name == "slow" ? 0.3 : 0.1; },
       nullptr,
-      make_counter};
+      make_counter,
+      nullptr,
+      knows_world("drive")};
 }
 
 StageInfo sense() {
@@ -84,7 +92,9 @@ StageInfo sense() {
             layout.sensor = config.part("behaviour").name;
             return layout;
           },
-          make_counter};
+          make_counter,
+          nullptr,
+          knows_world("sense")};
 }
 
 StageInfo classify() {

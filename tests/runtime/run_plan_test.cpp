@@ -44,6 +44,23 @@ std::string refused_run(const Bundle& bundle, const GraphOverrides& overrides = 
   return plan.ok() ? "accepted" : plan.error().text();
 }
 
+TEST(RunPlan, IsReadForOneStageAsFarAsItNeedsIt) {
+  const Bundle bundle = prepare_good(full_bundle()).bundle;
+  Bundle without_world = bundle;
+  without_world["world.yaml"] = "walls: [";
+
+  const auto sense = read_prepared_run(bundle, fake_stages(), "sense");
+  const auto control = read_prepared_run(without_world, fake_stages(), "control");
+  const auto drive = read_prepared_run(without_world, fake_stages(), "drive");
+
+  ASSERT_TRUE(sense.ok() && control.ok());
+  EXPECT_EQ(sense->setup.world->name(), "made-up");
+  EXPECT_TRUE(make_node(*sense, *sense->graph.find("sense")).ok());
+  EXPECT_EQ(control->setup.world, nullptr);
+  EXPECT_TRUE(make_node(*control, *control->graph.find("control")).ok());
+  EXPECT_FALSE(drive.ok());
+}
+
 TEST(RunPlan, GathersWhatARunIsAFunctionOf) {
   GraphOverrides overrides;
   overrides.seed = 5;

@@ -194,6 +194,12 @@ class Worlds(BadInput):
         # Measured: as fast as in a small world, about 100,000 ticks/s.
         self.assertGreater(run.report["ticks_per_s"], 5_000)
 
+        # Reading it takes each process that knows the world a second or more.
+        run = Run(["run", "reactive", "--world", world, "--max-ticks", 20, "--json"])
+
+        self.assertEqual(run.status, 3, run.err)
+        self.assertEqual(run.report["restarts"], 0)
+
 
 class Output(BadInput):
     def test_unwritable_recording(self):
