@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How much memory each process of a run takes at its peak."""
+import pathlib
+import time
+
+from clew_command import command_line, processes_of_session, start
+
+# In this world nobody arrives, and without a detector nobody gives up: every run has all ticks.
+ENDLESS = ["run", "krishna_kalra", "--world", "unsolvable-box", "--with", "recover.detector=none"]
+# Samples come every few milliseconds; the last one before the end is near the peak.
+PERIOD_S = 0.02
+
+
+def role(pid):
+    """What a process of a run is: `run`, `recorder`, or its stage."""
+    words = command_line(pid)
+    return words[3] if words[1:2] == ["component"] else (words[1:2] or [""])[0]
+
+
+def peak_kib(pid):
+    """The most memory that a process has had so far; none if it is gone."""
+    try:
+        status = pathlib.Path(f"/proc/{pid}/status").read_text(encoding="ascii")
+    except OSError:
+        return None
+    lines = [line for line in status.splitlines() if line.startswith("VmHWM:")]
+    return int(lines[0].split()[1]) if lines else None
+
+
+def peaks_kib(arguments):
+    """The peak of each process of a run that ends at its last tick, by role."""
+    process = start(arguments, start_new_session=True)
+    peaks = {}
+    while process.poll() is None:
+        for pid in processes_of_session(process.pid):
+            peak = peak_kib(pid)
+            if peak and role(pid):
+                peaks[role(pid)] = peak
+        time.sleep(PERIOD_S)
+    _, err = process.communicate()
+    assert process.returncode == 3, err
+    return peaks
