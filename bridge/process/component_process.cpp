@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "process/component_process.hpp"
 
+#include <fmt/format.h>
 #include <poll.h>
+#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <optional>
 
 #include "convert/codec.hpp"
@@ -108,6 +112,17 @@ Result<Assignment> take_assignment(Link& link, const std::string& stage) {
   return *std::move(assignment);
 }
 
+// Before any thread is started that is to have it, too.
+Result<void> take_realtime_priority(int priority) {
+  const sched_param parameters{priority};
+  if (priority == 0 || ::sched_setscheduler(0, SCHED_FIFO, &parameters) == 0) return {};
+  return Error{fmt::format("real-time priority {}: {}; 'ulimit -r' tells what is allowed", priority,
+                           std::strerror(errno)),
+               {},
+               0,
+               0};
+}
+
 struct Prepared {
   runtime::Node node;
   double tick_s;
@@ -129,6 +144,7 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
                        const std::vector<runtime::StageInfo>& stages) {
   auto prepared = prepare(link, assignment, stage, stages);
   if (!prepared.ok()) return prepared.error();
+  CLEW_RETURN_IF_ERROR(take_realtime_priority(assignment.realtime_priority));
 
   const auto say = [&link](FrameType type) {
     return [&link, type](std::string text) { link.send(type, Text{std::move(text)}); };

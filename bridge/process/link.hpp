@@ -93,6 +93,7 @@ struct Assignment {
   double lease_s = 1.5;
   Pace pace = Pace::kLockstep;
   double pace_factor = 1.0;  ///< with kScaled and kRealtime: simulated over wall-clock time
+  std::int32_t realtime_priority = 0;  ///< of all threads, first in, first out; 0: none
   bool hash = true;
   Spooling spooling = Spooling::kNothing;
   std::uint32_t history_depth = 512;
@@ -146,8 +147,9 @@ void visit_fields(V& v, Checkpoint& m) {
 }
 template <typename V>
 void visit_fields(V& v, Assignment& m) {
-  v(m.run_id, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor, m.hash,
-    m.spooling, m.history_depth, m.lead, m.expected, m.resumes, m.checkpoint);
+  v(m.run_id, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor,
+    m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected, m.resumes,
+    m.checkpoint);
 }
 template <typename V>
 void visit_fields(V& v, Waiting& m) {

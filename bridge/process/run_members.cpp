@@ -114,6 +114,7 @@ void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
   assignment.bundle = plan.bundle;
   assignment.pace = layout.pace;
   assignment.pace_factor = layout.pace_factor;
+  assignment.realtime_priority = layout.realtime_priority;
   assignment.hash = layout.hash;
   if (const GraphStage* graph_stage = plan.graph.find(stage)) {
     assignment.expected = expected_endpoints(plan.graph, *graph_stage);

@@ -24,6 +24,7 @@ struct ProcessLayout {
   std::optional<int> domain;                            ///< none: the first free one
   Pace pace = Pace::kLockstep;
   double pace_factor = 1.0;
+  int realtime_priority = 0;  ///< of component processes: 1 to 99, first in, first out; 0: none
   bool hash = true;
   OnRecordError on_record_error = OnRecordError::kStop;
   std::set<std::string> external;             ///< stages that a person starts

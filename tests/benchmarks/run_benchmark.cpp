@@ -17,19 +17,18 @@ struct Layout {
 
 // Neighbours in the loop on different cores: with five processes on two cores each hop then wakes
 // the other core.
-std::string pinned(const std::string& scheduling = {}) {
+std::string pinned() {
   std::string options;
   int core = 0;
   for (const char* stage : {"drive", "sense", "classify", "recover", "control"}) {
-    options += std::string(" --prefix ") + stage + "='" + scheduling + "taskset -c " +
-               std::to_string(core) + "'";
+    options += std::string(" --prefix ") + stage + "='taskset -c " + std::to_string(core) + "'";
     core = 1 - core;
   }
   return options;
 }
 
 // Who is woken waits until the one that wakes it has sent all. Not everybody may ask for it.
-constexpr char kFirstInFirstOut[] = "chrt --fifo 1 ";
+constexpr char kRealtime[] = " --realtime-priority 1";
 
 // In this world nobody arrives, and without a detector nobody gives up: every run has all ticks.
 constexpr char kUnsolvable[] = " --world unsolvable-box";
@@ -110,8 +109,8 @@ int main(int argc, char** argv) {
   for (const Layout& layout : kProcesses) {
     const std::string name = layout.name;
     register_ticks("ticks/" + name + "/pinned", layout.options + endless + pinned(), 10000);
-    register_ticks("ticks/" + name + "/pinned/fifo",
-                   layout.options + endless + pinned(kFirstInFirstOut), 10000);
+    register_ticks("ticks/" + name + "/pinned/realtime",
+                   layout.options + endless + pinned() + kRealtime, 10000);
     register_ticks("ticks/" + name, layout.options + endless, 10000);
     register_ticks("ticks/" + name + "/recorded",
                    layout.options + endless + " --record /tmp/clew-benchmark.mcap --force", 10000);

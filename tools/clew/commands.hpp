@@ -27,6 +27,7 @@ struct RunOptions {
   std::vector<std::string> middleware;  ///< `VENDOR` or `STAGE=VENDOR`
   std::string pace = "lockstep";
   std::optional<int> domain;
+  std::optional<int> realtime_priority;
   std::string record;
   std::string resume;  ///< a recording to go on with, in the graph's place
   bool force = false;

@@ -56,6 +56,9 @@ void add_run(CLI::App& main, RunOptions& options, Outcome& outcome) {
                   "cyclonedds | fastdds, or STAGE=VENDOR; may be repeated")
       ->allow_extra_args(false);
   app->add_option("--pace", options.pace, "lockstep | realtime | Nx");
+  app->add_option("--realtime-priority", options.realtime_priority,
+                  "1 to 99: first-in-first-out scheduling of component processes (none)")
+      ->check(CLI::Range(1, 99));
   app->add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)");
   app->add_option("--record", options.record, "write a recording (MCAP)")->check(kNamed);
   app->add_flag("--force", options.force, "overwrite the recording");

@@ -88,6 +88,7 @@ Result<bridge::ProcessLayout> read_layout(const RunOptions& options, const runti
   layout.domain = options.domain;
   layout.pace = speed.pace;
   layout.pace_factor = speed.factor;
+  layout.realtime_priority = options.realtime_priority.value_or(0);
   layout.hash = !options.no_hash;
   layout.on_record_error = options.on_record_error == "stop" ? bridge::OnRecordError::kStop
                                                              : bridge::OnRecordError::kContinue;
@@ -155,9 +156,13 @@ Result<void> check_options(const RunOptions& options) {
   }
   const bool composed = options.layout == "composed";
   if (composed && (!options.external.empty() || !options.prefix.empty() || options.domain ||
-                   !options.middleware.empty())) {
+                   options.realtime_priority || !options.middleware.empty())) {
     return Error{
-        "--external, --prefix, --domain and --middleware need --layout processes", {}, 0, 0};
+        "--external, --prefix, --domain, --realtime-priority and --middleware need --layout "
+        "processes",
+        {},
+        0,
+        0};
   }
   return {};
 }
