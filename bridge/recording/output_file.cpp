@@ -69,6 +69,11 @@ core::Result<void> OutputFile::reserve(const std::string& path, bool overwrite) 
   return {};
 }
 
+void OutputFile::discard(const std::string& path) {
+  const std::string written_path = temporary_name(path);
+  if (written_path != path) std::remove(written_path.c_str());
+}
+
 core::Result<OutputFile> OutputFile::go_on(const std::string& path) {
   const bool is_device = kind_of(path) == PathKind::kDevice;
   const std::string written_path = temporary_name(path);

@@ -45,6 +45,9 @@ class OutputFile {
   /// Gives a sealed file its name.
   static core::Result<void> give_name(const std::string& path);
 
+  /// Takes back a reserve(): nothing stays under the temporary name. A device stays.
+  static void discard(const std::string& path);
+
   /// Where a file grows until it is whole; the path itself for a device.
   static std::string temporary_name(const std::string& path);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -89,6 +90,20 @@ TEST(OutputFile, RefusesADirectoryThatIsReadOnly) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().text(),
             scratch.file("a.tmp~") + ": cannot be written: Permission denied");
+}
+
+TEST(OutputFile, TakesBackWhatItReservedButNoDevice) {
+  const ScratchDirectory scratch;
+  const std::string pipe = scratch.file("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  ASSERT_TRUE(OutputFile::reserve(scratch.file("a"), false));
+  ASSERT_TRUE(OutputFile::reserve(pipe, true));
+
+  OutputFile::discard(scratch.file("a"));
+  OutputFile::discard(pipe);
+
+  EXPECT_FALSE(std::filesystem::exists(scratch.file("a.tmp~")));
+  EXPECT_TRUE(std::filesystem::exists(pipe));
 }
 
 TEST(OutputFile, SaysThatTheDiskIsFullAndStaysSo) {

@@ -226,7 +226,7 @@ Result<bridge::RunReport> run_job(Job& job, const bridge::ProcessLayout& layout,
   // What was only reserved is in nobody's way.
   const bool nothing = report.ok() && report->recording && report->recording->nothing;
   if ((!report.ok() || nothing) && job.recording && !job.resumption) {
-    std::remove(bridge::mcap::OutputFile::temporary_name(job.recording->path).c_str());
+    bridge::mcap::OutputFile::discard(job.recording->path);
   }
   return report;
 }
