@@ -125,19 +125,19 @@ Result<void> take_realtime_priority(int priority) {
 
 struct Prepared {
   runtime::Node node;
-  double tick_s;
+  runtime::RunPlan plan;
 };
 
 Result<Prepared> prepare(Link& link, const Assignment& assignment, const std::string& stage,
                          const std::vector<runtime::StageInfo>& stages) {
   const KeepAlive alive(link, stage + " still makes its component");
-  const auto plan = runtime::read_prepared_run(assignment.bundle, stages, stage);
+  auto plan = runtime::read_prepared_run(assignment.bundle, stages, stage);
   if (!plan.ok()) return plan.error();
   const runtime::GraphStage* graph_stage = plan->graph.find(stage);
   if (graph_stage == nullptr) return Error{"the run's graph has no stage " + stage, {}, 0, 0};
   auto node = runtime::make_node(*plan, *graph_stage);
   if (!node.ok()) return node.error();
-  return Prepared{std::move(node).value(), plan->graph.tick_s};
+  return Prepared{std::move(node).value(), std::move(plan).value()};
 }
 
 Result<bool> take_part(Link& link, const Assignment& assignment, const std::string& stage,
@@ -163,7 +163,7 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
       create_participant(*vendor, {assignment.domain, stage, assignment.lease_s}, barrier);
   if (!participant.ok()) return participant.error();
   NodeHost host(
-      std::move(prepared->node), assignment, prepared->tick_s,
+      std::move(prepared->node), assignment, prepared->plan,
       {say(FrameType::kNotice), say(FrameType::kFatal),
        [&link](const Progress& progress) { link.send(FrameType::kProgress, progress); },
        [&link](const Checkpoint& checkpoint) { link.send(FrameType::kCheckpoint, checkpoint); },

@@ -50,7 +50,7 @@ core::Result<std::unique_ptr<ForeignObserver>> ForeignObserver::create(const run
   self->participant_ = std::move(participant).value();
   runtime::Node node("observer", std::move(ports), std::make_unique<Onlooker>(), plan.graph.tick_s);
   self->host_ = std::make_unique<NodeHost>(
-      std::move(node), assignment, plan.graph.tick_s,
+      std::move(node), assignment, plan,
       NodeHost::Handlers{on_notice, on_fatal,
                          [raw](const Progress& progress) {
                            const std::lock_guard<std::mutex> lock(raw->mutex_);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "process/node_host.hpp"
 
+#include <type_traits>
 #include <utility>
 
+#include "domain/scan_check.hpp"
 #include "process/identity.hpp"
 
 namespace clew::bridge {
@@ -35,7 +37,10 @@ class NodeHost::Input : public SampleListener {
       ++host_.refused_samples_;
       return;
     }
-    const auto decoded = codec_.decode(cdr, message_);
+    auto decoded = codec_.decode(cdr, message_);
+    if constexpr (std::is_same_v<Message, domain::Scan>) {
+      if (decoded.ok()) decoded = domain::check_arrangement(message_, host_.scan_layout_);
+    }
     const std::lock_guard<std::mutex> lock(host_.mutex_);
     if (!decoded.ok()) {
       host_.refuse(std::string(domain::topic_name(domain::topic_of<Message>())), decoded.error());
@@ -65,9 +70,10 @@ class NodeHost::Input : public SampleListener {
   bool known_accepted_ = false;
 };
 
-NodeHost::NodeHost(runtime::Node node, const Assignment& assignment, double tick_s,
+NodeHost::NodeHost(runtime::Node node, const Assignment& assignment, const runtime::RunPlan& plan,
                    Handlers handlers, bool account_inputs)
     : node_(std::move(node)),
+      scan_layout_(plan.setup.behaviour.scan),
       user_data_(Identity{std::string(idl_fingerprint()), node_.name()}.user_data()),
       history_depth_(static_cast<int>(assignment.history_depth)),
       lockstep_(assignment.pace != Pace::kRealtime),
@@ -76,7 +82,7 @@ NodeHost::NodeHost(runtime::Node node, const Assignment& assignment, double tick
       handlers_(std::move(handlers)),
       buffer_(node_.ports(), assignment.history_depth),
       journal_(assignment.hash, assignment.spooling != Spooling::kNothing),
-      clock_(assignment.pace, assignment.pace_factor, tick_s),
+      clock_(assignment.pace, assignment.pace_factor, plan.graph.tick_s),
       allowed_until_(assignment.lead) {}
 
 NodeHost::~NodeHost() { readers_.clear(); }

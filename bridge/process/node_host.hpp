@@ -42,10 +42,11 @@ class NodeHost {
     std::function<void(std::string)> on_spooled;
   };
 
-  /// With `account_inputs` the journal is kept over the inputs instead of the outputs, in their
-  /// canonical form: for topics whose writer does not keep one.
-  NodeHost(runtime::Node node, const Assignment& assignment, double tick_s, Handlers handlers,
-           bool account_inputs = false);
+  /// Of the plan it needs the duration of a tick, and the arrangement of beams that scans must
+  /// have. With `account_inputs` the journal is kept over the inputs instead of the outputs, in
+  /// their canonical form: for topics whose writer does not keep one.
+  NodeHost(runtime::Node node, const Assignment& assignment, const runtime::RunPlan& plan,
+           Handlers handlers, bool account_inputs = false);
   ~NodeHost();
   NodeHost(const NodeHost&) = delete;
   NodeHost& operator=(const NodeHost&) = delete;
@@ -94,6 +95,7 @@ class NodeHost {
 
   mutable std::mutex mutex_;
   runtime::Node node_;
+  domain::ScanLayout scan_layout_;
   const std::string user_data_;
   const int history_depth_;
   const bool lockstep_;

@@ -65,6 +65,10 @@ class FieldCheck {
     if (size <= bound) return;
     refuse(path, std::to_string(size) + " values long", "at most " + std::to_string(bound));
   }
+  void size_is(const FieldPath& path, std::size_t size, std::size_t wanted) {
+    if (size == wanted) return;
+    refuse(path, std::to_string(size) + " values long", std::to_string(wanted));
+  }
   /// At most `bound` bytes, none of them zero, since that ends a string in CDR.
   void text(const FieldPath& path, const std::string& value, std::size_t bound);
 

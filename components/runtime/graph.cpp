@@ -60,16 +60,29 @@ Result<void> distribute_parameters(const RawStage& raw, std::vector<RawParameter
   return {};
 }
 
+// Beside exec stands what others must know of the component and it cannot tell them before the run:
+// the sensor whose arrangement its scans have. Whatever else stands there would be unused.
+Result<void> check_beside_exec(const RawStage& raw) {
+  const std::string& name = raw.info->name;
+  if (raw.info->scan_layout == nullptr && !(raw.parts.empty() && raw.parameters.empty())) {
+    return raw.where.error(name +
+                           " has exec: a component of someone else's takes no behaviour and no "
+                           "parameters here");
+  }
+  if (raw.info->scan_layout != nullptr && raw.parts.count(kBehaviourPart) == 0) {
+    return raw.where.error(name +
+                           " has exec, and needs beside it the behaviour, with its parameters, "
+                           "whose arrangement of beams its scans have");
+  }
+  return {};
+}
+
 Result<GraphStage> resolve_stage(RawStage raw) {
   const StageInfo& info = *raw.info;
   GraphStage stage{&info, {info.name, {}, {}}, raw.deployment, {}};
   if (!raw.deployment.exec.empty()) {
-    if (!raw.parts.empty() || !raw.parameters.empty()) {
-      return raw.where.error(info.name +
-                             " has exec: a component of someone else's takes no behaviour and no "
-                             "parameters here");
-    }
-    return stage;
+    CLEW_RETURN_IF_ERROR(check_beside_exec(raw));
+    if (info.scan_layout == nullptr) return stage;
   }
   for (const PartInfo& part : info.parts) {
     auto& choices = raw.parts[part.name];

@@ -34,7 +34,7 @@ struct Deployment {
 /// A stage of a graph, its names and values checked against the stage's declarations.
 struct GraphStage {
   const StageInfo* info = nullptr;
-  StageConfig config;  ///< empty with exec
+  StageConfig config;  ///< with exec: empty, but for the sensor whose arrangement its scans have
   Deployment deployment;
   NodePorts ports;
 };

@@ -91,7 +91,7 @@ std::string Graph::expanded_yaml() const {
     text += stage.info->name + ":\n";
     if (!stage.deployment.exec.empty()) {
       text += "  exec: " + list(stage.deployment.exec) + '\n';
-      continue;
+      if (stage.info->scan_layout == nullptr) continue;
     }
     for (const PartInfo& part : stage.info->parts) {
       text += part_text(part, stage.config.parts.at(part.name));

@@ -86,11 +86,10 @@ void fill_setup(RunPlan& plan) {
   plan.setup.max_ticks = plan.graph.max_ticks;
   plan.setup.behaviour.tick_s = plan.graph.tick_s;
   for (const GraphStage& stage : plan.graph.stages) {
-    if (!stage.deployment.exec.empty()) continue;
     if (stage.info->scan_layout) {
       plan.setup.behaviour.scan = stage.info->scan_layout(stage.config);
     }
-    if (stage.info->motion_limits) {
+    if (stage.info->motion_limits && stage.deployment.exec.empty()) {
       plan.setup.behaviour.limits = stage.info->motion_limits(stage.config);
     }
   }

@@ -117,5 +117,19 @@ drive: {behaviour: slow}
   EXPECT_EQ(expanded(text), text);
 }
 
+TEST(ExpandedGraph, KeepsWhoseScansASensorOfSomeoneElsesMakes) {
+  const std::string text = expanded(R"(world: open-field
+robot: disc-015
+sense: {exec: [./my_sense], behaviour: ray, range_m: 2.5}
+control: {behaviour: straight}
+drive: {behaviour: slow}
+)");
+
+  EXPECT_NE(text.find("sense:\n  exec: [\"./my_sense\"]\n  behaviour: ray\n  range_m: 2.5\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(expanded(text), text);
+}
+
 }  // namespace
 }  // namespace clew::runtime

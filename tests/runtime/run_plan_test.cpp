@@ -178,6 +178,22 @@ TEST(RunPlan, AComponentOfSomeoneElsesCannotBeComposed) {
             "control has exec: a component of someone else's is a process, and cannot be composed");
 }
 
+TEST(RunPlan, ASensorOfSomeoneElsesIsKnownByTheBehaviourBesideIt) {
+  Bundle bundle = small_bundle();
+  std::string& graph = bundle["graph.yaml"];
+  const std::string sense = "{behaviour: cones}";
+  graph.replace(graph.find(sense), sense.size(), "{exec: [./my_sense], behaviour: cones}");
+  GraphOverrides overrides;
+  overrides.with = {"sense=ray"};
+
+  const RunPlan plan = prepare_good(bundle, overrides);
+  const auto again = prepare_run(plan.bundle, fake_stages());
+
+  EXPECT_EQ(plan.setup.behaviour.scan.sensor, "ray");
+  ASSERT_TRUE(again.ok()) << again.error().text();
+  EXPECT_EQ(again->setup.behaviour.scan.sensor, "ray");
+}
+
 TEST(RobotFile, HasARadiusAndPerhapsAName) {
   const auto named = read_robot({"a.yaml", kRobot}, "given");
   const auto nameless =

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A component in plain C on Cyclone DDS, without any Clew library, takes the place of control."""
+"""Components in plain C on Cyclone DDS, without any Clew library, take the places of ours."""
 import pathlib
 import tempfile
 import unittest
@@ -13,6 +13,16 @@ TAIL = "drive: {behaviour: turn_then_step}\n"
 def graph(world, *arguments, recovery=""):
     words = ", ".join(f"'{word}'" for word in (str(THIRD_PARTY / "straight_control"), *arguments))
     return write_file(HEAD.format(world=world) + recovery + f"control: {{exec: [{words}]}}\n" + TAIL)
+
+
+def open_eyes(*arguments):
+    """The whole system, with a sensor in plain C that sees nothing."""
+    words = ", ".join(f"'{word}'" for word in (str(THIRD_PARTY / "open_sense"), *arguments))
+    return write_file(
+        f"world: open-field\nrobot: disc-015\nsense: {{exec: [{words}], behaviour: cones}}\n"
+        "classify: {behaviour: krishna_kalra}\n"
+        "recover: {detector: landmark_revisit, escape: [obstacle_following]}\n"
+        "control: {behaviour: krishna_kalra_fuzzy}\n" + TAIL)
 
 
 class ThirdParty(unittest.TestCase):
@@ -47,6 +57,19 @@ class ThirdParty(unittest.TestCase):
             self.assertEqual(run.status, 0, run.err)
             self.assertIn(b"/command", recording.read_bytes())
             self.assertEqual(plot.status, 0, plot.err)
+
+    def test_a_sensor_of_someone_elses_serves_controllers_that_need_its_arrangement(self):
+        run = Run(["run", open_eyes(), "--json"])
+
+        self.assertEqual(run.status, 0, run.err)
+        self.assertEqual(run.report["outcome"], "reached")
+
+    def test_scans_of_another_arrangement_than_declared_are_refused(self):
+        run = Run(["run", open_eyes("3"), "--json"])
+
+        self.assertEqual(run.status, 1)
+        self.assertIn("refuses a sample of 'scan': scan: ranges_m is 3 values long; allowed: 7, as "
+                      "sense cones has", run.err)
 
     def test_it_cannot_be_composed(self):
         run = Run(["run", graph("open-field", "--without-guidance"), "--layout", "composed"])
