@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 extern char** environ;
@@ -63,8 +65,14 @@ core::Result<ChildProcess> ChildProcess::start(const ChildCommand& command) {
   std::vector<char*> argument_pointers = pointers(arguments);
   std::vector<char*> environment_pointers = pointers(environment);
   const auto refuse = [&](int why) {
-    return core::Error{"cannot be started: " + std::string(std::strerror(why)), arguments.front(),
-                       0, 0};
+    const std::filesystem::path program = arguments.front();
+    std::string text = "cannot be started: " + std::string(std::strerror(why));
+    std::error_code code;
+    if (program.has_parent_path() && program.is_relative()) {
+      const std::string here = std::filesystem::current_path(code).string();
+      text += " (a path from the working directory, " + here + ')';
+    }
+    return core::Error{text, arguments.front(), 0, 0};
   };
   int error_pipe[2];
   if (::pipe2(error_pipe, O_CLOEXEC) != 0) return refuse(errno);

@@ -24,9 +24,23 @@ constexpr char kMapFolder[] = "maps";
 // A configuration beyond this is a mistake (a device, a recording); 100,000 segments are 4 MB.
 constexpr std::uintmax_t kMaxFileBytes = 256u << 20;
 
+// Paths are those of the shell, also where a graph file says them.
+std::string from_where(const fs::path& path) {
+  std::error_code code;
+  if (path.is_absolute()) return {};
+  return " (a path from the working directory, " + fs::current_path(code).string() + ')';
+}
+
+// What the files of a folder are called.
+std::string kind_of(const std::string& folder) {
+  if (folder == "training") return "recipe";
+  if (folder == "rulebases") return "rule base";
+  return folder.substr(0, folder.size() - 1);
+}
+
 core::Result<core::Resource> read_file(const std::string& path) {
   const auto refuse = [&](const std::string& why) {
-    return core::Error{"cannot be read: " + why, path, 0, 0};
+    return core::Error{"cannot be read: " + why + from_where(path), path, 0, 0};
   };
   std::error_code code;
   if (!fs::is_regular_file(path, code)) {
@@ -100,7 +114,10 @@ core::Result<core::Resource> ConfigPath::find(const std::string& folder,
     searched += (searched.empty() ? "" : ", ") + (fs::path(root) / folder).string();
   }
   return core::Error{
-      core::unknown_name("name", name, names(folder)) + " (in " + searched + ")", {}, 0, 0};
+      core::unknown_name(kind_of(folder), name, names(folder)) + " (in " + searched + ")",
+      {},
+      0,
+      0};
 }
 
 std::vector<std::string> ConfigPath::names(const std::string& folder) const {

@@ -20,13 +20,31 @@ bool has_parameter(const std::vector<core::ParameterInfo>& infos, const std::str
                      [&](const core::ParameterInfo& info) { return info.name == name; });
 }
 
+// The data files that parameters name, each with the place that names it: that of `owner` for a
+// default.
+void note_files(const std::vector<core::ParameterInfo>& infos, const core::ParameterValues& values,
+                const std::vector<RawParameter>& given, const core::YamlNode& owner,
+                std::vector<NamedFile>& files) {
+  for (const core::ParameterInfo& info : infos) {
+    if (info.folder.empty()) continue;
+    const auto& name = std::get<std::string>(values.at(info.name));
+    if (name.empty()) continue;
+    Place place = place_of(owner);
+    for (const RawParameter& parameter : given) {
+      if (parameter.name == info.name) place = place_of(parameter.value);
+    }
+    files.push_back({info.name, info.folder, name, std::move(place)});
+  }
+}
+
 Result<PartChoice> resolve_choice(const StageInfo& stage, const PartInfo& part,
-                                  const RawChoice& choice) {
+                                  const RawChoice& choice, std::vector<NamedFile>& files) {
   const auto variant = find_variant(stage, part, choice);
   if (!variant.ok()) return variant.error();
   auto values = resolve_parameters((*variant)->parameters, choice.parameters,
                                    stage.name + '.' + part.name + '.' + choice.name);
   if (!values.ok()) return values.error();
+  note_files((*variant)->parameters, *values, choice.parameters, choice.where, files);
   return PartChoice{choice.name, std::move(values).value()};
 }
 
@@ -79,7 +97,7 @@ Result<void> check_beside_exec(const RawStage& raw) {
 
 Result<GraphStage> resolve_stage(RawStage raw) {
   const StageInfo& info = *raw.info;
-  GraphStage stage{&info, {info.name, {}, {}}, raw.deployment, {}};
+  GraphStage stage{&info, {info.name, {}, {}}, raw.deployment, {}, place_of(raw.where), {}};
   if (!raw.deployment.exec.empty()) {
     CLEW_RETURN_IF_ERROR(check_beside_exec(raw));
     if (info.scan_layout == nullptr) return stage;
@@ -96,11 +114,12 @@ Result<GraphStage> resolve_stage(RawStage raw) {
       raw, of_stage, behaviour == raw.parts.end() ? nullptr : &behaviour->second.front()));
   auto values = resolve_parameters(info.parameters, of_stage, info.name);
   if (!values.ok()) return values.error();
+  note_files(info.parameters, *values, of_stage, raw.where, stage.files);
   stage.config.parameters = std::move(values).value();
   for (const PartInfo& part : info.parts) {
     auto& resolved = stage.config.parts[part.name];
     for (const RawChoice& choice : raw.parts[part.name]) {
-      auto one = resolve_choice(info, part, choice);
+      auto one = resolve_choice(info, part, choice, stage.files);
       if (!one.ok()) return one.error();
       resolved.push_back(std::move(one).value());
     }
@@ -108,21 +127,21 @@ Result<GraphStage> resolve_stage(RawStage raw) {
   return stage;
 }
 
-Result<void> settle_tick(Graph& graph, const core::YamlNode& where) {
+Result<void> settle_tick(Graph& graph) {
   std::string who;
   for (const GraphStage& stage : graph.stages) {
     if (!stage.info->tick_s || !stage.deployment.exec.empty()) continue;
     const double tick_s = stage.info->tick_s(stage.config);
     if (tick_s <= 0.0) continue;
     if (graph.tick_s > 0.0 && graph.tick_s != tick_s) {
-      return where.error(fmt::format("{} needs a tick of {} s, {} one of {} s", stage.info->name,
-                                     tick_s, who, graph.tick_s));
+      return stage.place.error(fmt::format("{} needs a tick of {} s, {} one of {} s",
+                                           stage.info->name, tick_s, who, graph.tick_s));
     }
     graph.tick_s = tick_s;
     who = stage.info->name;
   }
   if (graph.tick_s <= 0.0) {
-    return where.error("no stage says how long a tick lasts; a graph needs drive");
+    return graph.place.error("no stage says how long a tick lasts; a graph needs drive");
   }
   return {};
 }
@@ -162,9 +181,8 @@ Result<Graph> load_graph(const core::Resource& file, const std::string& name,
     if (!resolved.ok()) return resolved.error();
     graph.stages.push_back(std::move(resolved).value());
   }
-  const auto wired = wire(graph);
-  if (!wired.ok()) return raw->where.error(wired.error().message);
-  CLEW_RETURN_IF_ERROR(settle_tick(graph, raw->where));
+  CLEW_RETURN_IF_ERROR(wire(graph));
+  CLEW_RETURN_IF_ERROR(settle_tick(graph));
   return graph;
 }
 

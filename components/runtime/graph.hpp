@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/result.hpp"
@@ -23,6 +24,23 @@ struct GraphOverrides {
   std::optional<std::uint64_t> max_ticks;
 };
 
+/// Where something stands: in a graph file, or in the option that gave it.
+struct Place {
+  std::string file;
+  int line = 0;
+  int column = 0;
+
+  core::Error error(std::string message) const { return {std::move(message), file, line, column}; }
+};
+
+/// A data file that a parameter of a chosen behaviour names.
+struct NamedFile {
+  std::string parameter;
+  std::string folder;
+  std::string name;
+  Place place;
+};
+
 /// How a stage is run, which changes no result.
 struct Deployment {
   std::string middleware;             ///< `cyclonedds`, `fastdds`, or empty: the run's default
@@ -37,6 +55,8 @@ struct GraphStage {
   StageConfig config;  ///< with exec: empty, but for the sensor whose arrangement its scans have
   Deployment deployment;
   NodePorts ports;
+  Place place;
+  std::vector<NamedFile> files;
 };
 
 /// A graph, complete: every default filled in, every port wired.
@@ -51,6 +71,9 @@ struct Graph {
   /// In an order in which an input of the same tick is written before it is read.
   std::vector<GraphStage> stages;
   std::vector<std::string> unwired;  ///< optional ports without a writer: `recover.landmark`
+  Place place;
+  Place world_place;
+  Place robot_place;
 
   const GraphStage* find(const std::string& stage) const;
   /// The stage that writes a topic, if any.

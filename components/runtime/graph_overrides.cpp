@@ -210,8 +210,14 @@ Result<void> check_count(const char* option, const std::optional<std::uint64_t>&
 Result<void> apply_overrides(const GraphOverrides& overrides, RawGraph& graph) {
   CLEW_RETURN_IF_ERROR(check_count("--seed", overrides.seed));
   CLEW_RETURN_IF_ERROR(check_count("--max-ticks", overrides.max_ticks));
-  if (overrides.world) graph.head.world = *overrides.world;
-  if (overrides.robot) graph.head.robot = *overrides.robot;
+  if (overrides.world) {
+    graph.head.world = *overrides.world;
+    graph.head.world_place = {"--world", 0, 0};
+  }
+  if (overrides.robot) {
+    graph.head.robot = *overrides.robot;
+    graph.head.robot_place = {"--robot", 0, 0};
+  }
   if (overrides.seed) graph.head.seed = *overrides.seed;
   if (overrides.max_ticks) graph.head.max_ticks = *overrides.max_ticks;
   for (const std::string& text : overrides.with) CLEW_RETURN_IF_ERROR(apply_with(text, graph));

@@ -149,6 +149,9 @@ Result<void> read_head(const YamlNode& root, Graph& head) {
   CLEW_RETURN_IF_ERROR(text("about", about, false));
   CLEW_RETURN_IF_ERROR(text("world", head.world, true));
   CLEW_RETURN_IF_ERROR(text("robot", head.robot, true));
+  head.place = place_of(root);
+  head.world_place = place_of(*root.find("world"));
+  head.robot_place = place_of(*root.find("robot"));
   const auto count = [&](const char* key, std::uint64_t& field) -> Result<void> {
     const auto node = root.find(key);
     if (!node) return {};
@@ -196,6 +199,8 @@ Result<std::optional<RawStage>> read_mission(const YamlNode& root,
 }
 
 }  // namespace
+
+Place place_of(const YamlNode& node) { return {node.file(), node.line(), node.column()}; }
 
 const PartInfo* find_part(const StageInfo& stage, const std::string& name) {
   for (const PartInfo& part : stage.parts) {

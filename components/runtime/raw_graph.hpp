@@ -33,6 +33,9 @@ struct RawStage {
   Deployment deployment;
 };
 
+/// Where a value stands.
+Place place_of(const core::YamlNode& node);
+
 struct RawGraph {
   Graph head;  ///< without stages
   core::YamlNode where;

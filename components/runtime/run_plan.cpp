@@ -14,38 +14,15 @@ using core::Result;
 
 constexpr char kRobotFormat[] = "clew-robot/1";
 
-void collect_files(const std::vector<core::ParameterInfo>& infos,
-                   const core::ParameterValues& values,
-                   std::vector<std::pair<std::string, std::string>>& files) {
-  for (const core::ParameterInfo& info : infos) {
-    if (info.folder.empty()) continue;
-    const auto& name = std::get<std::string>(values.at(info.name));
-    if (!name.empty()) files.emplace_back(info.folder, name);
-  }
-}
-
-// Every data file that a chosen behaviour names, as folder and name.
-std::vector<std::pair<std::string, std::string>> data_files(const Graph& graph) {
-  std::vector<std::pair<std::string, std::string>> files;
-  for (const GraphStage& stage : graph.stages) {
-    if (!stage.deployment.exec.empty()) continue;
-    collect_files(stage.info->parameters, stage.config.parameters, files);
-    for (const PartInfo& part : stage.info->parts) {
-      for (const PartChoice& choice : stage.config.parts.at(part.name)) {
-        for (const VariantInfo& variant : part.variants) {
-          if (variant.name == choice.name) {
-            collect_files(variant.parameters, choice.parameters, files);
-          }
-        }
-      }
-    }
-  }
-  return files;
+// What a name in a graph stands for is not there (and the error says what it should be), or cannot
+// be read: said where the name stands.
+core::Error not_found(const Place& place, const std::string& key, const core::Error& error) {
+  return place.error((error.file.empty() ? "" : key + ": ") + error.text());
 }
 
 Result<void> load_world(const ConfigSource& source, RunPlan& plan) {
   auto file = source.find("worlds", plan.graph.world);
-  if (!file.ok()) return file.error();
+  if (!file.ok()) return not_found(plan.graph.world_place, "world", file.error());
   auto world = world::World::parse(file->text, file->file);
   if (!world.ok()) return world.error();
   const auto fits = world->check_robot_fits(plan.setup.behaviour.robot.radius_m);
@@ -62,7 +39,7 @@ Result<void> load_world(const ConfigSource& source, RunPlan& plan) {
 
 Result<void> load_robot(const ConfigSource& source, RunPlan& plan) {
   auto file = source.find("robots", plan.graph.robot);
-  if (!file.ok()) return file.error();
+  if (!file.ok()) return not_found(plan.graph.robot_place, "robot", file.error());
   auto robot = read_robot(*file, plan.graph.robot);
   if (!robot.ok()) return robot.error();
   plan.graph.robot = robot->name;
@@ -72,11 +49,14 @@ Result<void> load_robot(const ConfigSource& source, RunPlan& plan) {
 }
 
 Result<void> load_data_files(const ConfigSource& source, RunPlan& plan) {
-  for (const auto& [folder, name] : data_files(plan.graph)) {
-    auto file = source.find(folder, name);
-    if (!file.ok()) return file.error();
-    add_to_bundle(folder, name, *file, plan.bundle);
-    plan.setup.behaviour.resources.add(folder, name, std::move(file).value());
+  for (const GraphStage& stage : plan.graph.stages) {
+    if (!stage.deployment.exec.empty()) continue;
+    for (const auto& [parameter, folder, name, place] : stage.files) {
+      auto file = source.find(folder, name);
+      if (!file.ok()) return not_found(place, parameter, file.error());
+      add_to_bundle(folder, name, *file, plan.bundle);
+      plan.setup.behaviour.resources.add(folder, name, std::move(file).value());
+    }
   }
   return {};
 }
@@ -95,10 +75,22 @@ void fill_setup(RunPlan& plan) {
   }
 }
 
+// Said where the graph names the file that is wrong, else where the stage stands.
+core::Error in_stage(const RunPlan& plan, const GraphStage& stage, const core::Error& error) {
+  for (const NamedFile& named : stage.files) {
+    const auto file = plan.setup.behaviour.resources.find(named.folder, named.name);
+    if (file.ok() && file->file == error.file) {
+      return named.place.error(named.parameter + ": " + error.text());
+    }
+  }
+  return stage.place.error(stage.info->name + ": " + error.text());
+}
+
 Result<void> check_drive(const Graph& graph) {
   const GraphStage* drive = graph.writer_of(Topic::kState);
   if (drive == nullptr || !drive->deployment.exec.empty()) {
-    return core::Error{"a graph needs a drive of its own: it judges the outcome", {}, 0, 0};
+    return (drive == nullptr ? graph.place : drive->place)
+        .error("a graph needs a drive of its own: it judges the outcome");
   }
   return {};
 }
@@ -190,7 +182,7 @@ Result<Node> make_node(const RunPlan& plan, const GraphStage& stage) {
   RunSetup setup = plan.setup;
   if (!stage.info->knows_world) setup.world.reset();
   auto component = stage.info->make(stage.config, setup);
-  if (!component.ok()) return component.error();
+  if (!component.ok()) return in_stage(plan, stage, component.error());
   return Node(stage.info->name, stage.ports, std::move(component).value(), plan.graph.tick_s);
 }
 
@@ -198,12 +190,9 @@ Result<std::vector<Node>> make_nodes(const RunPlan& plan) {
   std::vector<Node> nodes;
   for (const GraphStage& stage : plan.graph.stages) {
     if (!stage.deployment.exec.empty()) {
-      return core::Error{stage.info->name +
-                             " has exec: a component of someone else's is a process, and cannot be "
-                             "composed",
-                         {},
-                         0,
-                         0};
+      return stage.place.error(stage.info->name +
+                               " has exec: a component of someone else's is a process, and cannot "
+                               "be composed");
     }
     auto node = make_node(plan, stage);
     if (!node.ok()) return node.error();

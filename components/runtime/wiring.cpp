@@ -6,12 +6,9 @@
 namespace clew::runtime {
 namespace {
 
-using core::Error;
 using core::Result;
 
 std::string quoted(Topic topic) { return "'" + std::string(domain::topic_name(topic)) + "'"; }
-
-Error wiring_error(std::string message) { return {std::move(message), {}, 0, 0}; }
 
 // The topics that stages write with outputs of this need. Two writers are an error.
 Result<TopicSet> written_topics(const Graph& graph, PortInfo::Need need) {
@@ -22,8 +19,8 @@ Result<TopicSet> written_topics(const Graph& graph, PortInfo::Need need) {
       if (port.direction != PortInfo::Direction::kOutput || port.need != need) continue;
       std::string& writer = writers[index_of(port.topic)];
       if (!writer.empty()) {
-        return wiring_error(quoted(port.topic) + " has two writers: " + writer + " and " +
-                            stage.info->name);
+        return stage.place.error(quoted(port.topic) + " has two writers: " + writer + " and " +
+                                 stage.info->name);
       }
       writer = stage.info->name;
       written.set(index_of(port.topic));
@@ -44,8 +41,8 @@ Result<void> check_needs(const GraphStage& stage, const TopicSet& written) {
         for (Topic topic : domain::kAllTopics) {
           if (missing[index_of(topic)]) topics += (topics.empty() ? "" : ", ") + quoted(topic);
         }
-        return wiring_error(stage.info->name + '.' + part.name + " '" + choice.name + "' needs " +
-                            topics + ", and no stage of this graph writes it");
+        return stage.place.error(stage.info->name + '.' + part.name + " '" + choice.name +
+                                 "' needs " + topics + ", and no stage of this graph writes it");
       }
     }
   }
@@ -63,8 +60,8 @@ Result<void> check_ports(GraphStage& stage, const TopicSet& written, const Topic
       continue;
     }
     if (port.need == PortInfo::Need::kFallback && written[index_of(port.instead_of)]) continue;
-    return wiring_error(stage.info->name + " needs " + quoted(port.topic) +
-                        ", and no stage of this graph writes it");
+    return stage.place.error(stage.info->name + " needs " + quoted(port.topic) +
+                             ", and no stage of this graph writes it");
   }
   return check_needs(stage, written);
 }
@@ -88,8 +85,8 @@ Result<void> order_stages(Graph& graph) {
     if (next == left.end()) {
       std::string names;
       for (const GraphStage& stage : left) names += (names.empty() ? "" : ", ") + stage.info->name;
-      return wiring_error("these stages wait for one another within a tick: " + names +
-                          "; only an input of the tick before may close a cycle");
+      return left.front().place.error("these stages wait for one another within a tick: " + names +
+                                      "; only an input of the tick before may close a cycle");
     }
     done |= next->ports.outputs;
     ordered.push_back(std::move(*next));

@@ -29,6 +29,10 @@ class ConfigPathTest : public ::testing::Test {
   }
   ConfigPath both() const { return ConfigPath({path("first"), path("second")}); }
 
+  static std::string from_here() {
+    return " (a path from the working directory, " + fs::current_path().string() + ')';
+  }
+
   fs::path directory_;
 };
 
@@ -48,9 +52,9 @@ TEST_F(ConfigPathTest, TakesWhatHasASlashOrAnExtensionForAPath) {
 
   EXPECT_EQ(both().find("worlds", file)->text, "by path");
   EXPECT_EQ(both().find("worlds", "no-such-a.yaml").error().text(),
-            "no-such-a.yaml: cannot be read: No such file or directory");
+            "no-such-a.yaml: cannot be read: No such file or directory" + from_here());
   EXPECT_EQ(both().find("worlds", "./no-such-a").error().text(),
-            "./no-such-a: cannot be read: No such file or directory");
+            "./no-such-a: cannot be read: No such file or directory" + from_here());
 }
 
 TEST_F(ConfigPathTest, BringsAMapWithItsPicture) {
@@ -86,7 +90,7 @@ TEST_F(ConfigPathTest, AnswersAnUnknownNameWithTheKnownOnes) {
   write("second/worlds/readme.txt", "");
 
   EXPECT_EQ(both().find("worlds", "u-tarp").error().text(),
-            "unknown name 'u-tarp' (did you mean 'u-trap'?); allowed: comb, u-trap (in " +
+            "unknown world 'u-tarp' (did you mean 'u-trap'?); allowed: comb, u-trap (in " +
                 path("first/worlds") + ", " + path("second/worlds") + ")");
 }
 

@@ -12,8 +12,8 @@ using core::ParameterInfo;
 
 bool knows_world(const std::string& stage) { return stage == "sense" || stage == "drive"; }
 
-/// Counts its steps; refuses to be made in a run of the seed 13, and with or without a world where
-/// its stage says otherwise.
+/// Counts its steps; refuses to be made in a run of the seed 13, as classify with a data file of
+/// the one word "wrong", and with or without a world where its stage says otherwise.
 class Counter : public Component {
  public:
   void step(const TickInputs&, TickOutputs&) override { ++steps_; }
@@ -32,6 +32,10 @@ core::Result<std::unique_ptr<Component>> make_counter(const StageConfig& config,
   if (setup.seed == 13) return core::Error{config.stage + " does not like 13", {}, 0, 0};
   if ((setup.world != nullptr) != knows_world(config.stage)) {
     return core::Error{config.stage + " is told too much of the world, or too little", {}, 0, 0};
+  }
+  for (const auto& [name, file] : setup.behaviour.resources.all()) {
+    if (config.stage == "classify" && file.text == "wrong")
+      return core::Error{"wrong is no map", file.file, 1, 1};
   }
   return std::unique_ptr<Component>(std::make_unique<Counter>());
 }

@@ -154,7 +154,7 @@ TEST(With, IsRefusedForAStageThatIsNotInTheGraph) {
 
 TEST(With, IsRefusedForAPartThatMissesATopic) {
   EXPECT_EQ(refusal(kTunedGraph, with({"recover.detector=by_place"})),
-            "graph.yaml:1:1: recover.detector 'by_place' needs 'landmark', and no stage of this "
+            "graph.yaml:5:3: recover.detector 'by_place' needs 'landmark', and no stage of this "
             "graph writes it");
 }
 

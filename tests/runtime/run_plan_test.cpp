@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 #include "fake_stages.hpp"
 #include "world/world.hpp"
 
@@ -131,12 +134,34 @@ TEST(RunPlan, MakesANodeForEachStageInOrder) {
 }
 
 TEST(RunPlan, RefusesWhatIsNotThere) {
-  for (const char* name : {"graph.yaml", "world.yaml", "robot.yaml", "rulebases/office.yaml"}) {
+  const std::map<std::string, std::string> places = {
+      {"graph.yaml", ""},
+      {"world.yaml", "graph.yaml:1:8: "},
+      {"robot.yaml", "graph.yaml:2:8: "},
+      {"rulebases/office.yaml", "graph.yaml:4:35: "}};
+  for (const auto& [name, place] : places) {
     Bundle bundle = full_bundle();
     bundle.erase(name);
 
-    EXPECT_EQ(refused_run(bundle), std::string("the bundle has no ") + name);
+    EXPECT_EQ(refused_run(bundle), place + "the bundle has no " + name);
   }
+}
+
+TEST(RunPlan, SaysOfAnOptionWhatItNamesThatIsNotThere) {
+  Bundle bundle = small_bundle();
+  bundle.erase("world.yaml");
+  GraphOverrides overrides;
+  overrides.world = "u-tarp";
+
+  EXPECT_EQ(refused_run(bundle, overrides), "--world: the bundle has no world.yaml");
+}
+
+TEST(RunPlan, SaysWhereAGraphNamesAFileThatIsWrong) {
+  Bundle bundle = full_bundle();
+  bundle["rulebases/office.yaml"] = "wrong";
+
+  EXPECT_EQ(refused_run(bundle),
+            "graph.yaml:4:35: map: rulebases/office.yaml:1:1: wrong is no map");
 }
 
 TEST(RunPlan, RefusesABadWorld) {
@@ -163,7 +188,8 @@ TEST(RunPlan, PassesOnWhatAComponentRefuses) {
   GraphOverrides overrides;
   overrides.seed = 13;
 
-  EXPECT_EQ(refused_run(small_bundle(), overrides), "drive does not like 13");
+  EXPECT_EQ(refused_run(small_bundle(), overrides),
+            "graph.yaml:5:8: drive: drive does not like 13");
 }
 
 TEST(RunPlan, AComponentOfSomeoneElsesCannotBeComposed) {
@@ -175,7 +201,8 @@ TEST(RunPlan, AComponentOfSomeoneElsesCannotBeComposed) {
   const RunPlan plan = prepare_good(bundle);
 
   EXPECT_EQ(make_nodes(plan).error().text(),
-            "control has exec: a component of someone else's is a process, and cannot be composed");
+            "graph.yaml:4:10: control has exec: a component of someone else's is a process, and "
+            "cannot be composed");
 }
 
 TEST(RunPlan, ASensorOfSomeoneElsesIsKnownByTheBehaviourBesideIt) {

@@ -14,7 +14,7 @@ class Wiring : public ::testing::Test {
   void add(const std::string& name, std::vector<PortInfo> ports, std::vector<PartInfo> parts = {},
            const std::map<std::string, std::vector<PartChoice>>& chosen = {}) {
     infos_.push_back({name, "", std::move(ports), {}, std::move(parts), nullptr, nullptr, nullptr});
-    graph_.stages.push_back({&infos_.back(), {name, {}, chosen}, {}, {}});
+    graph_.stages.push_back({&infos_.back(), {name, {}, chosen}, {}, {}, {}, {}});
   }
   /// Wires the graph: `wired`, or the error.
   std::string wire_it() {

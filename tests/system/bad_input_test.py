@@ -49,7 +49,7 @@ class Graphs(BadInput):
         self.refused(Run(["run", "no/such.yaml"]), "no/such.yaml", "No such file or directory")
 
     def test_unknown_graph_with_the_nearest(self):
-        self.refused(Run(["run", "defualt"]), "unknown name 'defualt'", "did you mean 'default'?")
+        self.refused(Run(["run", "defualt"]), "unknown graph 'defualt'", "did you mean 'default'?")
 
     def test_a_directory_is_no_graph(self):
         self.refused(Run(["run", "./configs"], cwd=None), "cannot be read")
@@ -93,6 +93,26 @@ class Graphs(BadInput):
         self.refused_graph(
             GRAPH + "recover: {detector: landmark_revisit, escape: [obstacle_following]}\n",
             "recover.detector 'landmark_revisit' needs 'landmark'")
+
+    def test_what_a_graph_names_and_is_not_there(self):
+        for old, new, text in (
+                ("open-field", "opne-field",
+                 "file.yaml:1:8: unknown world 'opne-field' (did you mean 'open-field'?)"),
+                ("open-field", "./no-world",
+                 f"file.yaml:1:8: world: ./no-world: cannot be read: No such file or directory (a "
+                 f"path from the working directory, {os.getcwd()})"),
+                ("disc-015", "disc-1",
+                 "file.yaml:2:8: unknown robot 'disc-1'"),
+                ("_fuzzy}", "_fuzzy, rules: no-rules}",
+                 "file.yaml:4:50: unknown rule base 'no-rules'"),
+                ("_fuzzy}", "_fuzzy, rules: krishna_kalra_som}",
+                 "file.yaml:4:50: rules: ")):
+            with self.subTest(text=text):
+                self.refused_graph(GRAPH.replace(old, new), text)
+
+    def test_parts_that_do_not_fit_say_where_and_what_both_sides_are(self):
+        self.refused_graph(GRAPH.replace("cones}", "laser}"),
+                           "file.yaml:4:10: control: krishna_kalra_fuzzy needs seven beams", "'laser'")
 
     def test_empty_file(self):
         self.refused_graph("", "file.yaml")
