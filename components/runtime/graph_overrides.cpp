@@ -36,6 +36,10 @@ Result<Assignment> split(const std::string& option, const std::string& text) {
   return Assignment{label, std::move(path), *value};
 }
 
+Error given_twice(const Assignment& assignment) {
+  return Error{"is given twice; once is allowed", assignment.option, 0, 0};
+}
+
 Result<RawStage*> find_stage(RawGraph& graph, const Assignment& assignment) {
   std::vector<std::string> known;
   for (RawStage& stage : graph.stages) {
@@ -116,6 +120,7 @@ Result<void> apply_with(const std::string& text, RawGraph& graph) {
   if (part == nullptr) return unknown_part(info, part_name, *assignment);
   auto choices = read_names(info, *part, text.substr(text.find('=') + 1), *assignment);
   if (!choices.ok()) return choices.error();
+  if (!(*stage)->parts_by_option.insert(part_name).second) return given_twice(*assignment);
   auto& current = (*stage)->parts[part_name];
   if (part_name == kBehaviourPart && !current.empty() &&
       current.front().name != choices->front().name) {
@@ -131,14 +136,16 @@ Result<void> apply_with(const std::string& text, RawGraph& graph) {
   return {};
 }
 
-void assign(std::vector<RawParameter>& parameters, const std::string& name, const YamlNode& value) {
+Result<void> assign(const Assignment& assignment, std::vector<RawParameter>& parameters) {
+  const RawParameter given{assignment.path.back(), assignment.value, assignment.value, true};
   for (RawParameter& parameter : parameters) {
-    if (parameter.name == name) {
-      parameter = {name, value, value};
-      return;
-    }
+    if (parameter.name != given.name) continue;
+    if (parameter.by_option) return given_twice(assignment);
+    parameter = given;
+    return {};
   }
-  parameters.push_back({name, value, value});
+  parameters.push_back(given);
+  return {};
 }
 
 // STAGE.PART.PARAM means the one chosen behaviour that has PARAM.
@@ -186,15 +193,13 @@ Result<void> apply_set(const std::string& text, RawGraph& graph) {
               (is_part ? "; choose it by --with " + path[0] + '.' + path[1] + "=NAME" : ""),
           assignment->option, 0, 0};
     }
-    assign((*stage)->parameters, path[1], assignment->value);
-    return {};
+    return assign(*assignment, (*stage)->parameters);
   }
   if (!is_part) return unknown_part(info, path[1], *assignment);
   const auto choice = find_choice(**stage, *assignment);
   if (!choice.ok()) return choice.error();
-  assign(path[1] == kBehaviourPart ? (*stage)->parameters : (*choice)->parameters, path.back(),
-         assignment->value);
-  return {};
+  return assign(*assignment,
+                path[1] == kBehaviourPart ? (*stage)->parameters : (*choice)->parameters);
 }
 
 // A graph file holds signed numbers, and the expanded graph is one.

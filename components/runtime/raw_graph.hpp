@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct RawParameter {
   std::string name;
   core::YamlNode where;  ///< the key
   core::YamlNode value;
+  bool by_option = false;
 };
 
 /// A behaviour as named: in the file, or by --with.
@@ -31,6 +33,7 @@ struct RawStage {
   std::map<std::string, std::vector<RawChoice>> parts;
   std::vector<RawParameter> parameters;  ///< of the stage, or of its `behaviour`
   Deployment deployment;
+  std::set<std::string> parts_by_option = {};
 };
 
 /// Where a value stands.

@@ -111,10 +111,13 @@ TEST(With, FillsAListThatWasEmpty) {
   EXPECT_EQ(names(graph, "recover", "shadow"), (std::vector<std::string>{"by_time", "by_place"}));
 }
 
-TEST(With, TheLastOneCounts) {
-  const Graph graph = load_good(kSmallGraph, with({"sense=ray", "sense=cones"}));
-
-  EXPECT_EQ(names(graph, "sense", "behaviour"), (std::vector<std::string>{"cones"}));
+TEST(With, ChoosesAPartOnce) {
+  EXPECT_EQ(refusal(kSmallGraph, with({"sense=ray", "sense.behaviour=cones"})),
+            "--with sense.behaviour: is given twice; once is allowed");
+  EXPECT_EQ(refusal(kFullGraph, with({"recover.escape=wait", "recover.escape=follow"})),
+            "--with recover.escape: is given twice; once is allowed");
+  EXPECT_EQ(refusal(kFullGraph, with({"recover.escape=wait", "recover.shadow=by_time"})),
+            "accepted");
 }
 
 TEST(With, IsRefusedWhereItMakesNoSense) {
@@ -182,10 +185,19 @@ TEST(Set, ChangesParametersOfPartsByNameOrAlone) {
   EXPECT_EQ(text_of(escapes[1].parameters, "patience"), "8");
 }
 
-TEST(Set, TheLastOneCounts) {
-  const Graph graph = load_good(kSmallGraph, set({"sense.range_m=4", "sense.range_m=5"}));
+TEST(Set, GivesAParameterOnce) {
+  const std::string twice = "is given twice; once is allowed";
 
-  EXPECT_EQ(behaviour_value(graph, "sense", "range_m"), "5");
+  EXPECT_EQ(refusal(kSmallGraph, set({"sense.range_m=4", "sense.range_m=5"})),
+            "--set sense.range_m: " + twice);
+  EXPECT_EQ(refusal(kSmallGraph, set({"sense.range_m=4", "sense.behaviour.range_m=4"})),
+            "--set sense.behaviour.range_m: " + twice);
+  EXPECT_EQ(
+      refusal(kFullGraph, set({"recover.escape.gap_m=0.1", "recover.escape.follow.gap_m=0.2"})),
+      "--set recover.escape.follow.gap_m: " + twice);
+  EXPECT_EQ(refusal(kFullGraph,
+                    set({"recover.escape.follow.patience=4", "recover.escape.wait.patience=4"})),
+            "accepted");
 }
 
 TEST(Set, TakesListsAndTexts) {

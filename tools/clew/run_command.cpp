@@ -59,21 +59,28 @@ Result<void> check_stage(const runtime::Graph& graph, const std::string& stage,
   return Error{core::unknown_name("stage of this graph", stage, known), option, 0, 0};
 }
 
+Error given_twice(const char* option, const std::string& what) {
+  return {"is given twice" + (what.empty() ? "" : " for " + what) + "; once is allowed", option, 0,
+          0};
+}
+
 Result<void> read_middleware(const RunOptions& options, const runtime::Graph& graph,
                              bridge::ProcessLayout& layout) {
+  std::set<std::string> given;
   for (const std::string& text : options.middleware) {
     const std::size_t equals = text.find('=');
     const std::string vendor = equals == std::string::npos ? text : text.substr(equals + 1);
     if (!runtime::is_middleware(vendor)) {
       return Error{runtime::unknown_middleware(vendor), "--middleware", 0, 0};
     }
+    const std::string stage = equals == std::string::npos ? "" : text.substr(0, equals);
+    if (!given.insert(stage).second) return given_twice("--middleware", stage);
     if (equals == std::string::npos) {
       // The command line outranks the graph.
       layout.middleware = vendor;
-      for (const auto& stage : graph.stages)
-        layout.stage_middleware.emplace(stage.info->name, vendor);
+      for (const auto& each : graph.stages)
+        layout.stage_middleware.emplace(each.info->name, vendor);
     } else {
-      const std::string stage = text.substr(0, equals);
       CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--middleware"));
       layout.stage_middleware[stage] = vendor;
     }
@@ -95,15 +102,17 @@ Result<bridge::ProcessLayout> read_layout(const RunOptions& options, const runti
   CLEW_RETURN_IF_ERROR(read_middleware(options, graph, layout));
   for (const std::string& stage : options.external) {
     CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--external"));
-    layout.external.insert(stage);
+    if (!layout.external.insert(stage).second) return given_twice("--external", stage);
   }
   for (const std::string& text : options.prefix) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals + 1 == text.size()) {
       return Error{"expected STAGE='command', found '" + text + "'", "--prefix", 0, 0};
     }
-    CLEW_RETURN_IF_ERROR(check_stage(graph, text.substr(0, equals), "--prefix"));
-    layout.prefix[text.substr(0, equals)] = text.substr(equals + 1);
+    const std::string stage = text.substr(0, equals);
+    CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--prefix"));
+    const bool first = layout.prefix.emplace(stage, text.substr(equals + 1)).second;
+    if (!first) return given_twice("--prefix", stage);
   }
   return layout;
 }
