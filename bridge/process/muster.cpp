@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <utility>
 
 #include "convert/codec.hpp"
@@ -14,14 +16,23 @@ namespace {
 constexpr auto kPatience = std::chrono::hours(1);
 constexpr double kPatientLease_s = 3600.0;
 
-/// A word that a shell takes as it is.
+/// The word as a shell takes it for one.
 std::string for_shell(const std::string& word) {
+  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::strchr("_-./=:,@%+", c) != nullptr;
+  });
+  if (plain && !word.empty()) return word;
   std::string quoted = "'";
   for (const char c : word) c == '\'' ? quoted += "'\\''" : quoted += c;
   return quoted + '\'';
 }
 
 }  // namespace
+
+// The run has the graph, so the line does not depend on where it is typed.
+std::string component_line(const std::string& program, const std::string& stage, int domain) {
+  return for_shell(program) + " component - " + stage + " --domain " + std::to_string(domain);
+}
 
 Muster::Muster(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
                Spooling spooling)
@@ -47,8 +58,7 @@ ChildCommand Muster::recorder_command() const {
 }
 
 std::string Muster::how_to_start(const Member& member) const {
-  std::string command = "clew component " + plan_.graph.name + ' ' + member.stage + " --domain " +
-                        std::to_string(domain_);
+  std::string command = component_line(layout_.program, member.stage, domain_);
   if (member.foreign) {
     command = "env";
     for (const auto& [name, value] : environment_of(domain_, run_id_)) {

@@ -19,6 +19,9 @@ inline constexpr std::uint32_t kHistoryDepth = 512;
 /// How far the stage that starts ticks may be ahead of the slowest member.
 inline constexpr std::uint32_t kLead = kHistoryDepth / 4;
 
+/// What a person types, anywhere, to start a component of ours: `program` is that of clew.
+std::string component_line(const std::string& program, const std::string& stage, int domain);
+
 /// Starts the processes of a run, and gives each that reports its assignment.
 class Muster {
  public:

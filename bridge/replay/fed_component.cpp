@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "convert/codec.hpp"
+#include "process/muster.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -54,8 +55,8 @@ Result<void> FedComponent::open(Participant& participant, StartBarrier& barrier)
 
 Result<void> FedComponent::start(bool by_us, const std::string& prefix) {
   if (!by_us) {
-    log_(fmt::format("waiting for {0}; start it with: clew component - {0} --domain {1}", stage(),
-                     settings_.domain));
+    log_(fmt::format("waiting for {}; start it with: {}", stage(),
+                     component_line(layout_of(settings_).program, stage(), settings_.domain)));
     return {};
   }
   ProcessLayout layout = layout_of(settings_);

@@ -7,7 +7,7 @@ import subprocess
 import tempfile
 import unittest
 
-from clew_command import (CLEW, THIRD_PARTY, Run, command_line, components_of,
+from clew_command import (CLEW, SOURCE, THIRD_PARTY, Run, command_line, components_of,
                           processes_of_session, wait_until, write_file)
 
 IN_WORLD = ["--world", "unsolvable-behind-wall", "--json"]
@@ -180,7 +180,7 @@ class Endings(unittest.TestCase):
         status, _, err = run.finish()
 
         self.assertEqual(status, 130)
-        self.assertIn("clew component krishna_kalra control --domain", err)
+        self.assertIn(f"{CLEW} component - control --domain", err)
         run.assert_nothing_left(self)
 
 
@@ -196,6 +196,23 @@ class External(unittest.TestCase):
 
         self.assertEqual(component.status, 0, component.err)
         self.assertIn(whole, out)
+
+    def test_a_person_starts_it_anywhere_with_the_line_that_the_run_prints(self):
+        directory = tempfile.mkdtemp(prefix="somebody's graphs ")
+        self.addCleanup(shutil.rmtree, directory)
+        shutil.copy(SOURCE / "configs/graphs/reactive.yaml", directory)
+        run = subprocess.Popen([CLEW, "run", "./reactive.yaml", "--world", "open-field", "--json",
+                                "--external", "control"], text=True, cwd=directory,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        line = run.stderr.readline()
+        started = subprocess.run(line.split("start it with: ")[1], shell=True, cwd="/",
+                                 env={"PATH": "/bin"}, timeout=60, capture_output=True, text=True,
+                                 check=False)
+        out, err = run.communicate(timeout=60)
+
+        self.assertEqual(started.returncode, 0, line + started.stderr)
+        self.assertEqual(run.returncode, 0, line + err)
+        self.assertIn('"outcome":"reached"', out)
 
     def test_a_person_starts_a_program_of_someone_else_with_the_line_that_the_run_prints(self):
         directory = tempfile.mkdtemp(prefix="somebody's programs ")

@@ -113,7 +113,7 @@ class Component(Published):
             with self.subTest(vendor=vendor):
                 replay = Replay(self.recording, "--component", "recover", "--publish",
                                 "--middleware", vendor)
-                replay.wait_for("start it with: clew component - recover --domain ")
+                replay.wait_for(f"start it with: {CLEW} component - recover --domain ")
                 domain = replay.err.split("--domain ")[1].split()[0]
 
                 component = Run(["component", "krishna_kalra", "recover", "--domain", domain])
