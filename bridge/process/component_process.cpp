@@ -29,6 +29,9 @@ using core::Result;
 // How often a component that has nothing else to do reports, and tries waiting writes again.
 constexpr auto kFlushPeriod = std::chrono::milliseconds(20);
 
+// A component whose run is not there says so after this.
+constexpr auto kSilence = std::chrono::seconds(1);
+
 Result<Frame> receive_frame(Link& link, Clock::time_point deadline) {
   while (true) {
     if (auto frame = link.next()) return *std::move(frame);
@@ -176,6 +179,17 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
   return ComponentLoop(link, host).run();
 }
 
+// Says what it waits for if that takes more than a moment.
+Result<int> find_run(const std::string& stage, int domain, Clock::duration patience) {
+  const auto deadline = Clock::now() + patience;
+  auto socket = Link::connect(domain, std::min(deadline, Clock::now() + kSilence));
+  if (socket.ok() || Clock::now() >= deadline) return socket;
+  const auto wait = std::chrono::ceil<std::chrono::seconds>(deadline - Clock::now());
+  std::fprintf(stderr, "clew component %s: waiting up to %d s for a run on domain %d\n",
+               stage.c_str(), static_cast<int>(wait.count()), domain);
+  return Link::connect(domain, deadline);
+}
+
 int complain(const std::string& stage, const Error& error) {
   std::fprintf(stderr, "clew component %s: %s\n", stage.c_str(), error.text().c_str());
   return 1;
@@ -187,7 +201,7 @@ int run_component_process(const std::string& stage, int domain, double connect_t
                           const std::vector<runtime::StageInfo>& stages) {
   const auto patience = std::chrono::duration<double>(connect_timeout_s);
   const auto socket =
-      Link::connect(domain, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience));
+      find_run(stage, domain, std::chrono::duration_cast<Clock::duration>(patience));
   if (!socket.ok()) return complain(stage, socket.error());
   Link link(*socket);
   const auto assignment = take_assignment(link, stage);

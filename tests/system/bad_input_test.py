@@ -182,6 +182,23 @@ class Options(BadInput):
 
     def test_a_component_on_a_domain_that_cannot_be(self):
         self.refused(Run(["component", "reactive", "sense", "--domain", "300"]), "0 to 99")
+        for text in ("abc", "3x", "", "99999999999"):
+            self.refused(Run(["component", "-", "sense"], environment={"CLEW_DOMAIN_ID": text}),
+                         f"CLEW_DOMAIN_ID: found '{text}', expected the number of a DDS domain")
+
+    def test_a_component_of_a_stage_that_the_graph_does_not_have(self):
+        self.refused(Run(["component", "reactive", "contrl", "--domain", "98"]),
+                     "reactive: unknown stage of this graph 'contrl' (did you mean 'control'?); "
+                     "allowed: drive, sense, control")
+
+    def test_a_component_without_a_run_says_what_it_waits_for(self):
+        with subprocess.Popen([CLEW, "component", "reactive", "control", "--domain", "98"],
+                              stderr=subprocess.PIPE, text=True) as component:
+            line = component.stderr.readline()
+            component.kill()
+
+        self.assertRegex(line, "^clew component control: waiting up to (59|60) s for a run on "
+                         "domain 98$")
 
 
 class Worlds(BadInput):

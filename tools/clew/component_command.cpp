@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include "clew/commands.hpp"
+#include "core/nearest_name.hpp"
 #include "dds/participant.hpp"
 #include "process/component_process.hpp"
 #include "process/recorder_process.hpp"
@@ -12,34 +17,52 @@
 namespace clew::tools {
 namespace {
 
+using core::Error;
+using core::Result;
+
 // A person may start the component first and the run afterwards.
 constexpr double kConnectTimeout_s = 60.0;
+
+// The run decides the configuration; a graph that is named must at least be one with the stage.
+Result<void> check_graph(const ComponentOptions& options) {
+  const auto plan = runtime::prepare_run(options.graph, {}, runtime::ConfigPath::from_environment(),
+                                         stages::all());
+  if (!plan.ok()) return plan.error();
+  if (plan->graph.find(options.stage) != nullptr) return {};
+  std::vector<std::string> known;
+  for (const auto& stage : plan->graph.stages) known.push_back(stage.info->name);
+  return Error{core::unknown_name("stage of this graph", options.stage, known), options.graph, 0,
+               0};
+}
+
+Result<int> read_domain(const ComponentOptions& options) {
+  const char* const variable = "CLEW_DOMAIN_ID";
+  int domain = 0;
+  if (options.domain) {
+    domain = *options.domain;
+  } else if (const char* text = std::getenv(variable)) {
+    const char* const end = text + std::strlen(text);
+    const auto [stop, error] = std::from_chars(text, end, domain);
+    if (error != std::errc() || stop != end) {
+      return Error{"found '" + std::string(text) + "', expected the number of a DDS domain",
+                   variable, 0, 0};
+    }
+  } else {
+    return Error{"which run? give --domain, or CLEW_DOMAIN_ID in the environment", {}, 0, 0};
+  }
+  CLEW_RETURN_IF_ERROR(bridge::check_domain(domain));
+  return domain;
+}
 
 }  // namespace
 
 int component_command(const ComponentOptions& options) {
   if (options.graph != "-") {
-    // The run decides the configuration; a graph that is named must at least be one with the stage.
-    const auto plan = runtime::prepare_run(options.graph, {},
-                                           runtime::ConfigPath::from_environment(), stages::all());
-    if (!plan.ok()) return complain(plan.error());
-    if (plan->graph.find(options.stage) == nullptr) {
-      return complain(
-          {"graph '" + options.graph + "' has no stage '" + options.stage + "'", {}, 0, 0});
-    }
+    if (const auto checked = check_graph(options); !checked.ok()) return complain(checked.error());
   }
-  int domain = -1;
-  if (options.domain) {
-    domain = *options.domain;
-  } else if (const char* text = std::getenv("CLEW_DOMAIN_ID")) {
-    domain = std::atoi(text);
-  } else {
-    return complain({"which run? give --domain, or CLEW_DOMAIN_ID in the environment", {}, 0, 0});
-  }
-  if (const auto checked = bridge::check_domain(domain); !checked.ok()) {
-    return complain(checked.error());
-  }
-  return bridge::run_component_process(options.stage, domain, kConnectTimeout_s, stages::all());
+  const auto domain = read_domain(options);
+  if (!domain.ok()) return complain(domain.error());
+  return bridge::run_component_process(options.stage, *domain, kConnectTimeout_s, stages::all());
 }
 
 int recorder_command(const RecorderOptions& options) {
