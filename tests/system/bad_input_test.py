@@ -263,6 +263,14 @@ class Output(BadInput):
             self.assertEqual(Run(["run", "reactive", "--world", "open-field", "--record", path,
                                   "--force"]).status, 0)
 
+    def test_a_refused_command_leaves_nothing_in_the_way_of_the_right_one(self):
+        with tempfile.TemporaryDirectory() as directory:
+            for option, wrong in (("--middleware", "sens=fastdds"), ("--external", "sens"),
+                                  ("--prefix", "sens=time"), ("--middleware", "opendds")):
+                self.refused(Run(["run", "reactive", "--record", f"{directory}/r.mcap", option,
+                                  wrong]), option)
+                self.assertEqual(os.listdir(directory), [])
+
     def test_standard_output_that_takes_nothing(self):
         for arguments in (["list", "worlds"], ["check", "reactive"],
                           ["run", "reactive", "--layout", "composed", "--world", "open-field", "--json"]):

@@ -153,6 +153,8 @@ class Refused(unittest.TestCase):
                           self.refused("--resume", self.path, *arguments))
         self.assertIn("leave out a graph", self.refused("reactive", "--resume", self.path))
         self.assertIn("real time", self.refused("--resume", self.path, "--pace", "realtime"))
+        self.assertIn("did you mean 'sense'?",
+                      self.refused("--resume", self.path, "--middleware", "sens=fastdds"))
 
     def test_what_is_no_recording_or_does_not_describe_its_run(self):
         self.path.write_bytes(b"nothing")

@@ -100,16 +100,20 @@ Result<ResumedRun> resume_run(const RunOptions& options) {
                              resumption->processes.next_tick - 1),
                  file, 0, 0};
   }
-  const bool copy = !options.record.empty();
-  const std::string becomes = copy ? options.record : final_name(file);
+  const std::string becomes = options.record.empty() ? final_name(file) : options.record;
   bridge::RecordingOrder order{becomes, bridge::describe_run(*plan), 0.0};
   // What it says of itself stays, whatever of it this version would say otherwise.
   order.description.versions = recording->description().versions;
   order.description.bundle = recording->description().bundle;
   order.description.compression = recording->description().compression;
+  return ResumedRun{std::move(plan).value(), std::move(order), std::move(resumption).value(), file};
+}
+
+Result<void> claim_resumed(const RunOptions& options, const std::string& file,
+                           const std::string& becomes) {
+  const bool copy = !options.record.empty();
   if (copy) CLEW_RETURN_IF_ERROR(OutputFile::reserve(becomes, options.force));
-  CLEW_RETURN_IF_ERROR(take_over(file, becomes, copy));
-  return ResumedRun{std::move(plan).value(), std::move(order), std::move(resumption).value()};
+  return take_over(file, becomes, copy);
 }
 
 }  // namespace clew::tools

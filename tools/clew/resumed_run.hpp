@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "clew/commands.hpp"
 #include "process/recording_sink.hpp"
 #include "replay/resumption.hpp"
@@ -13,12 +15,16 @@ struct ResumedRun {
   runtime::RunPlan plan;
   bridge::RecordingOrder recording;
   bridge::Resumption resumption;
+  std::string file;  ///< where it is
 };
 
-/// Reads the recording that `options.resume` names, or its temporary name if only that is there,
-/// and takes it over: it grows on in its place, or in a copy that `options.record` names. Refused:
-/// options that the recording decides, one that is whole, and what bridge::resume refuses; the file
-/// is then left as it is.
+/// Reads the recording that `options.resume` names, or its temporary name if only that is there.
+/// Refused: options that the recording decides, one that is whole, and what bridge::resume refuses.
 core::Result<ResumedRun> resume_run(const RunOptions& options);
+
+/// Takes the recording in `file` over, which becomes `becomes`: it grows on in its place, or in a
+/// copy that `options.record` names.
+core::Result<void> claim_resumed(const RunOptions& options, const std::string& file,
+                                 const std::string& becomes);
 
 }  // namespace clew::tools

@@ -181,6 +181,7 @@ struct Job {
   runtime::RunPlan plan;
   std::optional<bridge::RecordingOrder> recording;
   std::optional<bridge::Resumption> resumption;
+  std::string resumed_from;  ///< the recording that is gone on with
 };
 
 Result<Job> new_job(const RunOptions& options) {
@@ -188,14 +189,13 @@ Result<Job> new_job(const RunOptions& options) {
   auto plan = runtime::prepare_run(options.graph, options.overrides,
                                    runtime::ConfigPath::from_environment(), stages::all());
   if (!plan.ok()) return plan.error();
-  Job job{std::move(plan).value(), std::nullopt, std::nullopt};
+  Job job{std::move(plan).value(), std::nullopt, std::nullopt, {}};
   if (options.record.empty()) return job;
   const double keep_last_s =
       options.record_on.empty() ? 0.0 : options.record_last_s.value_or(kRecordLast_s);
   job.recording = {options.record, bridge::describe_run(job.plan), keep_last_s};
   const std::string compression = options.compression == "none" ? "" : options.compression;
   job.recording->description.compression = *bridge::mcap::compression_from_name(compression);
-  CLEW_RETURN_IF_ERROR(bridge::mcap::OutputFile::reserve(options.record, options.force));
   return job;
 }
 
@@ -203,7 +203,15 @@ Result<Job> resumed_job(const RunOptions& options) {
   auto resumed = resume_run(options);
   if (!resumed.ok()) return resumed.error();
   return Job{std::move(resumed->plan), std::move(resumed->recording),
-             std::move(resumed->resumption)};
+             std::move(resumed->resumption), std::move(resumed->file)};
+}
+
+/// Takes the recording's name, when nothing that was asked for can be wrong any more: a command
+/// that is refused leaves no file in the way of the right one.
+Result<void> claim_recording(const RunOptions& options, const Job& job) {
+  if (job.resumption) return claim_resumed(options, job.resumed_from, job.recording->path);
+  if (job.recording) return bridge::mcap::OutputFile::reserve(options.record, options.force);
+  return {};
 }
 
 /// A composed run is one process with its recorder: it dies with it. So is one that has ended, and
@@ -264,6 +272,8 @@ int run_command(const RunOptions& options) {
   if (!job.ok()) return complain(job.error());
   const auto layout = read_layout(options, job->plan.graph, *speed);
   if (!layout.ok()) return complain(layout.error());
+  const auto claimed = claim_recording(options, *job);
+  if (!claimed.ok()) return complain(claimed.error());
 
   const bool composed = options.layout == "composed";
   auto report = run_job(*job, *layout, composed);
