@@ -33,6 +33,13 @@ bool parse_number(std::string_view text, T& number) {
   return code == std::errc() && stop == end;
 }
 
+bool is_beyond_64_bits(std::string_view text) {
+  std::int64_t number = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data(), end, number);
+  return code == std::errc::result_out_of_range && stop == end;
+}
+
 // Whether the quoted text that begins at `begin` is closed again: yaml-cpp takes the end of the
 // file for a closing quote.
 bool has_closing_quote(std::string_view yaml, std::size_t begin) {
@@ -246,11 +253,14 @@ Result<double> YamlNode::number() const {
 Result<std::int64_t> YamlNode::integer() const {
   const Value& value = document_->values[index_];
   std::int64_t number = 0;
-  if (value.kind != YamlKind::kScalar || value.quoted ||
-      !parse_number(document_->scalar(value), number)) {
-    return expected("a whole number");
+  if (value.kind == YamlKind::kScalar && !value.quoted) {
+    const std::string_view text = document_->scalar(value);
+    if (parse_number(text, number)) return number;
+    if (is_beyond_64_bits(text)) {
+      return expected("a whole number from -9223372036854775808 to 9223372036854775807");
+    }
   }
-  return number;
+  return expected("a whole number");
 }
 
 Result<bool> YamlNode::boolean() const {

@@ -65,14 +65,18 @@ Result<void> distribute_parameters(const RawStage& raw, std::vector<RawParameter
     } else if (variant != nullptr && has_parameter(variant->parameters, parameter.name)) {
       behaviour->parameters.push_back(parameter);
     } else {
-      std::vector<std::string> known = {"process", "exec"};
-      for (const PartInfo& part : info.parts) known.push_back(part.name);
+      // --set gives parameters, a file all that a stage's map may hold.
+      std::vector<std::string> known;
+      if (!parameter.by_option) {
+        known = {"process", "exec"};
+        for (const PartInfo& part : info.parts) known.push_back(part.name);
+      }
       for (const auto& own : info.parameters) known.push_back(own.name);
       if (variant != nullptr) {
         for (const auto& own : variant->parameters) known.push_back(own.name);
       }
-      return parameter.where.error(
-          core::unknown_name("key of " + info.name, parameter.name, known));
+      return parameter.where.error(core::unknown_name(
+          (parameter.by_option ? "parameter of " : "key of ") + info.name, parameter.name, known));
     }
   }
   return {};

@@ -235,8 +235,8 @@ TEST(Set, IsRefusedWhereItMakesNoSense) {
             "--set sens.range_m: unknown stage of this graph 'sens' (did you mean 'sense'?); "
             "allowed: sense, classify, recover, control, drive");
   EXPECT_EQ(refused("sense.rnage_m=4"),
-            "--set sense.rnage_m:1:1: unknown key of sense 'rnage_m' (did you mean 'range_m'?); "
-            "allowed: process, exec, behaviour, range_m, count, noisy, side");
+            "--set sense.rnage_m:1:1: unknown parameter of sense 'rnage_m' (did you mean 'range_m'?); "
+            "allowed: range_m, count, noisy, side");
   EXPECT_EQ(refused("recover.escapes.gap_m=4"),
             "--set recover.escapes.gap_m: unknown part of recover 'escapes' (did you mean "
             "'escape'?); allowed: detector, escape, shadow");

@@ -151,7 +151,11 @@ class Options(BadInput):
                 (["--world", "u-trpa"], "did you mean 'u-trap'?"),
                 (["--robot", "disc-015x"], "disc-015"),
                 (["--layout", "composed", "--external", "sense"], "--layout processes"),
-                (["--seed", "x"], "--seed"),
+                (["--seed", "x"], "clew: --seed: found 'x'; allowed: a whole number from 0 to "),
+                (["--seed", "1.5"], "--seed: found '1.5'; allowed: a whole number"),
+                (["--seed", "18446744073709551615"], "a whole number from 0 to 9223372036854775807"),
+                (["--record-last", "x"], "clew: --record-last"),
+                (["--set", "sense.x=1"], "unknown parameter of sense 'x'; allowed: range_m"),
                 (["--max-ticks", "-5"], "--max-ticks"),
                 (["--no-such-option"], "--no-such-option")]:
             with self.subTest(arguments=arguments):
@@ -164,6 +168,15 @@ class Options(BadInput):
     def test_no_command_and_an_unknown_one(self):
         self.assertEqual(Run([]).status, 2)
         self.refused(Run(["chekc", "reactive"]), "did you mean 'check'?")
+        self.refused(Run(["train", "smo"]), "clew: unknown command 'smo' (did you mean 'som'?)")
+        self.refused(Run(["train"]), "clew: ", "--help tells more")
+
+    def test_the_largest_seed(self):
+        run = Run(["run", "reactive", "--world", "open-field", "--layout", "composed", "--json",
+                   "--seed", "9223372036854775807"])
+
+        self.assertEqual(run.status, 0, run.err)
+        self.assertEqual(run.report["seed"], 9223372036854775807)
 
     def test_an_unknown_option_is_named_before_what_is_missing(self):
         for command, option, nearest in (("plot", "--tikc", "--tick"), ("info", "--jsno", "--json"),
@@ -252,6 +265,10 @@ class Output(BadInput):
     def test_unwritable_recording(self):
         for path in ("/no/such/directory/r.mcap", "/proc/r.mcap"):
             self.refused(Run(["run", "reactive", "--record", path]), path)
+
+    def test_what_cannot_be_written_says_why(self):
+        self.refused(Run(["train", "som", "-o", "/no/such/directory/som.yaml"]),
+                     "/no/such/directory/som.yaml: cannot be written: No such file or directory")
 
     def test_a_recording_is_not_overwritten_without_force(self):
         with tempfile.TemporaryDirectory() as directory:

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <set>
 #include <string>
 #include <system_error>
@@ -20,13 +24,22 @@
 namespace clew::tools {
 namespace {
 
-// Counts travel through YAML as whole numbers that a double holds exactly.
-constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
-
 // A status that a command line gives is remembered here, since CLI11's callbacks return nothing.
 struct Outcome {
   int status = kExitGood;
 };
+
+/// For counts, which a graph file holds, too.
+const CLI::Validator kCount(
+    [](std::string& text) {
+      std::int64_t count = 0;
+      const char* const end = text.data() + text.size();
+      const auto [stop, error] = std::from_chars(text.data(), end, count);
+      if (error == std::errc() && stop == end && count >= 0) return std::string();
+      return fmt::format("found '{}'; allowed: a whole number from 0 to {}", text,
+                         std::numeric_limits<std::int64_t>::max());
+    },
+    "");
 
 /// For the name of a file to write.
 const CLI::Validator kNamed(
@@ -39,10 +52,9 @@ void add_overrides(CLI::App& app, runtime::GraphOverrides& overrides) {
       ->allow_extra_args(false);
   app.add_option("--set", overrides.set, "STAGE[.PART][.NAME].PARAM=VALUE: another value")
       ->allow_extra_args(false);
-  app.add_option("--seed", overrides.seed, "of all random numbers (1)")
-      ->check(CLI::Range(std::int64_t{0}, kMaxCount));
+  app.add_option("--seed", overrides.seed, "of all random numbers (1)")->check(kCount);
   app.add_option("--max-ticks", overrides.max_ticks, "give up after so many (20000)")
-      ->check(CLI::Range(std::int64_t{0}, kMaxCount));
+      ->check(kCount);
 }
 
 void add_run(CLI::App& main, RunOptions& options, Outcome& outcome) {
@@ -192,22 +204,22 @@ void add_publish(CLI::App& app, ReplayOptions& options) {
 
 void add_replay(CLI::App& main, ReplayOptions& options, Outcome& outcome) {
   CLI::App* app = main.add_subcommand("replay", "Feed a recording to its components and compare");
-  const CLI::Range ticks(std::int64_t{0}, kMaxCount);
   app->add_option("recording", options.recording, "required");
   app->add_option("--component", options.component, "only this stage (all, each on its own)");
   app->add_option("--with", options.overrides.with, "STAGE[.PART]=NAME[,NAME...]: other behaviour")
       ->allow_extra_args(false);
   app->add_option("--set", options.overrides.set, "STAGE[.PART][.NAME].PARAM=VALUE: other value")
       ->allow_extra_args(false);
-  app->add_option("--from", options.first_tick, "compare from this tick")->check(ticks);
-  app->add_option("--to", options.last_tick, "end with this tick")->check(ticks);
+  app->add_option("--from", options.first_tick, "compare from this tick")->check(kCount);
+  app->add_option("--to", options.last_tick, "end with this tick")->check(kCount);
   app->add_option("--rate", options.rate, "simulated over wall-clock time (as fast as it goes)")
       ->check(CLI::Range(bridge::Playback::kLowestRate, bridge::Playback::kHighestRate));
-  app->add_option("--branch", options.branch_tick, "run the graph on from this tick")->check(ticks);
+  app->add_option("--branch", options.branch_tick, "run the graph on from this tick")
+      ->check(kCount);
   app->add_option("--record", options.record, "write a recording of the branch (MCAP)");
   app->add_flag("--force", options.force, "overwrite it");
   app->add_option("--max-ticks", options.overrides.max_ticks, "give up the branch after so many")
-      ->check(ticks);
+      ->check(kCount);
   add_publish(*app, options);
   app->add_flag("--json", options.json, "print the result as one JSON object");
   app->callback([app, &options, &outcome] {
@@ -269,6 +281,18 @@ core::Result<void> check_command(const CLI::App& app, const std::string& name) {
   return core::Error{core::unknown_name("command", name, known), {}, 0, 0};
 }
 
+core::Result<void> check_commands(const CLI::App& app, int argc, char** argv) {
+  const std::string command = argc > 1 ? argv[1] : "";
+  CLEW_RETURN_IF_ERROR(check_command(app, command));
+  for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
+    const bool has_commands = known->get_require_subcommand_min() > 0;
+    if (argc > 2 && known->get_name() == command && has_commands) {
+      return check_command(*known, argv[2]);
+    }
+  }
+  return {};
+}
+
 /// CLI11 would rather name an argument that is missing than an option that nobody knows.
 core::Result<void> check_options(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands()) {
@@ -318,15 +342,16 @@ int parse_and_run(int argc, char** argv) {
   add_train_neuro_fuzzy(*train, train_neuro_fuzzy, outcome);
   add_reserved(app, outcome);
   add_versions(app);
-  const auto known = check_command(app, argc > 1 ? argv[1] : "");
-  if (!known.ok()) return complain(known.error());
+  if (const auto known = check_commands(app, argc, argv); !known.ok()) {
+    return complain(known.error());
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const auto all_known = check_options(app);
     if (!all_known.ok()) return complain(all_known.error());
-    const int code = app.exit(error);
-    return code == 0 ? kExitGood : kExitBadInput;
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    return complain({fmt::format("{}; --help tells more", error.what()), {}, 0, 0});
   }
   return outcome.status;
 }

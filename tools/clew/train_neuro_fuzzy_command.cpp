@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
+#include <string>
 
 #include "clew/commands.hpp"
 #include "clew/training_groups.hpp"
@@ -71,7 +74,9 @@ Result<Trained> train(const TrainNeuroFuzzyOptions& options) {
 Result<void> write(const std::string& path, const std::string& text) {
   std::ofstream stream(path, std::ios::binary);
   stream << text;
-  if (!stream.flush()) return Error{"cannot be written", path, 0, 0};
+  if (!stream.flush()) {
+    return Error{std::string("cannot be written: ") + std::strerror(errno), path, 0, 0};
+  }
   return {};
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
+#include <string>
 
 #include "classify/som_training.hpp"
 #include "clew/commands.hpp"
@@ -94,7 +97,10 @@ int train_som_command(const TrainSomOptions& options) {
   }
   std::ofstream stream(options.output, std::ios::binary);
   stream << *trained;
-  if (!stream.flush()) return complain({"cannot be written", options.output, 0, 0});
+  if (!stream.flush()) {
+    return complain(
+        {std::string("cannot be written: ") + std::strerror(errno), options.output, 0, 0});
+  }
   return kExitGood;
 }
 

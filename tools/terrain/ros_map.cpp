@@ -5,8 +5,10 @@
 ///
 /// FOLDER/NAME.yaml and FOLDER/NAME.pgm, by the world's name; into this folder without one. The
 /// shipped maps are `build/ros-map office 0.1 configs/maps`.
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <string>
 
@@ -45,7 +47,7 @@ int run(const std::string& name, const char* cell_text, const std::string& folde
   const RosMapFiles files = ros_map_of(*world, cell_m);
   const std::string path = folder + '/' + world->name();
   if (!write(path + ".yaml", files.head) || !write(path + ".pgm", files.picture)) {
-    return complain(path + ".yaml and .pgm cannot be written");
+    return complain(path + ".yaml and .pgm cannot be written: " + std::strerror(errno));
   }
   return 0;
 }
