@@ -7,9 +7,6 @@
 namespace clew::classify {
 namespace {
 
-// Seven beams are taken for the seven cones, whichever way they look.
-constexpr std::size_t kBeams = world::SevenCones::kCount;
-
 bool contains(const std::vector<std::string>& words, const char* word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
@@ -18,9 +15,7 @@ bool contains(const std::vector<std::string>& words, const char* word) {
 
 core::Result<std::unique_ptr<KrishnaKalra>> KrishnaKalra::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
-  if (setup.scan.beam_count != kBeams) {
-    CLEW_RETURN_IF_ERROR(world::SevenCones::check(setup.scan, "classify krishna_kalra"));
-  }
+  CLEW_RETURN_IF_ERROR(world::SevenCones::check(setup.scan, "classify krishna_kalra"));
   if (parameters.nearness.near_full_ratio >= parameters.nearness.near_none_ratio) {
     return core::Error{"near_none_ratio must be more than near_full_ratio", {}, 0, 0};
   }
@@ -47,8 +42,7 @@ KrishnaKalra::KrishnaKalra(const Parameters& parameters, std::optional<Som> som)
 
 void KrishnaKalra::step(const domain::Odometry& odometry, const domain::Scan& scan,
                         domain::Landmark& landmark) {
-  const bool as_they_are = scan.ranges_m.size() == kBeams;
-  const Nearness near = nearness(as_they_are ? scan : eyes_.see(scan), parameters_.nearness);
+  const Nearness near = nearness(eyes_.see(scan), parameters_.nearness);
   if (sequence_.add(spatial_class(near, parameters_.nearness))) presented_ = false;
   landmark.spatial_class = sequence_.current().spatial_class;
   landmark.run_length = sequence_.current().length;

@@ -21,6 +21,9 @@ domain::Scan scan_of(int spatial_class) {
   double right = (row & 4) != 0 ? kFar : kNear;
   if (spatial_class == 0) left = centre = right = kVeryNear;
   domain::Scan scan;
+  scan.bearing_first_rad = core::radians(45.0);
+  scan.bearing_step_rad = core::radians(-15.0);
+  scan.beam_width_rad = core::radians(15.0);
   scan.range_max_m = 1.0;
   scan.ranges_m = {left, left, left, centre, right, right, right};
   return scan;
@@ -160,6 +163,28 @@ TEST(KrishnaKalra, RefusesASensorThatLeavesASectorOut) {
   EXPECT_NE(
       made.error().message.find("classify krishna_kalra needs a beam in each of seven sectors"),
       std::string::npos);
+}
+
+TEST(KrishnaKalra, RefusesSevenBeamsThatLookElsewhere) {
+  // 30 degrees apart: of the seven sectors of 15 degrees, every other one has none.
+  domain::BehaviourSetup setup;
+  setup.scan = {"half a ring", 7, core::radians(90.0), core::radians(-30.0), 0.0, 1.5};
+
+  EXPECT_FALSE(KrishnaKalra::create({}, setup).ok());
+}
+
+TEST(KrishnaKalra, ReadsOtherBeamsByWhereTheyLook) {
+  // From right to left, and one more on either side, which no sector reaches.
+  Feed feed({});
+  domain::Scan scan = scan_of(7);  // left near, centre and right far
+  scan.bearing_first_rad = core::radians(-60.0);
+  scan.bearing_step_rad = core::radians(15.0);
+  scan.ranges_m = {kVeryNear, kFar, kFar, kFar, kFar, kNear, kNear, kNear, kVeryNear};
+  domain::Landmark landmark;
+
+  feed.classifier.step({}, scan, landmark);
+
+  EXPECT_EQ(landmark.spatial_class, 7);
 }
 
 }  // namespace
