@@ -14,8 +14,6 @@ using runtime::Topic;
 namespace {
 
 constexpr std::uint64_t kTicksPerReport = 32;
-// All components save their states before the same ticks, so that those that are down together can
-// go on from the same one. Histories hold more than two periods.
 constexpr std::size_t kSpoolBytes = 64 * 1024;
 
 EndpointSpec spec_of(Topic topic, const std::string& user_data, int history_depth) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "classify/som.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "core/yaml_fields.hpp"
+#include "domain/landmark_classes.hpp"
 
 namespace clew::classify {
 namespace {
@@ -14,15 +16,9 @@ using core::YamlNode;
 
 Result<Som::Neuron> read_neuron(const YamlNode& node) {
   CLEW_RETURN_IF_ERROR(node.check_keys({"weights", "lower_bounds"}));
-  const auto list = node.at("weights");
-  if (!list.ok()) return list.error();
-  const auto weights = list->numbers(3, "three classes");
-  if (!weights.ok()) return weights.error();
   Som::Neuron neuron;
-  for (std::size_t i = 0; i < 3; ++i) {
-    neuron.weights[i] = (*weights)[i];
-    CLEW_RETURN_IF_ERROR(core::check_range(*list, neuron.weights[i], {0.0, 8.0}));
-  }
+  CLEW_RETURN_IF_ERROR(core::read_numbers(node, "weights", "three classes",
+                                          {0.0, domain::kLastClass}, neuron.weights));
   if (node.find("lower_bounds")) {
     CLEW_RETURN_IF_ERROR(core::read_counts(node, "lower_bounds", neuron.lower_bounds.emplace()));
   }
@@ -55,14 +51,12 @@ Result<Som> Som::parse(const core::Resource& resource) {
 }
 
 Som::Recall Som::recall(const Triple& classes) const {
+  std::array<double, 3> wanted{};
+  std::copy(classes.begin(), classes.end(), wanted.begin());
   Recall best;
   double best_squared = -1.0;
   for (std::uint32_t i = 0; i < kNeurons; ++i) {
-    double squared = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double difference = lattice_[i].weights[k] - static_cast<double>(classes[k]);
-      squared += difference * difference;
-    }
+    const double squared = domain::squared_class_distance(lattice_[i].weights, wanted);
     if (best_squared < 0.0 || squared < best_squared) {
       best_squared = squared;
       best.neuron = i;

@@ -41,14 +41,12 @@ Result<KrishnaKalraRules> KrishnaKalraRules::parse(const core::Resource& resourc
   CLEW_RETURN_IF_ERROR(core::check_format(root, "clew-krishna-kalra-control/1"));
 
   KrishnaKalraRules rules;
-  double target_turn_deg = 0.0;
   CLEW_RETURN_IF_ERROR(read_number(root, "near_full_ratio", kRatio, rules.near_full_ratio));
   CLEW_RETURN_IF_ERROR(read_number(root, "near_none_ratio", kRatio, rules.near_none_ratio));
   if (rules.near_full_ratio >= rules.near_none_ratio) {
     return root.error("near_none_ratio must be more than near_full_ratio");
   }
-  CLEW_RETURN_IF_ERROR(read_number(root, "target_turn_deg", {0.0, 180.0}, target_turn_deg));
-  rules.target_turn_rad = core::radians(target_turn_deg);
+  CLEW_RETURN_IF_ERROR(read_angle(root, "target_turn_deg", {0.0, 180.0}, rules.target_turn_rad));
   CLEW_RETURN_IF_ERROR(read_turns(root, "near_turns_deg", rules.near_turns_rad));
   CLEW_RETURN_IF_ERROR(read_turns(root, "far_turns_deg", rules.far_turns_rad));
   CLEW_RETURN_IF_ERROR(read_number(root, "target_near_step_m", kStepM, rules.target_near_step_m));

@@ -42,6 +42,26 @@ Result<void> read_number(const YamlNode& map, const char* key, Range range, doub
   return check_range(*node, field, range);
 }
 
+Result<void> read_angle(const YamlNode& map, const char* key, Range range_deg, double& field_rad) {
+  double angle_deg = 0.0;
+  CLEW_RETURN_IF_ERROR(read_number(map, key, range_deg, angle_deg));
+  field_rad = radians(angle_deg);
+  return {};
+}
+
+Result<void> read_numbers(const YamlNode& map, const char* key, const char* what, Range range,
+                          std::array<double, 3>& fields) {
+  const auto node = map.at(key);
+  if (!node.ok()) return node.error();
+  const auto numbers = node->numbers(fields.size(), what);
+  if (!numbers.ok()) return numbers.error();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    fields[i] = (*numbers)[i];
+    CLEW_RETURN_IF_ERROR(check_range(*node, fields[i], range));
+  }
+  return {};
+}
+
 Result<void> read_count(const YamlNode& map, const char* key, std::int64_t least, std::int64_t most,
                         std::uint64_t& field) {
   const auto node = map.at(key);

@@ -22,6 +22,13 @@ Result<void> check_range(const YamlNode& node, double number, Range range);
 /// The number at a key that must be there, within its range.
 Result<void> read_number(const YamlNode& map, const char* key, Range range, double& field);
 
+/// The angle at a key that must be there, written in degrees within `range_deg`.
+Result<void> read_angle(const YamlNode& map, const char* key, Range range_deg, double& field_rad);
+
+/// Three numbers at a key that must be there, each within its range; `what` they are, for messages.
+Result<void> read_numbers(const YamlNode& map, const char* key, const char* what, Range range,
+                          std::array<double, 3>& fields);
+
 /// The whole number at a key that must be there, within its range, both ends included.
 Result<void> read_count(const YamlNode& map, const char* key, std::int64_t least, std::int64_t most,
                         std::uint64_t& field);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "domain/field_check.hpp"
+#include "domain/landmark_classes.hpp"
 #include "domain/topics.hpp"
 
 namespace clew::domain {
 namespace {
 
 constexpr double kFullTurn = 2.0 * core::kPi;
-constexpr std::uint32_t kLastClass = 8;  // of Krishna & Kalra's Table I
 
 void check_stamp(FieldCheck& check, const TickStamp& stamp) {
   check.not_negative({"stamp", "sim_time_s"}, stamp.sim_time_s);

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/angle.hpp"
 #include "core/yaml_fields.hpp"
+#include "domain/landmark_classes.hpp"
 
 namespace clew::recover {
 namespace {
@@ -14,28 +14,15 @@ using core::YamlNode;
 
 constexpr double kHalfClass = 0.5;
 
-double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  double squared = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) squared += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(squared);
-}
-
 Result<ImmediateMemory::Action> read_action(const YamlNode& node) {
   CLEW_RETURN_IF_ERROR(node.check_keys({"classes", "turn_deg"}));
-  const auto list = node.at("classes");
-  if (!list.ok()) return list.error();
-  const auto classes = list->numbers(3, "three classes");
-  if (!classes.ok()) return classes.error();
   ImmediateMemory::Action action;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double value = (*classes)[i];
-    CLEW_RETURN_IF_ERROR(core::check_range(*list, value, {0.0, 8.0}));
-    if (value != std::floor(value)) return list->error("a class is a whole number");
-    action.classes[i] = value;
+  CLEW_RETURN_IF_ERROR(core::read_numbers(node, "classes", "three classes",
+                                          {0.0, domain::kLastClass}, action.classes));
+  for (const double value : action.classes) {
+    if (value != std::floor(value)) return node.find("classes")->error("a class is a whole number");
   }
-  double turn_deg = 0.0;
-  CLEW_RETURN_IF_ERROR(read_number(node, "turn_deg", {-180.0, 180.0}, turn_deg));
-  action.turn_rad = core::radians(turn_deg);
+  CLEW_RETURN_IF_ERROR(core::read_angle(node, "turn_deg", {-180.0, 180.0}, action.turn_rad));
   return action;
 }
 
@@ -70,7 +57,8 @@ std::optional<double> ImmediateMemory::turn_rad(const domain::Landmark& landmark
     const Action* nearest = nullptr;
     double nearest_distance = kHalfClass;
     for (const Action& action : actions_) {
-      const double d = distance(action.classes, recognition.prototype_classes);
+      const double d =
+          std::sqrt(domain::squared_class_distance(action.classes, recognition.prototype_classes));
       if (d <= nearest_distance) {
         nearest = &action;
         nearest_distance = d;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/angle.hpp"
 #include "core/yaml_fields.hpp"
 #include "recover/wall_follower.hpp"
 
@@ -13,13 +12,6 @@ using core::YamlNode;
 constexpr Range kRatio = {0.0, 1.0};
 constexpr Range kTurnDeg = {-90.0, 90.0};
 constexpr Range kStepM = {0.0, 1.0};
-
-Result<void> read_angle(const YamlNode& map, const char* key, double& field_rad) {
-  double angle_deg = 0.0;
-  CLEW_RETURN_IF_ERROR(read_number(map, key, kTurnDeg, angle_deg));
-  field_rad = core::radians(angle_deg);
-  return {};
-}
 
 }  // namespace
 
@@ -47,9 +39,9 @@ Result<WallRules> WallRules::parse(const core::Resource& resource) {
       rules.far_ratio > rules.break_ratio) {
     return root.error("close_ratio, good_ratio, far_ratio and break_ratio must rise");
   }
-  CLEW_RETURN_IF_ERROR(read_angle(root, "blocked_turn_deg", rules.blocked_turn_rad));
-  CLEW_RETURN_IF_ERROR(read_angle(root, "close_turn_deg", rules.close_turn_rad));
-  CLEW_RETURN_IF_ERROR(read_angle(root, "far_turn_deg", rules.far_turn_rad));
+  CLEW_RETURN_IF_ERROR(read_angle(root, "blocked_turn_deg", kTurnDeg, rules.blocked_turn_rad));
+  CLEW_RETURN_IF_ERROR(read_angle(root, "close_turn_deg", kTurnDeg, rules.close_turn_rad));
+  CLEW_RETURN_IF_ERROR(read_angle(root, "far_turn_deg", kTurnDeg, rules.far_turn_rad));
   CLEW_RETURN_IF_ERROR(read_number(root, "blocked_step_m", kStepM, rules.blocked_step_m));
   CLEW_RETURN_IF_ERROR(read_number(root, "free_step_m", kStepM, rules.free_step_m));
   return rules;

@@ -43,6 +43,30 @@ TEST(YamlFields, ANumberIsWithinItsRange) {
   EXPECT_EQ(read("race: 1"), "a.yaml:1:1: missing key 'rate'");
 }
 
+TEST(YamlFields, AnAngleIsWrittenInDegrees) {
+  double angle_rad = 0.0;
+  const auto read = [&](const char* yaml) {
+    return answer(read_angle(parse(yaml), "turn_deg", {-90.0, 90.0}, angle_rad));
+  };
+
+  EXPECT_EQ(read("turn_deg: 45"), "accepted");
+  EXPECT_DOUBLE_EQ(angle_rad, kPi / 4.0);
+  EXPECT_EQ(read("turn_deg: 91"), "a.yaml:1:11: found 91, expected a number from -90 to 90");
+}
+
+TEST(YamlFields, NumbersAreThreeWithinTheirRange) {
+  std::array<double, 3> classes{};
+  const auto read = [&](const char* yaml) {
+    return answer(read_numbers(parse(yaml), "classes", "three classes", {0.0, 8.0}, classes));
+  };
+
+  EXPECT_EQ(read("classes: [0, 2.5, 8]"), "accepted");
+  EXPECT_EQ(classes, (std::array<double, 3>{0.0, 2.5, 8.0}));
+  EXPECT_EQ(read("classes: [1, 2]"), "a.yaml:1:10: found a list of 2, expected three classes");
+  EXPECT_EQ(read("classes: [1, 9, 2]"), "a.yaml:1:10: found 9, expected a number from 0 to 8");
+  EXPECT_EQ(read("class: [1]"), "a.yaml:1:1: missing key 'classes'");
+}
+
 TEST(YamlFields, CountsAreThreeWholeNumbersFromOne) {
   std::array<std::uint32_t, 3> counts{};
   const auto read = [&](const char* yaml) {
