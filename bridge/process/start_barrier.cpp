@@ -114,7 +114,7 @@ void StartBarrier::on_incompatible_qos(const std::string& topic, bool local_is_w
   handlers_.on_fatal("a " + std::string(local_is_writer ? "reader" : "writer") + " of '" + topic +
                      "' does not match the " + (local_is_writer ? "writer" : "reader") + " in " +
                      own_name_ + ": incompatible QoS policy " + policy +
-                     "; expected RELIABLE, TRANSIENT_LOCAL, KEEP_LAST, XCDR1");
+                     "; expected RELIABLE, TRANSIENT_LOCAL, XCDR1; the history may be any");
 }
 
 void StartBarrier::on_inconsistent_type(const RemoteEndpoint& remote) {
