@@ -189,6 +189,15 @@ class Replay(Recordings):
         self.assertLess(run.report["ticks"], 151)
         self.assertIn("torn.mcap: was cut off", run.err)
 
+    def test_feeds_a_controller_the_scans_that_were_recorded_whatever_sense_would_be(self):
+        recording = self.directory / "four.mcap"
+        self.ran(["run", "wang_yang_meng", "--layout", "composed", "--max-ticks", "20", "--record",
+                  recording], 3)
+
+        self.refused(["replay", recording, "--component", "control", "--with", "sense=cones",
+                      "--with", "control=krishna_kalra_fuzzy"],
+                     "needs seven beams", "'infrared' gives 4")
+
     def test_says_what_each_option_takes(self):
         for arguments, text in [
                 (["--component", "contrl"], "did you mean 'control'?"),

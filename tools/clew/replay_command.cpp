@@ -89,9 +89,14 @@ ordered_json to_json(const std::vector<ReplayReport>& reports) {
           {"components", std::move(components)}};
 }
 
+/// Each component of `changed` is fed what was recorded: its scans have the arrangement that they
+/// had then, whatever sense would make of them now.
 Result<std::vector<ReplayReport>> replay_all(const bridge::RunRecording& recording,
-                                             const runtime::RunPlan& plan,
+                                             const runtime::RunPlan& recorded,
+                                             const runtime::RunPlan& changed,
                                              const ReplayOptions& options) {
+  runtime::RunPlan plan = changed;
+  plan.setup.behaviour.scan = recorded.setup.behaviour.scan;
   const auto branch = bridge::branch_of(recording);
   if (!branch.ok()) return branch.error();
   const std::uint64_t own_tick = *branch ? (*branch)->tick : 0;
@@ -132,7 +137,7 @@ int replay_command(const ReplayOptions& options) {
   }
   if (options.branch_tick) return replay_branch(options, *recording, *recorded, *plan);
   if (options.publishes) return replay_publish(options, *recording, *recorded, *plan);
-  const auto reports = replay_all(*recording, *plan, options);
+  const auto reports = replay_all(*recording, *recorded, *plan, options);
   if (!reports.ok()) return complain(reports.error());
   bool identical = true;
   for (const ReplayReport& report : *reports) {
