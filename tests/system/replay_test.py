@@ -220,15 +220,6 @@ class Replay(Recordings):
 
         self.assertTrue(self.ran(["replay", recording, "--json"], 0).report["identical"])
 
-    def test_in_real_time_knows_which_commands_were_late(self):
-        graph = write_file("world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n"
-                           "control: {behaviour: krishna_kalra_fuzzy}\n"
-                           "drive: {behaviour: turn_then_step, tick_s: 0.01}\n")
-        recording = self.directory / "realtime.mcap"
-        run_graph(graph, "--pace", "realtime", "--max-ticks", "60", "--record", recording)
-
-        self.assertTrue(self.ran(["replay", recording, "--json"], 0).report["identical"])
-
     def test_leaves_components_of_someone_else_out(self):
         graph = write_file("world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n"
                            f"control: {{exec: [{THIRD_PARTY}/straight_control, "

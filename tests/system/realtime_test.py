@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: Apache-2.0
+"""In real time the robot arrives at the clock's pace, and rests while nobody tells it where to go."""
+import itertools
+import os
+import pathlib
+import signal
+import tempfile
+import time
+import unittest
+
+from clew_command import THIRD_PARTY, Run, components_of, start, wait_until, write_file
+from recorded_states import states_of
+
+TICK_S = 0.05
+CONTROL = "{behaviour: krishna_kalra_fuzzy}"
+
+# A straight way of 3.8 m to the target's rim.
+WORLD = """format: clew-world/1
+name: lane
+bounds: [0, 0, 6, 2]
+start: [1, 1, 0]
+target: [5, 1]
+target_radius: 0.2
+"""
+
+
+class RealTime(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.directory = pathlib.Path(scratch.name)
+        self.recording = self.directory / "r.mcap"
+
+    def arguments(self, control=CONTROL):
+        world = self.directory / "lane.yaml"
+        world.write_text(WORLD)
+        graph = self.directory / "graph.yaml"
+        graph.write_text(f"world: {world}\nrobot: disc-015\nsense: {{behaviour: cones}}\n"
+                         f"control: {control}\n"
+                         f"drive: {{behaviour: turn_then_step, tick_s: {TICK_S}}}\n")
+        return ["run", graph, "--pace", "realtime", "--record", self.recording, "--json"]
+
+    def test_the_robot_arrives_in_its_own_time(self):
+        run = Run(self.arguments(), timeout_s=60)
+
+        self.assertEqual(run.status, 0, run.err)
+        self.assertEqual(run.report["outcome"], "reached")
+        self.assertGreaterEqual(run.report["ticks"], 26)  # of 0.15 m at most
+        # No tick begins before its time, and a late command does not hold up the next one.
+        self.assertGreaterEqual(run.report["wall_s"], run.report["ticks"] * TICK_S)
+        self.assertAlmostEqual(run.report["ticks_per_s"] * TICK_S, 1.0, delta=0.1)
+
+    def test_the_robot_rests_while_control_is_frozen_and_the_recording_says_so(self):
+        frozen_s = 1.0  # shorter than the two seconds after which a component is given up
+        growing = pathlib.Path(f"{self.recording}.tmp~")
+        run = start(self.arguments(), start_new_session=True)
+        self.assertTrue(wait_until(lambda: growing.exists() and len(states_of(growing)) > 5))
+        control = components_of(run.pid)["control"]
+
+        os.kill(control, signal.SIGSTOP)
+        time.sleep(frozen_s)
+        os.kill(control, signal.SIGCONT)
+        out, err = run.communicate(timeout=60)
+        states = states_of(self.recording)
+        # What a state says is of the tick before it, in which the robot then stood still.
+        steps = list(zip(states, states[1:]))
+        resting = max((list(group) for late, group in
+                       itertools.groupby(steps, lambda step: step[1].command_late) if late), key=len)
+
+        self.assertEqual(run.returncode, 0, err)
+        self.assertIn('"outcome":"reached"', out)
+        # The tick in which it was frozen may have had its command, and that in which it woke, too.
+        self.assertGreaterEqual(len(resting), frozen_s / TICK_S - 2)
+        for before, after in steps:
+            if after.command_late:
+                self.assertEqual(before[1:4], after[1:4], f"moved in tick {before.tick}")
+        for way in (steps[:steps.index(resting[0])], steps[steps.index(resting[-1]) + 1:]):
+            self.assertGreater(sum(after.x_m - before.x_m for before, after in way), 0.2)
+        self.assertTrue(Run(["replay", self.recording, "--json"]).report["identical"])
+
+    def test_a_command_that_is_refused_is_a_late_one(self):
+        at = 10
+        run = Run([*self.arguments(f"{{exec: [{THIRD_PARTY}/straight_control, --without-guidance, "
+                                   f"--nan-at, '{at}']}}"), "--on-record-error", "continue"])
+
+        self.assertEqual(run.status, 0, run.err)
+        self.assertEqual(run.report["outcome"], "reached")
+        self.assertEqual(run.report["refused_samples"], 1)
+        self.assertIn("drive refuses a sample of 'command': ", run.err)
+        self.assertIn("motion.step_m is nan", run.err)
+        self.assertIn(f"the recording lacks 'command' of tick {at}", run.err)
+        self.assertTrue(states_of(self.recording)[at + 1].command_late)
+
+
+if __name__ == "__main__":
+    unittest.main()
