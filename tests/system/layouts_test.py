@@ -14,6 +14,7 @@ from clew_command import (CLEW, DEBUG_CLEW, LAYOUTS, SOAK, SOURCE, WORLDS, Run, 
 
 TICKS = "6000" if SOAK else "1500"
 REPEATS = 20
+PROCESS_LAYOUTS = {name: layout for name, layout in LAYOUTS.items() if name != "composed"}
 
 
 def all_worlds():
@@ -56,18 +57,35 @@ class Layouts(unittest.TestCase):
 
             self.assertEqual(debug["hash"], release["hash"], world)
 
+    def test_debug_and_release_give_the_same_hash_as_processes(self):
+        # The two mixed ones have each stage on either vendor.
+        names = PROCESS_LAYOUTS if SOAK else ["mixed", "mixed the other way"]
+        for world in WORLDS if SOAK else ["u-trap"]:
+            arguments = ["--world", world, "--max-ticks", TICKS]
+            release = run_graph("krishna_kalra", *arguments, *LAYOUTS["composed"])
+
+            for name in names:
+                debug = run_graph("krishna_kalra", *arguments, *LAYOUTS[name], command=DEBUG_CLEW)
+
+                self.assertEqual(debug["hash"], release["hash"], f"{world}, {name}")
+
     def test_repeats_under_full_load_give_the_same_hash(self):
-        worlds = WORLDS if SOAK else ["u-trap"]
+        # In tools/soak each layout of processes 20 times in each of the ten worlds; in tools/test 20
+        # runs in one world, the layouts in turn.
         load = [subprocess.Popen([sys.executable, "-c", "while True: pass"])
                 for _ in range(os.cpu_count())]
         try:
-            for world in worlds:
-                hashes = set()
-                for repeat in range(REPEATS):
-                    layout = list(LAYOUTS.values())[repeat % len(LAYOUTS)]
-                    hashes.add(run_graph("krishna_kalra", "--world", world, "--max-ticks", TICKS,
-                                         *layout)["hash"])
-                self.assertEqual(len(hashes), 1, world)
+            for world in WORLDS if SOAK else ["u-trap"]:
+                arguments = ["krishna_kalra", "--world", world, "--max-ticks", TICKS]
+                composed = run_graph(*arguments, *LAYOUTS["composed"])["hash"]
+
+                layouts = list(PROCESS_LAYOUTS.items())
+                layouts *= REPEATS if SOAK else REPEATS // len(layouts)
+                reports = reports_of((*arguments, *layout) for _, layout in layouts)
+
+                self.assertEqual(len(reports), 4 * REPEATS if SOAK else REPEATS)
+                for (name, _), report in zip(layouts, reports):
+                    self.assertEqual(report["hash"], composed, f"{world}, {name}")
         finally:
             for process in load:
                 process.kill()
