@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Recordings on the wire: live components are fed, compared, stepped, lost and stopped."""
-import fcntl
 import os
 import pathlib
-import pty
-import select
 import shutil
 import signal
 import subprocess
@@ -15,6 +12,7 @@ import unittest
 
 from clew_command import (CLEW, THIRD_PARTY, TIMEOUT_S, Run, components_of, processes_of_session,
                           run_graph, wait_until, write_file)
+from terminal import Terminal
 
 CHANGE = ["--set", "control.guard_turn_deg=20"]
 VENDORS = ["cyclonedds", "fastdds"]
@@ -222,24 +220,22 @@ class Steered(Published):
         self.assertIn('"published_ticks":71', out)
 
     def test_by_keys_on_a_terminal_that_is_left_as_it_was(self):
-        terminal, ours = pty.openpty()
-        before = termios.tcgetattr(ours)
-        process = subprocess.Popen([CLEW, "replay", self.comb, "--component", "sense", "--publish",
-                                    "--start", "--start-paused"], stdin=ours, stdout=ours,
-                                   stderr=ours, preexec_fn=take_terminal, start_new_session=True)
-        shown = wait_for_output(terminal, b"paused  sense identical  [space] pause")
-        os.write(terminal, b"n.")
-        shown += wait_for_output(terminal, b"tick 2  0.6 s  paused")
-        os.write(terminal, b"-")
-        os.write(terminal, b" ")
-        shown += wait_for_output(terminal, b" s  1x")
-        os.write(terminal, b"q")
-        shown += wait_for_output(terminal, b"ticks identical")
+        terminal = Terminal()
+        before = termios.tcgetattr(terminal.end)
+        process = terminal.start([CLEW, "replay", self.comb, "--component", "sense", "--publish",
+                                  "--start", "--start-paused"])
+        terminal.wait_for(b"paused  sense identical  [space] pause", TIMEOUT_S)
+        terminal.press(b"n.")
+        terminal.wait_for(b"tick 2  0.6 s  paused", TIMEOUT_S)
+        terminal.press(b"-")
+        terminal.press(b" ")
+        terminal.wait_for(b" s  1x", TIMEOUT_S)
+        terminal.press(b"q")
+        terminal.wait_for(b"ticks identical", TIMEOUT_S)
 
-        self.assertEqual(process.wait(TIMEOUT_S), 0, shown)
-        self.assertEqual(termios.tcgetattr(ours), before)
-        os.close(terminal)
-        os.close(ours)
+        self.assertEqual(process.wait(TIMEOUT_S), 0, terminal.shown)
+        self.assertEqual(termios.tcgetattr(terminal.end), before)
+        terminal.close()
 
     def test_keeps_to_its_rate(self):
         began = time.monotonic()
@@ -316,22 +312,6 @@ class Refused(Published):
         self.assertIn("replay has not found a reader of 'scan'", run.err)
         self.assertIn("replay has not found a reader of 'target'", run.err)
         self.assertEqual(run.report["ticks"], 0)
-
-
-def take_terminal():
-    """Makes stdin the controlling terminal of a new session, as a shell does."""
-    fcntl.ioctl(0, termios.TIOCSCTTY, 0)
-
-
-def wait_for_output(terminal, text):
-    """Reads what a terminal shows until it has the text."""
-    shown = b""
-    deadline = time.monotonic() + TIMEOUT_S
-    while text not in shown:
-        ready, _, _ = select.select([terminal], [], [], max(0.0, deadline - time.monotonic()))
-        assert ready, f"no {text} in {shown}"
-        shown += os.read(terminal, 4096)
-    return shown
 
 
 if __name__ == "__main__":
