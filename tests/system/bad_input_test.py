@@ -346,6 +346,21 @@ class Rogues(BadInput):
             self.assertIn("motion.step_m is nan", run.err)
             self.assertEqual(run.report["refused_samples"], 1)
 
+    def test_a_command_of_a_wrong_size(self):
+        # A Command is 84 bytes with its header; DDS pads samples to multiples of 4.
+        for other, what in (("target", "52 bytes: too short for its content"),
+                            ("state", "96 bytes: too long; allowed: at most 84")):
+            for vendor in ("cyclonedds", "fastdds"):
+                with self.subTest(other=other, vendor=vendor):
+                    run = Run(["run", self.control("straight_control", "--write-as", other),
+                               "--middleware", vendor, "--json"])
+
+                    self.assertEqual(run.status, 1)
+                    self.assertIn("refuses a sample of 'command': ", run.err)
+                    self.assertIn(what, run.err)
+                    self.assertEqual(run.report["outcome"], "aborted")
+                    self.assertEqual(run.report["refused_samples"], 1)
+
     def test_a_program_built_from_changed_idl(self):
         for vendor in ("cyclonedds", "fastdds"):
             run = Run(["run", self.control("stale_control"), "--middleware", vendor])

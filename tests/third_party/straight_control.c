@@ -10,9 +10,11 @@
  * target, step as far as the cones show free.
  *
  *     straight_control [--without-guidance] [--nan-at TICK] [--best-effort] [--crash-at TICK]
- *                      [--skip TICK]
+ *                      [--skip TICK] [--write-as target|state]
  *
- * The last four misbehave on purpose, for the tests.
+ * All but the first misbehave on purpose, for the tests. --write-as gives the topic `command`
+ * samples of another size, those of Target (shorter) or of State (longer), under the name of
+ * Command's type.
  */
 #include <dds/dds.h>
 #include <math.h>
@@ -24,6 +26,7 @@
 #include "Guidance.h"
 #include "Odometry.h"
 #include "Scan.h"
+#include "State.h"
 #include "Target.h"
 #include "clew/idl_fingerprint.h"
 
@@ -39,16 +42,25 @@ struct options {
   long nan_at;
   long crash_at;
   long skip;
+  const char* write_as;
+};
+
+/* A sample of any of the types that it may write; each begins with its stamp. */
+union output {
+  clew_msg_Command command;
+  clew_msg_State state;
+  clew_msg_Target target;
 };
 
 static struct options read_options(int argc, char** argv) {
-  struct options options = {0, 0, -1, -1, -1};
+  struct options options = {0, 0, -1, -1, -1, ""};
   for (int i = 1; i < argc; ++i) {
     if (strcmp(argv[i], "--without-guidance") == 0) options.without_guidance = 1;
     if (strcmp(argv[i], "--best-effort") == 0) options.best_effort = 1;
     if (strcmp(argv[i], "--nan-at") == 0 && i + 1 < argc) options.nan_at = atol(argv[++i]);
     if (strcmp(argv[i], "--crash-at") == 0 && i + 1 < argc) options.crash_at = atol(argv[++i]);
     if (strcmp(argv[i], "--skip") == 0 && i + 1 < argc) options.skip = atol(argv[++i]);
+    if (strcmp(argv[i], "--write-as") == 0 && i + 1 < argc) options.write_as = argv[++i];
   }
   return options;
 }
@@ -83,6 +95,16 @@ static dds_entity_t open_reader(dds_entity_t participant, const dds_topic_descri
   must(dds_set_status_mask(reader, DDS_DATA_AVAILABLE_STATUS), name);
   must(dds_waitset_attach(waitset, reader, 0), name);
   return reader;
+}
+
+/* Command's type, or another one under its name. */
+static dds_topic_descriptor_t output_type(const char* write_as) {
+  const dds_topic_descriptor_t* type = &clew_msg_Command_desc;
+  if (strcmp(write_as, "target") == 0) type = &clew_msg_Target_desc;
+  if (strcmp(write_as, "state") == 0) type = &clew_msg_State_desc;
+  dds_topic_descriptor_t named = *type;
+  named.m_typename = clew_msg_Command_desc.m_typename;
+  return named;
 }
 
 /* Waits for the next sample of a reader; samples of a topic come in order, one a tick. */
@@ -144,8 +166,9 @@ int main(int argc, char** argv) {
           ? open_reader(participant, &clew_msg_Target_desc, "target", qos, waitset)
           : open_reader(participant, &clew_msg_Guidance_desc, "guidance", qos, waitset);
   dds_qos_t* writer_qos = endpoint_qos(options.best_effort);
+  const dds_topic_descriptor_t type = output_type(options.write_as);
   const dds_entity_t topic =
-      must(dds_create_topic(participant, &clew_msg_Command_desc, "command", NULL, NULL), "command");
+      must(dds_create_topic(participant, &type, "command", NULL, NULL), "command");
   const dds_entity_t writer =
       must(dds_create_writer(participant, topic, writer_qos, NULL), "command");
   dds_delete_qos(qos);
@@ -156,20 +179,21 @@ int main(int argc, char** argv) {
   clew_msg_Guidance* guidance = clew_msg_Guidance__alloc();
   clew_msg_Target* target = clew_msg_Target__alloc();
   for (;;) {
-    clew_msg_Command command;
+    union output output;
+    memset(&output, 0, sizeof output);
     take_next(waitset, odometry_reader, odometry);
     take_next(waitset, scan_reader, scan);
     if (options.without_guidance) {
       take_next(waitset, goal_reader, target);
-      decide(odometry, scan, target->x_m, target->y_m, &command);
+      decide(odometry, scan, target->x_m, target->y_m, &output.command);
     } else {
       take_next(waitset, goal_reader, guidance);
-      decide(odometry, scan, guidance->target_x_m, guidance->target_y_m, &command);
+      decide(odometry, scan, guidance->target_x_m, guidance->target_y_m, &output.command);
     }
     const long tick = (long)odometry->stamp.tick;
-    if (tick == options.nan_at) command.motion.step_m = NAN;
+    if (tick == options.nan_at) output.command.motion.step_m = NAN;
     if (tick == options.crash_at) abort();
     if (tick == options.skip) continue;
-    must(dds_write(writer, &command), "write");
+    must(dds_write(writer, &output), "write");
   }
 }
