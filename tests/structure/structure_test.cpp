@@ -46,6 +46,8 @@ TEST(Structure, FilesAreShortNamedForWhatTheyHoldAndLicensed) {
   EXPECT_EQ(broken(check_shape), "");
 }
 
+TEST(Structure, FunctionsAreShort) { EXPECT_EQ(broken(check_functions), ""); }
+
 const std::set<std::string> kOwn = {"core/angle.hpp",      "domain/topics.hpp", "world/world.hpp",
                                     "runtime/node.hpp",    "sense/cones.hpp",   "control/stage.hpp",
                                     "dds/participant.hpp", "fastdds/types.hpp", "clew/version.hpp"};
@@ -203,6 +205,50 @@ TEST(ShapeRule, AsksForTheLicence) {
   EXPECT_EQ(shape("idl/A.idl", "struct A {};"),
             (Texts{"idl/A.idl:1: no SPDX-License-Identifier: Apache-2.0"}));
   EXPECT_FALSE(shape("bridge/CMakeLists.txt", "").empty());
+}
+
+Texts functions(const std::string& text) {
+  return check_functions(source_file("tools/a.cpp", text));
+}
+
+std::string body(std::size_t count, const std::string& indent = "  ") {
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) text += indent + "line;\n";
+  return text;
+}
+
+TEST(FunctionRule, LimitsTheLengthOfBodies) {
+  EXPECT_TRUE(functions("int f() {\n" + body(50) + "}\n").empty());
+  EXPECT_EQ(functions("\nint f() {\n" + body(51) + "}\n"),
+            (Texts{"tools/a.cpp:2: a body of 51 lines, over 50: two functions"}));
+}
+
+TEST(FunctionRule, KnowsHeadsOfManyKinds) {
+  for (const char* head :
+       {"TEST(Suite, Name) {", "bool f() const {", "int* f() noexcept {  // why",
+        "int f(int first,\n      int last) {", "Type::Type(int n)\n    : n_(n), m_{n} {",
+        "auto f() -> std::vector<int> {"}) {
+    EXPECT_EQ(functions(head + ('\n' + body(51)) + "}\n").size(), 1U) << head;
+  }
+  EXPECT_EQ(functions("class A {\n public:\n  int f() override {\n" + body(51, "    ") + "  }\n};")
+                .size(),
+            1U);
+}
+
+TEST(FunctionRule, CountsBlocksAndTextsAsPartOfTheirFunction) {
+  const std::string inner = "  if (a) {\n" + body(24, "    ") + "  }\n";
+  const std::string text = "  f(R\"(\n{{\n)\");\n";
+
+  EXPECT_EQ(functions("void f() {\n" + inner + inner + "}\n").size(), 1U);
+  EXPECT_EQ(functions("void f() {\n" + text + body(48) + "}\n").size(), 1U);
+}
+
+TEST(FunctionRule, LetsNamespacesClassesAndTablesBeLong) {
+  for (const char* head : {"struct A {", "class A final {", "enum class A : std::uint8_t {",
+                           "constexpr int kTable[] = {", "extern \"C\" {"}) {
+    EXPECT_TRUE(functions(head + ('\n' + body(60)) + "};\n").empty()) << head;
+  }
+  EXPECT_TRUE(functions("namespace a {\n" + body(60, "") + "}\n").empty());
 }
 
 }  // namespace

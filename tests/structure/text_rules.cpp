@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kMostGraphLines = 60;
+constexpr std::size_t kMostBodyLines = 50;
 constexpr std::size_t kLicenceWithin = 3;  // after the line that names an interpreter
 
 /// A call of a function whose last bits differ between processors.
@@ -58,6 +59,34 @@ bool begins_with(const std::string& text, const std::string& beginning) {
 bool is_code(const SourceFile& file) {
   static const std::set<std::string> kExtensions = {".cpp", ".hpp", ".c", ".h", ".py", ".mjs"};
   return kExtensions.count(file.extension()) > 0;
+}
+
+bool is_c_or_cpp(const SourceFile& file) {
+  static const std::set<std::string> kExtensions = {".cpp", ".hpp", ".c", ".h"};
+  return kExtensions.count(file.extension()) > 0;
+}
+
+/// Whether the line ends with the brace that opens the body of a function, or a block within one.
+bool opens_body(const std::string& line) {
+  static const std::regex kBody(
+      R"((\)|\}|\b(const|noexcept|override)|->\s*[\w:<>&*, ]+)\s*\{\s*$)");
+  static const std::regex kNoFunction(R"(^\s*(namespace|class|struct|union|enum|extern)\b)");
+  if (line.find('{') == std::string::npos) return false;
+  const std::string code = code_of(line);
+  return std::regex_search(code, kBody) && !std::regex_search(code, kNoFunction);
+}
+
+/// The line that closes the body opened in line `open`. clang-format indents a body by two from the
+/// brace that closes it, whatever its head looks like.
+std::size_t closing_line(const SourceFile& file, std::size_t open) {
+  if (open + 1 == file.lines.size()) return open;
+  const std::size_t indent = file.lines[open + 1].find_first_not_of(' ');
+  if (indent == std::string::npos || indent < 2) return open;
+  for (std::size_t i = open + 1; i < file.lines.size(); ++i) {
+    const std::string& line = file.lines[i];
+    if (line.find_first_not_of(' ') == indent - 2 && line[indent - 2] == '}') return i;
+  }
+  return open;
 }
 
 bool needs_licence(const SourceFile& file) {
@@ -126,6 +155,22 @@ std::vector<std::string> check_shape(const SourceFile& file) {
             return line.find("SPDX-License-Identifier: Apache-2.0") != std::string::npos;
           })) {
     found.push_back(violation(file, 1, "no SPDX-License-Identifier: Apache-2.0"));
+  }
+  return found;
+}
+
+std::vector<std::string> check_functions(const SourceFile& file) {
+  std::vector<std::string> found;
+  if (!is_c_or_cpp(file)) return found;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    if (!opens_body(file.lines[i])) continue;
+    const std::size_t close = closing_line(file, i);
+    if (close > i + 1 + kMostBodyLines) {
+      found.push_back(violation(file, i + 1,
+                                "a body of " + std::to_string(close - i - 1) + " lines, over " +
+                                    std::to_string(kMostBodyLines) + ": two functions"));
+    }
+    i = close;
   }
   return found;
 }

@@ -17,4 +17,7 @@ std::vector<std::string> check_determinism(const SourceFile& file);
 /// licence.
 std::vector<std::string> check_shape(const SourceFile& file);
 
+/// No body of a function in C or C++ is over 50 lines, as clang-format lays them out.
+std::vector<std::string> check_functions(const SourceFile& file);
+
 }  // namespace clew::structure
