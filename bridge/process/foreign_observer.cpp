@@ -6,6 +6,9 @@
 namespace clew::bridge {
 namespace {
 
+/// In messages, to users who know of no observer: the component is missed by the run itself.
+constexpr char kName[] = "the run";
+
 /// Has no outputs; its host keeps account of what comes in.
 class Onlooker : public runtime::Component {
  public:
@@ -43,12 +46,12 @@ core::Result<std::unique_ptr<ForeignObserver>> ForeignObserver::create(const run
     raw->fatal_ = std::move(text);
   };
   self->barrier_ = std::make_unique<StartBarrier>(
-      "observer", assignment.expected, StartBarrier::Handlers{[] {}, on_notice, on_fatal});
-  auto participant = create_participant(
-      *vendor, {assignment.domain, "observer", assignment.lease_s}, *self->barrier_);
+      kName, assignment.expected, StartBarrier::Handlers{[] {}, on_notice, on_fatal});
+  auto participant =
+      create_participant(*vendor, {assignment.domain, kName, assignment.lease_s}, *self->barrier_);
   if (!participant.ok()) return participant.error();
   self->participant_ = std::move(participant).value();
-  runtime::Node node("observer", std::move(ports), std::make_unique<Onlooker>(), plan.graph.tick_s);
+  runtime::Node node(kName, std::move(ports), std::make_unique<Onlooker>(), plan.graph.tick_s);
   self->host_ = std::make_unique<NodeHost>(
       std::move(node), assignment, plan,
       NodeHost::Handlers{on_notice, on_fatal,
