@@ -60,7 +60,7 @@ core::Result<std::unique_ptr<ForeignObserver>> ForeignObserver::create(const run
                            raw->progress_ = progress;
                          },
                          [](const Checkpoint&) {},
-                         [raw](std::string spool) {
+                         [raw](const std::string& spool) {
                            const std::lock_guard<std::mutex> lock(raw->mutex_);
                            raw->spooled_ += spool;
                          }},

@@ -14,7 +14,7 @@ using runtime::Topic;
 namespace {
 
 constexpr std::uint64_t kTicksPerReport = 32;
-constexpr std::size_t kSpoolBytes = 64 * 1024;
+constexpr std::size_t kSpoolBytes = std::size_t{64} * 1024;
 
 EndpointSpec spec_of(Topic topic, const std::string& user_data, int history_depth) {
   return {std::string(domain::topic_name(topic)), std::string(domain::type_name(topic)), user_data,

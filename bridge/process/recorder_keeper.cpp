@@ -15,7 +15,7 @@ constexpr auto kStartsWithin = std::chrono::seconds(10);
 constexpr std::uint32_t kRestartLimit = 100;
 constexpr std::uint32_t kDeathsInPlace = 2;
 // Waking the recorder costs more than what it then does: it gets many samples at once.
-constexpr std::size_t kBytesAtOnce = 64 * 1024;
+constexpr std::size_t kBytesAtOnce = std::size_t{64} * 1024;
 constexpr auto kLongestDelay = std::chrono::milliseconds(20);
 // Half a history: see Restart in ARCHITECTURE.md.
 constexpr std::uint64_t kTicksAhead = 256;

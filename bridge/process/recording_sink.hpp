@@ -74,7 +74,7 @@ class RecordingSink : public RunSink {
   }
   core::Result<void> write_ahead() override { return recorder_.write_ahead(); }
   Kept kept() const override { return {recorder_.durable_ticks(), recorder_.durable_ticks()}; }
-  RecordingAccount close(const RunEnding& ending = {}) override;
+  RecordingAccount close(const RunEnding& ending) override;
 
  private:
   explicit RecordingSink(RunRecorder recorder) : recorder_(std::move(recorder)) {}

@@ -26,7 +26,7 @@ class SpillBuffer {
   /// Hands all bytes over, in order, in pieces; an error of `take` ends it.
   core::Result<void> read(const std::function<core::Result<void>(std::string_view)>& take) const;
 
-  static constexpr std::size_t kMemoryBytes = 256 * 1024;
+  static constexpr std::size_t kMemoryBytes = std::size_t{256} * 1024;
 
  private:
   core::Result<void> spill();

@@ -38,7 +38,7 @@ class LongRecording {
     overrides.with = {"recover.detector=none"};  // that never gives up
     const auto plan = runtime::prepare_run("krishna_kalra", overrides, configs, stages::all());
     auto sink = RecordingSink::create(*plan, path(), false);
-    CLEW_CHECK(run_composed(*plan, {}, sink->get(), {}).ok() && (*sink)->close().failure.empty(),
+    CLEW_CHECK(run_composed(*plan, {}, sink->get(), {}).ok() && (*sink)->close({}).failure.empty(),
                path());
   }
   ~LongRecording() { std::filesystem::remove_all(directory_); }

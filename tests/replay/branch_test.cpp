@@ -48,7 +48,7 @@ class Branch : public testing::Test {
     EXPECT_TRUE(copied.ok()) << copied.error().text();
     auto report = run_composed(plan, std::move(start).value(), {}, sink->get(), {});
     EXPECT_TRUE(report.ok()) << report.error().text();
-    EXPECT_EQ((*sink)->close().failure, "");
+    EXPECT_EQ((*sink)->close({}).failure, "");
     return std::move(report).value();
   }
 

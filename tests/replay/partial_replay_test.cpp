@@ -146,7 +146,7 @@ class LateRun {
         });
       }
     }
-    ASSERT_EQ((*sink)->close().failure, "");
+    ASSERT_EQ((*sink)->close({}).failure, "");
   }
 
  private:

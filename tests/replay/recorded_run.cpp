@@ -43,7 +43,7 @@ void record_run(const runtime::RunPlan& plan, const std::string& path) {
   const auto report = bridge::run_composed(plan, {}, sink->get(), {});
   ASSERT_TRUE(report.ok()) << report.error().text();
   ASSERT_EQ(report->aborted, "");
-  ASSERT_EQ((*sink)->close().failure, "");
+  ASSERT_EQ((*sink)->close({}).failure, "");
 }
 
 bridge::RunRecording open_recording(const std::string& path) {

@@ -106,7 +106,7 @@ Result<void> WorldBench::record(const Variant& variant, std::uint64_t seed,
   if (!recording.ok()) return recording.error();
   const auto report = bridge::run_composed(*run, bridge::ComposedLayout{}, recording->get(), {});
   if (!report.ok()) return report.error();
-  const bridge::RecordingAccount closed = (*recording)->close();
+  const bridge::RecordingAccount closed = (*recording)->close({});
   if (!closed.failure.empty()) return core::Error{closed.failure, {}, 0, 0};
   return {};
 }

@@ -74,7 +74,7 @@ int replay_branch(const ReplayOptions& options, const bridge::RunRecording& reco
   clear_display();
   if (!report.ok()) return complain(report.error());
   if (sink) {
-    const std::string what = bridge::complaint(sink->close());
+    const std::string what = bridge::complaint(sink->close({}));
     if (report->aborted.empty()) report->aborted = what;
   }
   if (!report->aborted.empty()) fmt::print(stderr, "clew: {}\n", report->aborted);

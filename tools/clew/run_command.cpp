@@ -78,8 +78,9 @@ Result<void> read_middleware(const RunOptions& options, const runtime::Graph& gr
     if (equals == std::string::npos) {
       // The command line outranks the graph.
       layout.middleware = vendor;
-      for (const auto& each : graph.stages)
+      for (const auto& each : graph.stages) {
         layout.stage_middleware.emplace(each.info->name, vendor);
+      }
     } else {
       CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--middleware"));
       layout.stage_middleware[stage] = vendor;

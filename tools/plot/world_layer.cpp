@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/world_layer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -12,10 +13,12 @@ namespace {
 using core::Vec2;
 
 std::vector<double> multiples_between(double step, double low, double high) {
-  std::vector<double> multiples;
   const double first = std::ceil(low / step);
-  const auto count = static_cast<int>(std::floor(high / step) - first) + 1;
-  for (int i = 0; i < count; ++i) multiples.push_back((first + i) * step);
+  const double last = std::floor(high / step);
+  std::vector<double> multiples(static_cast<std::size_t>(std::max(last - first + 1.0, 0.0)));
+  for (std::size_t i = 0; i < multiples.size(); ++i) {
+    multiples[i] = (first + static_cast<double>(i)) * step;
+  }
   return multiples;
 }
 
