@@ -171,8 +171,9 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
     const auto stepped = fed.step(**recorded);
     if (!stepped) return core::Error{stepped.error().message, recording.path(), 0, 0};
     if (!*stepped) break;
-    if (fed.stepped() && (*recorded)->tick() >= range.first_tick)
+    if (fed.stepped() && (*recorded)->tick() >= range.first_tick) {
       comparison.compare(fed, **recorded);
+    }
   }
   if (report.ticks == 0) {
     return core::Error{

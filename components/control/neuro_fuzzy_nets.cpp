@@ -97,8 +97,9 @@ Result<NeuroFuzzyNets> read_rules(const YamlNode& root) {
   if (!speeds.ok()) return speeds.error();
   NeuroFuzzyNets result;
   for (Net& net : result.nets) {
-    for (auto& of_input : net.centres)
+    for (auto& of_input : net.centres) {
       std::copy(centres->begin(), centres->end(), of_input.begin());
+    }
     for (auto& of_input : net.widths) of_input.fill(width);
   }
   auto& nets = result.nets;

@@ -46,8 +46,9 @@ void ScanEvidence::mark_free_parts(const core::Pose2& pose, const domain::Scan& 
     for (std::size_t i = 0; i < count; ++i) mark_between(pose, scan, i, i, HUGE_VAL, seen);
     const bool side_by_side =
         std::fabs(scan.bearing_step_rad) <= scan.beam_width_rad * (1.0 + 1e-9);
-    for (std::size_t i = 1; side_by_side && i < count; ++i)
+    for (std::size_t i = 1; side_by_side && i < count; ++i) {
       mark_between(pose, scan, i - 1, i, HUGE_VAL, seen);
+    }
     return;
   }
   const double step_rad = std::fabs(scan.bearing_step_rad);

@@ -94,8 +94,9 @@ bool NeuralMapPlanner::make_path(const Situation& situation) {
     if (!map::smooth_path(landscape_, *start, state_.path)) return false;
   } else {
     if (!landscape_.path(*start, cells_)) return false;
-    for (const map::Cell& cell : cells_)
+    for (const map::Cell& cell : cells_) {
       state_.path.push_back(map::centre(parameters_.lattice, units_, cell));
+    }
   }
   state_.path.push_back(situation.target);
   return true;

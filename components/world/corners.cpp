@@ -101,8 +101,8 @@ std::optional<double> nearest_corner_m(const Indexed<Corner>& corners, const Con
                                    nearest,
                                    [&](std::uint32_t i) {
                                      const Corner& corner = corners.shapes[i];
-                                     if (!corner.faces(cone.apex()) || !cone.contains(corner.point))
-                                       return;
+                                     if (!corner.faces(cone.apex())) return;
+                                     if (!cone.contains(corner.point)) return;
                                      const double dx = corner.point.x() - cone.apex().x();
                                      const double dy = corner.point.y() - cone.apex().y();
                                      nearest = std::min(nearest, dx * dx + dy * dy);

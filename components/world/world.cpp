@@ -174,8 +174,9 @@ double World::cone_distance_m(const Vec2& apex, const ConeDirection& direction,
   const auto look = [&](const auto& shape) {
     nearest = std::min(nearest, cone.squared_distance(shape, nearest));
   };
-  for (const MovingObstacle& obstacle : content.file.moving)
+  for (const MovingObstacle& obstacle : content.file.moving) {
     look(content.disc_at(obstacle, time_s));
+  }
   content.circles.tree.visit_nearest_first(
       bound, nearest, [&](std::uint32_t i) { look(content.circles.shapes[i]); });
   content.segments.tree.visit_nearest_first(
@@ -298,8 +299,9 @@ core::BoundedVector<double, 8> World::contacts_rad(const Vec2& centre, double ra
       bound, kFar, [&](std::uint32_t i) { look(content.segments.shapes[i]); });
   content.circles.tree.visit_nearest_first(
       bound, kFar, [&](std::uint32_t i) { look(content.circles.shapes[i]); });
-  for (const MovingObstacle& obstacle : content.file.moving)
+  for (const MovingObstacle& obstacle : content.file.moving) {
     look(content.disc_at(obstacle, time_s));
+  }
   return contacts.bearings_rad();
 }
 

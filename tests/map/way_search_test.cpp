@@ -77,10 +77,11 @@ TEST(AStar, FindsTheLeastCost) {
   for (int round = 0; round < 30; ++round) {
     CostGrid costs = open_grid(20, 15);
     for (std::size_t i = 1; i + 1 < costs.cost.size(); ++i) {
-      if (dice() % 10 < 3)
+      if (dice() % 10 < 3) {
         close(costs, costs.grid.cell(i));
-      else
+      } else {
         costs.cost[i] = static_cast<float>(1 + dice() % 5);
+      }
     }
 
     const auto& way = search.find(costs, {0.5, 0.5}, {19.5, 14.5}, 0.1);

@@ -121,8 +121,8 @@ class RecoverComponentTest : public ::testing::Test {
 
   std::vector<EventKind> events() const {
     std::vector<EventKind> kinds;
-    for (const auto& entry : std::get<domain::Event>(messages_).entries)
-      kinds.push_back(entry.kind);
+    const auto& entries = std::get<domain::Event>(messages_).entries;
+    for (const auto& entry : entries) kinds.push_back(entry.kind);
     return kinds;
   }
   const domain::EventEntry& event(std::size_t i) const {

@@ -111,8 +111,9 @@ std::set<std::string> own_headers(const std::vector<SourceFile>& tree) {
   std::set<std::string> own;
   for (const SourceFile& file : tree) {
     const std::string& path = file.path;
-    if (is_source(file) && first_folder(path) != "tests")
+    if (is_source(file) && first_folder(path) != "tests") {
       own.insert(path.substr(path.find('/') + 1));
+    }
   }
   return own;
 }

@@ -233,8 +233,9 @@ TEST(Cone, TheIndexFindsExactlyWhatLookingAtAllFinds) {
       if (world.clearance_m(apex, range, 0.0) == 0.0) continue;
       const Cone cone(apex, direction);
       double nearest = kInfinity;
-      for (const auto& s : segments)
+      for (const auto& s : segments) {
         nearest = std::min(nearest, cone.squared_distance(s, kInfinity));
+      }
       for (const auto& c : world.circles()) {
         nearest = std::min(nearest, cone.squared_distance(c, kInfinity));
       }

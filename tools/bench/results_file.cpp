@@ -71,8 +71,9 @@ std::string read_all(int file) {
 Result<ResultsFile> ResultsFile::open(const std::string& path, const Configuration& configuration,
                                       bool restart) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor < 0)
+  if (descriptor < 0) {
     return Error{std::string("cannot be written: ") + std::strerror(errno), path, 0, 0};
+  }
   ResultsFile file(path, descriptor);
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
     return Error{"is being written by another bench", path, 0, 0};
@@ -83,8 +84,9 @@ Result<ResultsFile> ResultsFile::open(const std::string& path, const Configurati
   const std::size_t whole = text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1;
   if (whole != text.size()) {
     text.resize(whole);
-    if (::ftruncate(descriptor, static_cast<off_t>(whole)) != 0)
+    if (::ftruncate(descriptor, static_cast<off_t>(whole)) != 0) {
       return file.failed("cannot be cut");
+    }
   }
   if (text.empty()) {
     CLEW_RETURN_IF_ERROR(file.write_line(header_text(configuration)));

@@ -112,8 +112,9 @@ class Pool {
     const pid_t parent = ::getpid();
     for (std::size_t i = 0; i < options_.workers && i < units_.size(); ++i) {
       int sockets[2];
-      if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0)
+      if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) {
         return failed("a worker's line");
+      }
       const pid_t process = ::fork();
       if (process < 0) return failed("a worker");
       if (process == 0) {
@@ -132,8 +133,9 @@ class Pool {
   Result<PoolEnd> run() {
     while (busy() > 0) {
       std::vector<pollfd> polled;
-      for (const Worker& worker : workers_)
+      for (const Worker& worker : workers_) {
         polled.push_back({worker.is_busy ? worker.socket : -1, POLLIN, 0});
+      }
       const int ready = ::poll(polled.data(), polled.size(), -1);
       if (end_signal != 0) return PoolEnd{end_signal};
       if (ready < 0 && errno == EINTR) continue;

@@ -112,8 +112,9 @@ int list_stage(const StageInfo& stage, const std::string& part_name, const std::
 
 int list_all() {
   fmt::print("graphs, worlds, or a stage:\n");
-  for (const StageInfo& stage : stages::all())
+  for (const StageInfo& stage : stages::all()) {
     fmt::print("  {:<9} {}\n", stage.name, stage.summary);
+  }
   return kExitGood;
 }
 

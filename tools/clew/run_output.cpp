@@ -50,8 +50,9 @@ std::string alarms_text(const RunTally& tally) {
     add(in_command, rule, alarms.in_command);
     add(in_shadow, rule, alarms.in_shadow);
   }
-  if (!in_shadow.empty())
+  if (!in_shadow.empty()) {
     in_command += (in_command.empty() ? "" : "; ") + ("in shadow: " + in_shadow);
+  }
   return in_command.empty() ? "" : " (" + in_command + ')';
 }
 

@@ -9,8 +9,9 @@ std::string stage_text(const runtime::GraphStage& stage) {
   for (const auto& [part, choices] : stage.config.parts) {
     text += (text.empty() ? "" : ", ") + part + ' ';
     if (choices.empty()) text += "none";
-    for (std::size_t i = 0; i < choices.size(); ++i)
+    for (std::size_t i = 0; i < choices.size(); ++i) {
       text += (i > 0 ? " then " : "") + choices[i].name;
+    }
   }
   return text;
 }

@@ -57,8 +57,9 @@ template <typename Item, typename Text>
 std::string list(const char* key, const std::vector<Item>& items, const Text& text_of) {
   if (items.empty()) return "";
   std::string text = fmt::format("{}: [", key);
-  for (std::size_t i = 0; i < items.size(); ++i)
+  for (std::size_t i = 0; i < items.size(); ++i) {
     text += (i == 0 ? "\n  " : ",\n  ") + text_of(items[i]);
+  }
   return text + "]\n";
 }
 
