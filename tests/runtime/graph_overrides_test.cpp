@@ -234,9 +234,10 @@ TEST(Set, IsRefusedWhereItMakesNoSense) {
   EXPECT_EQ(refused("sens.range_m=4"),
             "--set sens.range_m: unknown stage of this graph 'sens' (did you mean 'sense'?); "
             "allowed: sense, classify, recover, control, drive");
-  EXPECT_EQ(refused("sense.rnage_m=4"),
-            "--set sense.rnage_m:1:1: unknown parameter of sense 'rnage_m' (did you mean 'range_m'?); "
-            "allowed: range_m, count, noisy, side");
+  EXPECT_EQ(
+      refused("sense.rnage_m=4"),
+      "--set sense.rnage_m:1:1: unknown parameter of sense 'rnage_m' (did you mean 'range_m'?); "
+      "allowed: range_m, count, noisy, side");
   EXPECT_EQ(refused("recover.escapes.gap_m=4"),
             "--set recover.escapes.gap_m: unknown part of recover 'escapes' (did you mean "
             "'escape'?); allowed: detector, escape, shadow");
