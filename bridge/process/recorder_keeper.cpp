@@ -71,7 +71,8 @@ std::uint64_t RecorderKeeper::credit() const {
 
 std::optional<pollfd> RecorderKeeper::descriptor() const {
   if (!link_) return std::nullopt;
-  return pollfd{link_->socket(), static_cast<short>(blocked_ ? POLLIN | POLLOUT : POLLIN), 0};
+  const auto events = blocked_ ? POLLIN | POLLOUT : POLLIN;
+  return pollfd{link_->socket(), static_cast<decltype(pollfd::events)>(events), 0};
 }
 
 void RecorderKeeper::serve(Time now) {

@@ -185,7 +185,8 @@ void append(std::string& out, const Attachment& record) {
   put_string(out, record.media_type);
   put<std::uint64_t>(out, record.data.size());
   out.append(record.data);
-  put(out, crc32(std::string_view(out).substr(scope.content_start())));
+  const std::string_view written = out;
+  put(out, crc32(written.substr(scope.content_start())));
 }
 
 void append(std::string& out, const AttachmentIndex& record) {

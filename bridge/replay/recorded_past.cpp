@@ -19,6 +19,7 @@ Result<RecordedPast> RecordedPast::begin(const RunRecording& recording,
   RecordedPast past;
   for (runtime::Node& node : nodes) {
     if (is_robot(node)) {
+      // NOLINTNEXTLINE(bugprone-use-after-move): a run has one robot
       past.fed_.push_back(std::move(recorded_robot));
       past.new_robot_ = std::move(node);
     } else {
