@@ -22,8 +22,10 @@ class Onlooker : public runtime::Component {
 core::Result<std::unique_ptr<ForeignObserver>> ForeignObserver::create(const runtime::RunPlan& plan,
                                                                        Assignment assignment) {
   runtime::NodePorts ports;
+  std::string stages;
   for (const runtime::GraphStage& stage : plan.graph.stages) {
     if (stage.deployment.exec.empty()) continue;
+    stages += (stages.empty() ? "" : ", ") + stage.info->name;
     ports.inputs |= stage.ports.outputs;
     for (runtime::Topic topic : stage.ports.output_order) {
       assignment.expected.push_back(
@@ -36,6 +38,7 @@ core::Result<std::unique_ptr<ForeignObserver>> ForeignObserver::create(const run
   const auto vendor = vendor_from_name(assignment.middleware);
   CLEW_CHECK(vendor.has_value(), assignment.middleware);
   std::unique_ptr<ForeignObserver> self(new ForeignObserver);
+  self->stages_ = std::move(stages);
   ForeignObserver* raw = self.get();
   const auto on_notice = [raw](std::string text) {
     const std::lock_guard<std::mutex> lock(raw->mutex_);
@@ -74,6 +77,10 @@ void ForeignObserver::poll() { host_->flush(); }
 std::uint64_t ForeignObserver::ticks() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return progress_.ticks;
+}
+
+std::string ForeignObserver::ticks_text() const {
+  return ' ' + stages_ + ' ' + std::to_string(ticks());
 }
 
 bool ForeignObserver::finished(std::uint64_t last_tick) const {

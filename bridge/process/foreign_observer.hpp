@@ -27,6 +27,8 @@ class ForeignObserver {
   std::vector<std::string> missing() const { return barrier_->missing(); }
   void poll();
   std::uint64_t ticks() const;
+  /// How many ticks all the components that it reads have done: ` control 57`.
+  std::string ticks_text() const;
   bool finished(std::uint64_t last_tick) const;
   RunTally tally() const;
   std::uint64_t refused_samples() const;
@@ -38,6 +40,7 @@ class ForeignObserver {
  private:
   ForeignObserver() = default;
 
+  std::string stages_;  ///< that it reads: `control`
   mutable std::mutex mutex_;
   Progress progress_;
   std::string spooled_;

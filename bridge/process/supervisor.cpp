@@ -243,7 +243,8 @@ class Supervisor {
         abort_start();
       }
     } else if (now - stalled_since_ > stall_timeout()) {
-      abort("no tick was completed for 10 s; ticks done:" + ticks_text(members_));
+      abort("no tick was completed for 10 s; ticks done:" + ticks_text(members_) +
+            (observer_ ? observer_->ticks_text() : ""));
     }
     if (!muster_.patient()) {
       log(restarts_.kill_frozen(now));

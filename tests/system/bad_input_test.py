@@ -361,6 +361,13 @@ class Rogues(BadInput):
                     self.assertEqual(run.report["outcome"], "aborted")
                     self.assertEqual(run.report["refused_samples"], 1)
 
+    def test_a_component_that_leaves_out_a_tick_is_named(self):
+        run = Run(["run", self.control("straight_control", "--skip", "5")])
+
+        self.assertEqual(run.status, 1)
+        # The others wait for what it did not write in the sixth tick.
+        self.assertIn("no tick was completed for 10 s; ticks done: drive 6 sense 6 control 5", run.err)
+
     def test_a_program_built_from_changed_idl(self):
         for vendor in ("cyclonedds", "fastdds"):
             run = Run(["run", self.control("stale_control"), "--middleware", vendor])
