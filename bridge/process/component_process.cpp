@@ -170,7 +170,7 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
       {say(FrameType::kNotice), say(FrameType::kFatal),
        [&link](const Progress& progress) { link.send(FrameType::kProgress, progress); },
        [&link](const Checkpoint& checkpoint) { link.send(FrameType::kCheckpoint, checkpoint); },
-       [&link](std::string spool) { link.send_bytes(FrameType::kSamples, spool); }});
+       [&link](const std::string& spool) { link.send_bytes(FrameType::kSamples, spool); }});
   if (assignment.checkpoint) CLEW_RETURN_IF_ERROR(host.restore(*assignment.checkpoint));
   CLEW_RETURN_IF_ERROR(host.open(**participant, barrier));
   if (assignment.checkpoint) host.repeat_last_outputs(*assignment.checkpoint);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """No process of a run grows with the run's length: what a long recorded run needs, a short one needs,
-too, within a tenth; and no component needs more than 30 MB."""
+too, within a tenth; and no component needs more than 30 MiB."""
 import pathlib
 import tempfile
 import unittest
@@ -9,7 +9,7 @@ from clew_command import LAYOUTS, SOAK
 from resident import ENDLESS, peaks_kib
 
 SHORT, LONG = (10_000, 1_000_000) if SOAK else (2_500, 10_000)
-MOST_KIB = 30e6 / 1024
+MOST_KIB = 30 * 1024
 
 
 class Memory(unittest.TestCase):
