@@ -95,38 +95,6 @@ Result<void> check_drive(const Graph& graph) {
   return {};
 }
 
-}  // namespace
-
-Result<domain::Robot> read_robot(const core::Resource& file, const std::string& name) {
-  const auto root = core::YamlNode::parse(file.text, file.file);
-  if (!root.ok()) return root.error();
-  CLEW_RETURN_IF_ERROR(root->check_keys({"format", "name", "about", "radius_m"}));
-  const auto format = root->at("format");
-  if (!format.ok()) return format.error();
-  const auto format_name = format->string();
-  if (!format_name.ok() || *format_name != kRobotFormat) {
-    return format->error("format is " + format->found() + "; allowed: " + kRobotFormat);
-  }
-  domain::Robot robot;
-  robot.name = name;
-  if (const auto own_name = root->find("name")) {
-    auto text = own_name->string();
-    if (!text.ok()) return text.error();
-    robot.name = std::move(text).value();
-  }
-  const auto node = root->at("radius_m");
-  if (!node.ok()) return node.error();
-  const auto radius_m = node->number();
-  if (!radius_m.ok()) return radius_m.error();
-  if (*radius_m < 0.01 || *radius_m > 5.0) {
-    return node->error("radius_m is " + node->found() + "; allowed: 0.01 to 5 m");
-  }
-  robot.radius_m = *radius_m;
-  return robot;
-}
-
-namespace {
-
 Result<void> check_parts_fit(const RunPlan& plan) {
   for (const GraphStage& stage : plan.graph.stages) {
     if (!stage.deployment.exec.empty()) continue;
@@ -161,6 +129,34 @@ Result<RunPlan> read_run(const std::string& graph_name, const GraphOverrides& ov
 }
 
 }  // namespace
+
+Result<domain::Robot> read_robot(const core::Resource& file, const std::string& name) {
+  const auto root = core::YamlNode::parse(file.text, file.file);
+  if (!root.ok()) return root.error();
+  CLEW_RETURN_IF_ERROR(root->check_keys({"format", "name", "about", "radius_m"}));
+  const auto format = root->at("format");
+  if (!format.ok()) return format.error();
+  const auto format_name = format->string();
+  if (!format_name.ok() || *format_name != kRobotFormat) {
+    return format->error("format is " + format->found() + "; allowed: " + kRobotFormat);
+  }
+  domain::Robot robot;
+  robot.name = name;
+  if (const auto own_name = root->find("name")) {
+    auto text = own_name->string();
+    if (!text.ok()) return text.error();
+    robot.name = std::move(text).value();
+  }
+  const auto node = root->at("radius_m");
+  if (!node.ok()) return node.error();
+  const auto radius_m = node->number();
+  if (!radius_m.ok()) return radius_m.error();
+  if (*radius_m < 0.01 || *radius_m > 5.0) {
+    return node->error("radius_m is " + node->found() + "; allowed: 0.01 to 5 m");
+  }
+  robot.radius_m = *radius_m;
+  return robot;
+}
 
 Result<RunPlan> prepare_run(const std::string& graph_name, const GraphOverrides& overrides,
                             const ConfigSource& source, const std::vector<StageInfo>& stages) {
