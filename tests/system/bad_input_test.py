@@ -161,9 +161,18 @@ class Options(BadInput):
             with self.subTest(arguments=arguments):
                 self.refused(Run(["run", "krishna_kalra", "--json", *arguments]), text)
 
-    def test_names_kept_for_later(self):
-        for arguments in (["topic"], ["view"], ["bridge"], ["doctor"], ["run", "default", "--view"]):
-            self.refused(Run(arguments), "not in this version")
+    def test_what_is_no_number_passes_no_range(self):
+        for command, option, allowed in (
+                ("run reactive", "--record-last", "0.001 to 86400"),
+                ("run reactive", "--realtime-priority", "1 to 99"),
+                ("replay none.mcap --publish scan", "--wait", "0.1 to 86400"),
+                ("replay none.mcap", "--rate", "0.001 to 1000"),
+                ("diff none.mcap none.mcap", "--tolerance", "0 to "),
+                ("bench smoke", "--jobs", "1 to 1024")):
+            for value in ("nan", "-nan", "inf", "-inf", "1e999", "", "1x"):
+                with self.subTest(option=option, value=value):
+                    self.refused(Run([*command.split(), f"{option}={value}"]), option,
+                                 f"found '{value}'; allowed: {allowed}" if value else option)
 
     def test_no_command_and_an_unknown_one(self):
         self.assertEqual(Run([]).status, 2)

@@ -7,13 +7,28 @@
 #include <thread>
 
 #include "bench/bench.hpp"
+#include "clew/command_line.hpp"
 #include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
 #include "clew/version.hpp"
 #include "core/hash128.hpp"
 #include "stages/all.hpp"
 
 namespace clew::tools {
 namespace {
+
+struct BenchCommandOptions {
+  std::string suite;
+  std::vector<std::string> graphs;  ///< in place of the suite's
+  std::vector<std::string> with;
+  std::vector<std::string> set;
+  std::vector<std::string> vary;  ///< `PATH=VALUE,VALUE,...`
+  std::size_t jobs = 0;           ///< worker processes; 0: one a core
+  std::string out;                ///< empty: out/bench/SUITE
+  bool force = false;
+  bool json = false;
+  std::string write_worlds;  ///< a directory for the generated worlds, instead of running
+};
 
 using core::Result;
 using Clock = std::chrono::steady_clock;
@@ -96,8 +111,6 @@ std::string default_directory(const std::string& suite) {
   return "out/bench/" + name;
 }
 
-}  // namespace
-
 int bench_command(const BenchCommandOptions& options) {
   const auto configs = runtime::ConfigPath::from_environment();
   const auto plan = make_plan(options, configs);
@@ -124,6 +137,36 @@ int bench_command(const BenchCommandOptions& options) {
   fmt::print("{}\n{}/report.html, report.md, results.csv, results.jsonl\n",
              bench::to_markdown(end->report.tables.front()), bench.directory);
   return kExitGood;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& main, int& status) {
+  const auto options = std::make_shared<BenchCommandOptions>();
+  CLI::App* app = main.add_subcommand("bench", "Run graphs in all worlds of a suite, and compare");
+  app->add_option("suite", options->suite, "a name or a path")->required();
+  app->add_option("--graph", options->graphs, "in place of the suite's graphs; may be repeated")
+      ->allow_extra_args(false);
+  app->add_option("--with", options->with, "STAGE[.PART]=NAME[,NAME...]: in every graph")
+      ->allow_extra_args(false);
+  app->add_option("--set", options->set, "STAGE[.PART][.NAME].PARAM=VALUE: in every graph")
+      ->allow_extra_args(false);
+  app->add_option(
+         "--vary", options->vary,
+         "STAGE.PART=NAME,NAME,... or STAGE...PARAM=VALUE,VALUE,...: every graph with each "
+         "of them; A+B is the list of A and B; repeated: all combinations, and two make a "
+         "matrix in the report")
+      ->allow_extra_args(false);
+  app->add_option("--jobs", options->jobs, "worker processes (one a core)")
+      ->check(number_between(1, 1024));
+  app->add_option("--out", options->out,
+                  "directory for results and report (out/bench/SUITE); results that are there are "
+                  "gone on from");
+  app->add_flag("--force", options->force, "drop the results that are there");
+  app->add_flag("--json", options->json, "print one JSON object a run");
+  app->add_option("--write-worlds", options->write_worlds,
+                  "write the generated worlds and their pictures to a directory, run nothing");
+  app->callback([options, &status] { status = bench_command(*options); });
 }
 
 }  // namespace clew::tools

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "clew/command_line.hpp"
 #include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
 #include "clew/stage_text.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
 
 namespace clew::tools {
 namespace {
+
+struct CheckOptions {
+  std::string graph;
+  runtime::GraphOverrides overrides;
+  bool expand = false;
+};
 
 using runtime::Graph;
 using runtime::GraphStage;
@@ -28,8 +36,6 @@ void print_wiring(const Graph& graph) {
   }
 }
 
-}  // namespace
-
 int check_command(const CheckOptions& options) {
   const auto plan = runtime::prepare_run(options.graph, options.overrides,
                                          runtime::ConfigPath::from_environment(), stages::all());
@@ -49,6 +55,17 @@ int check_command(const CheckOptions& options) {
   for (const std::string& port : graph.unwired) fmt::print("unwired: {} (optional)\n", port);
   fmt::print("good\n");
   return kExitGood;
+}
+
+}  // namespace
+
+void add_check(CLI::App& main, int& status) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App* app = main.add_subcommand("check", "Check a graph and show its wiring");
+  app->add_option("graph", options->graph, "a name or a path")->required();
+  add_overrides(*app, options->overrides);
+  app->add_flag("--expand", options->expand, "print the graph with every value in it");
+  app->callback([options, &status] { status = check_command(*options); });
 }
 
 }  // namespace clew::tools

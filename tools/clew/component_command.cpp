@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
 #include "core/nearest_name.hpp"
 #include "dds/participant.hpp"
 #include "process/component_process.hpp"
@@ -16,6 +17,12 @@
 
 namespace clew::tools {
 namespace {
+
+struct ComponentOptions {
+  std::string graph;  ///< `-`: as the run has it
+  std::string stage;
+  std::optional<int> domain;
+};
 
 using core::Error;
 using core::Result;
@@ -54,8 +61,6 @@ Result<int> read_domain(const ComponentOptions& options) {
   return domain;
 }
 
-}  // namespace
-
 int component_command(const ComponentOptions& options) {
   if (options.graph != "-") {
     if (const auto checked = check_graph(options); !checked.ok()) return complain(checked.error());
@@ -65,8 +70,24 @@ int component_command(const ComponentOptions& options) {
   return bridge::run_component_process(options.stage, *domain, kConnectTimeout_s, stages::all());
 }
 
-int recorder_command(const RecorderOptions& options) {
-  return bridge::run_recorder_process(options.domain, kConnectTimeout_s);
+}  // namespace
+
+void add_component(CLI::App& main, int& status) {
+  const auto options = std::make_shared<ComponentOptions>();
+  CLI::App* app = main.add_subcommand("component", "Run one stage of a run as this process");
+  app->add_option("graph", options->graph, "a name or a path; -: as the run has it")->required();
+  app->add_option("stage", options->stage, "sense, classify, ...")->required();
+  app->add_option("--domain", options->domain, "the run's DDS domain (CLEW_DOMAIN_ID)");
+  app->callback([options, &status] { status = component_command(*options); });
+}
+
+void add_recorder(CLI::App& main, int& status) {
+  const auto domain = std::make_shared<int>(0);
+  CLI::App* app = main.add_subcommand("recorder", "Record a run as this process");
+  app->group("");
+  app->add_option("--domain", *domain, "the run's DDS domain")->required();
+  app->callback(
+      [domain, &status] { status = bridge::run_recorder_process(*domain, kConnectTimeout_s); });
 }
 
 }  // namespace clew::tools

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/difference_output.hpp"
+#include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/recording_diff.hpp"
 
 namespace clew::tools {
 namespace {
+
+struct DiffOptions {
+  std::string a;
+  std::string b;
+  double tolerance = 0.0;
+  bool json = false;
+};
 
 using bridge::RecordingDiff;
 using nlohmann::ordered_json;
@@ -58,8 +68,6 @@ void note_early_end(const bridge::RunRecording& recording) {
   }
 }
 
-}  // namespace
-
 int diff_command(const DiffOptions& options) {
   const auto a = bridge::RunRecording::open(options.a);
   if (!a.ok()) return complain(a.error());
@@ -75,6 +83,19 @@ int diff_command(const DiffOptions& options) {
     print(*diff);
   }
   return diff->identical() ? kExitGood : kExitFailed;
+}
+
+}  // namespace
+
+void add_diff(CLI::App& main, int& status) {
+  const auto options = std::make_shared<DiffOptions>();
+  CLI::App* app = main.add_subcommand("diff", "Find the first difference between two recordings");
+  app->add_option("a", options->a, "a recording")->required();
+  app->add_option("b", options->b, "another")->required();
+  app->add_option("--tolerance", options->tolerance, "numbers this close count as equal (0)")
+      ->check(number_between(0.0, std::numeric_limits<double>::max()));
+  app->add_flag("--json", options->json, "print it as one JSON object");
+  app->callback([options, &status] { status = diff_command(*options); });
 }
 
 }  // namespace clew::tools

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/stage_text.hpp"
 #include "convert/codec.hpp"
@@ -15,6 +16,11 @@
 
 namespace clew::tools {
 namespace {
+
+struct InfoOptions {
+  std::string recording;
+  bool json = false;
+};
 
 using bridge::RunRecording;
 using bridge::RunSurvey;
@@ -230,8 +236,6 @@ ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts)
   return json;
 }
 
-}  // namespace
-
 int info_command(const InfoOptions& options) {
   const auto recording = RunRecording::open(options.recording);
   if (!recording.ok()) return complain(recording.error());
@@ -251,6 +255,17 @@ int info_command(const InfoOptions& options) {
     print(*recording, facts);
   }
   return is_good(*recording, facts) ? kExitGood : kExitFailed;
+}
+
+}  // namespace
+
+void add_info(CLI::App& main, int& status) {
+  const auto options = std::make_shared<InfoOptions>();
+  CLI::App* app =
+      main.add_subcommand("info", "Tell what a recording holds, and whether it is whole");
+  app->add_option("recording", options->recording)->required();
+  app->add_flag("--json", options->json, "print it as one JSON object");
+  app->callback([options, &status] { status = info_command(*options); });
 }
 
 }  // namespace clew::tools

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
 #include "core/nearest_name.hpp"
 #include "core/yaml_reader.hpp"
 #include "runtime/config_source.hpp"
@@ -12,6 +13,11 @@
 
 namespace clew::tools {
 namespace {
+
+struct ListOptions {
+  std::string what;  ///< `graphs`, `worlds`, a stage, or `STAGE.PART`; empty: what there is
+  std::string name;
+};
 
 using runtime::PartInfo;
 using runtime::PortInfo;
@@ -118,8 +124,6 @@ int list_all() {
   return kExitGood;
 }
 
-}  // namespace
-
 int list_command(const ListOptions& options) {
   if (options.what.empty()) return list_all();
   if (options.what == "graphs" || options.what == "worlds") {
@@ -136,6 +140,16 @@ int list_command(const ListOptions& options) {
     known.push_back(stage.name);
   }
   return complain({core::unknown_name("list", stage_name, known), {}, 0, 0});
+}
+
+}  // namespace
+
+void add_list(CLI::App& main, int& status) {
+  const auto options = std::make_shared<ListOptions>();
+  CLI::App* app = main.add_subcommand("list", "List graphs, worlds, stages and behaviours");
+  app->add_option("what", options->what, "graphs | worlds | STAGE[.PART]");
+  app->add_option("name", options->name, "only this one");
+  app->callback([options, &status] { status = list_command(*options); });
 }
 
 }  // namespace clew::tools

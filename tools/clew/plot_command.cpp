@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "clew/command_line.hpp"
 #include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
 #include "plot/plot.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/recorded_plan.hpp"
@@ -9,6 +11,12 @@
 
 namespace clew::tools {
 namespace {
+
+struct PlotOptions {
+  std::vector<std::string> recordings;
+  std::string output;
+  std::optional<std::uint64_t> tick;  ///< what components show of it, instead of the whole run
+};
 
 using core::Error;
 using core::Result;
@@ -49,13 +57,24 @@ Result<void> plot_inside(const PlotOptions& options) {
   return plot::plot_tick(options.recordings.front(), *inside, options.output);
 }
 
-}  // namespace
-
 int plot_command(const PlotOptions& options) {
   const auto plotted = options.tick ? plot_inside(options)
                                     : plot::plot_recordings(options.recordings, options.output);
   if (!plotted.ok()) return complain(plotted.error());
   return kExitGood;
+}
+
+}  // namespace
+
+void add_plot(CLI::App& main, int& status) {
+  const auto options = std::make_shared<PlotOptions>();
+  CLI::App* app = main.add_subcommand("plot", "Draw the path of one or more recordings");
+  app->add_option("recording", options->recordings)->required();
+  app->add_option("-o,--output", options->output, "FILE.svg or FILE.png")->required();
+  app->add_option("--tick", options->tick,
+                  "draw what the components show of this tick, from one recording")
+      ->check(whole_number());
+  app->callback([options, &status] { status = plot_command(*options); });
 }
 
 }  // namespace clew::tools

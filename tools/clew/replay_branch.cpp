@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "clew/exit_status.hpp"
 #include "clew/run_output.hpp"
 #include "process/recording_sink.hpp"
 #include "replay/black_box_past.hpp"

@@ -3,13 +3,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/difference_output.hpp"
+#include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/replay_branch.hpp"
+#include "clew/replay_options.hpp"
 #include "clew/replay_output.hpp"
 #include "clew/replay_publish.hpp"
 #include "replay/component_replay.hpp"
+#include "replay/playback.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"
 
@@ -121,8 +125,6 @@ Result<std::vector<ReplayReport>> replay_all(const bridge::RunRecording& recordi
   return reports;
 }
 
-}  // namespace
-
 int replay_command(const ReplayOptions& options) {
   if (const auto checked = check_options(options); !checked.ok()) return complain(checked.error());
   const auto recording = bridge::RunRecording::open(options.recording);
@@ -149,6 +151,54 @@ int replay_command(const ReplayOptions& options) {
                                                            : replay_json(reports->front())));
   }
   return identical ? kExitGood : kExitFailed;
+}
+
+void add_publish(CLI::App& app, ReplayOptions& options) {
+  app.add_option("--publish", options.publish,
+                 "put these TOPICs, or the inputs of --component, on the wire")
+      ->expected(0, static_cast<int>(domain::kTopicCount));
+  app.add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)");
+  app.add_option("--middleware", options.middleware, "cyclonedds | fastdds (cyclonedds)");
+  app.add_flag("--start", options.start, "start the component's process, too");
+  app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it with a command before");
+  app.add_option("--reader", options.readers, "start a COMMAND that reads; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--wait", options.wait_s, "seconds to wait for readers (10; by hand started: 60)")
+      ->check(number_between(0.1, 86400.0));
+  app.add_flag("--start-paused", options.start_paused, "wait before the first tick");
+  app.add_flag("--commands", options.commands,
+               "read pause, resume, step [N], rate N and end from stdin, a line each");
+}
+
+}  // namespace
+
+void add_replay(CLI::App& main, int& status) {
+  const auto options = std::make_shared<ReplayOptions>();
+  CLI::App* app = main.add_subcommand("replay", "Feed a recording to its components and compare");
+  app->add_option("recording", options->recording, "required");
+  app->add_option("--component", options->component, "only this stage (all, each on its own)");
+  app->add_option("--with", options->overrides.with, "STAGE[.PART]=NAME[,NAME...]: other behaviour")
+      ->allow_extra_args(false);
+  app->add_option("--set", options->overrides.set, "STAGE[.PART][.NAME].PARAM=VALUE: other value")
+      ->allow_extra_args(false);
+  app->add_option("--from", options->first_tick, "compare from this tick")->check(whole_number());
+  app->add_option("--to", options->last_tick, "end with this tick")->check(whole_number());
+  app->add_option("--rate", options->rate, "simulated over wall-clock time (as fast as it goes)")
+      ->check(number_between(bridge::Playback::kLowestRate, bridge::Playback::kHighestRate));
+  app->add_option("--branch", options->branch_tick, "run the graph on from this tick")
+      ->check(whole_number());
+  app->add_option("--record", options->record, "write a recording of the branch (MCAP)");
+  app->add_flag("--force", options->force, "overwrite it");
+  app->add_option("--max-ticks", options->overrides.max_ticks, "give up the branch after so many")
+      ->check(whole_number());
+  add_publish(*app, *options);
+  app->add_flag("--json", options->json, "print the result as one JSON object");
+  app->callback([app, options, &status] {
+    options->publishes = app->count("--publish") > 0;
+    // An option without a value is given as an empty one.
+    if (options->publish == std::vector<std::string>{""}) options->publish.clear();
+    status = replay_command(*options);
+  });
 }
 
 }  // namespace clew::tools

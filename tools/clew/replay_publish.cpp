@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/own_program.hpp"
 #include "clew/playback_console.hpp"

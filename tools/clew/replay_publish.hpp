@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "clew/commands.hpp"
+#include "clew/replay_options.hpp"
 #include "recording/run_recording.hpp"
 #include "runtime/run_plan.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "clew/commands.hpp"
+#include "clew/run_options.hpp"
 #include "process/recording_sink.hpp"
 #include "replay/resumption.hpp"
 #include "runtime/run_plan.hpp"

@@ -7,9 +7,12 @@
 #include <memory>
 #include <set>
 
+#include "clew/command_line.hpp"
 #include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
 #include "clew/own_program.hpp"
 #include "clew/resumed_run.hpp"
+#include "clew/run_options.hpp"
 #include "clew/run_output.hpp"
 #include "core/nearest_name.hpp"
 #include "process/composed_run.hpp"
@@ -261,8 +264,6 @@ void judge_recording(const bridge::ProcessLayout& layout, bridge::RunReport& rep
   }
 }
 
-}  // namespace
-
 int run_command(const RunOptions& options) {
   // From here on a signal ends the run with a report, also one that comes before the first tick.
   const bridge::SignalQueue signals;
@@ -292,6 +293,65 @@ int run_command(const RunOptions& options) {
   fmt::print("{}\n", options.json ? report_json(*report, job->plan, facts)
                                   : report_line(*report, job->plan));
   return exit_status(*report);
+}
+
+}  // namespace
+
+namespace {
+
+void add_ways(CLI::App& app, RunOptions& options) {
+  app.add_option("--layout", options.layout, "processes | composed")->group("How it runs");
+  app.add_option("--middleware", options.middleware,
+                 "cyclonedds | fastdds, or STAGE=VENDOR; may be repeated")
+      ->allow_extra_args(false)
+      ->group("How it runs");
+  app.add_option("--pace", options.pace, "lockstep | realtime | Nx")->group("How it runs");
+  app.add_option("--realtime-priority", options.realtime_priority,
+                 "1 to 99: first-in-first-out scheduling of component processes (none)")
+      ->check(number_between(1, 99))
+      ->group("How it runs");
+  app.add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)")
+      ->group("How it runs");
+  app.add_option("--external", options.external, "wait for a STAGE that a person starts")
+      ->allow_extra_args(false)
+      ->group("Debugging");
+  app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it with a command before")
+      ->allow_extra_args(false)
+      ->group("Debugging");
+}
+
+void add_recording(CLI::App& app, RunOptions& options) {
+  const auto add = [&](const char* name, auto& value, const char* about) {
+    return app.add_option(name, value, about)->group("Recording");
+  };
+  add("--record", options.record, "write a recording (MCAP)")->check(file_to_write());
+  app.add_flag("--force", options.force, "overwrite the recording")->group("Recording");
+  add("--record-on", options.record_on,
+      "trap: a black box, which writes what it kept, and then goes on recording, when a trap is "
+      "detected, a collision happens or the run ends badly");
+  add("--record-last", options.record_last_s, "simulated seconds that a black box keeps (30)")
+      ->check(number_between(0.001, 86400.0));
+  add("--compression", options.compression,
+      "none | zstd | lz4 (none: the fastest, and its bytes depend on no compressor's version; zstd "
+      "makes it several times smaller)");
+  add("--on-record-error", options.on_record_error,
+      "stop | continue: what a run does whose recording fails or lacks samples (stop)");
+  add("--resume", options.resume,
+      "go on with a recording whose run was cut off, instead of a graph");
+}
+
+}  // namespace
+
+void add_run(CLI::App& main, int& status) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App* app = main.add_subcommand("run", "Run a graph with a simulated robot");
+  app->add_option("graph", options->graph, "a name or a path; 'clew list graphs' tells");
+  add_overrides(*app, options->overrides);
+  add_ways(*app, *options);
+  add_recording(*app, *options);
+  app->add_flag("--json", options->json, "print the result as one JSON object");
+  app->add_flag("--no-hash", options->no_hash, "do not hash what is published");
+  app->callback([options, &status] { status = run_command(*options); });
 }
 
 }  // namespace clew::tools

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "world/world.hpp"
 

@@ -6,12 +6,21 @@
 #include <fstream>
 #include <string>
 
-#include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
+#include "clew/train_commands.hpp"
 #include "clew/training_groups.hpp"
 #include "plot/line_chart.hpp"
 
 namespace clew::tools {
 namespace {
+
+inline constexpr char kDefaultNeuroFuzzyRecipe[] = "wang_yang_meng";
+struct TrainNeuroFuzzyOptions {
+  std::string recipe = kDefaultNeuroFuzzyRecipe;
+  std::string recording;  ///< empty: the expert's runs in the recipe's worlds
+  std::string output;
+  std::string curves;  ///< an SVG file; empty: none
+};
 
 using core::Error;
 using core::Result;
@@ -80,8 +89,6 @@ Result<void> write(const std::string& path, const std::string& text) {
   return {};
 }
 
-}  // namespace
-
 int train_neuro_fuzzy_command(const TrainNeuroFuzzyOptions& options) {
   const auto trained = train(options);
   if (!trained.ok()) return complain(trained.error());
@@ -95,6 +102,22 @@ int train_neuro_fuzzy_command(const TrainNeuroFuzzyOptions& options) {
   }
   const auto written = write(options.output, trained->file);
   return written.ok() ? kExitGood : complain(written.error());
+}
+
+}  // namespace
+
+void add_train_neuro_fuzzy(CLI::App& train, int& status) {
+  const auto options = std::make_shared<TrainNeuroFuzzyOptions>();
+  CLI::App* app =
+      train.add_subcommand("neuro-fuzzy", "The wheel speed networks of Wang, Yang & Meng");
+  app->add_option("--recipe", options->recipe,
+                  "groups, iterations, learning rates, worlds and seed")
+      ->capture_default_str();
+  app->add_option("--recording", options->recording,
+                  "learn from the commands of a run with infrared rangers, not from the expert");
+  app->add_option("-o,--output", options->output, "the file to write (stdout)");
+  app->add_option("--curves", options->curves, "write the learning curves to FILE.svg");
+  app->callback([options, &status] { status = train_neuro_fuzzy_command(*options); });
 }
 
 }  // namespace clew::tools

@@ -7,14 +7,21 @@
 #include <string>
 
 #include "classify/som_training.hpp"
-#include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
 #include "clew/scaled_world.hpp"
+#include "clew/train_commands.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
 #include "world/world.hpp"
 
 namespace clew::tools {
 namespace {
+
+inline constexpr char kDefaultSomRecipe[] = "krishna_kalra_som";
+struct TrainSomOptions {
+  std::string recipe = kDefaultSomRecipe;
+  std::string output;
+};
 
 using core::Error;
 using core::Resource;
@@ -86,8 +93,6 @@ Result<std::string> train(const TrainSomOptions& options) {
   return classify::train_som(*recipe, runs, command);
 }
 
-}  // namespace
-
 int train_som_command(const TrainSomOptions& options) {
   const auto trained = train(options);
   if (!trained.ok()) return complain(trained.error());
@@ -102,6 +107,17 @@ int train_som_command(const TrainSomOptions& options) {
         {std::string("cannot be written: ") + std::strerror(errno), options.output, 0, 0});
   }
   return kExitGood;
+}
+
+}  // namespace
+
+void add_train_som(CLI::App& train, int& status) {
+  const auto options = std::make_shared<TrainSomOptions>();
+  CLI::App* som = train.add_subcommand("som", "The landmark map of Krishna & Kalra 2000");
+  som->add_option("--recipe", options->recipe, "worlds, scales, iterations and seed")
+      ->capture_default_str();
+  som->add_option("-o,--output", options->output, "the file to write (stdout)");
+  som->callback([options, &status] { status = train_som_command(*options); });
 }
 
 }  // namespace clew::tools

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
+#include "clew/exit_status.hpp"
 
-#include "clew/commands.hpp"
+#include <cstdio>
 
 namespace clew::tools {
 

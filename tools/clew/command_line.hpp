@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the commands' own lines have in common.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "runtime/graph.hpp"
+
+namespace clew::tools {
+
+/// A whole number from 0 on: counts, which a graph file holds, too.
+CLI::Validator whole_number();
+
+/// A number from `low` to `high`, and no NaN, which passes every comparison that is made to refuse
+/// it.
+CLI::Validator number_between(double low, double high);
+
+/// The name of a file to write.
+CLI::Validator file_to_write();
+
+/// The options with which `run` and `check` change a graph.
+void add_overrides(CLI::App& app, runtime::GraphOverrides& overrides);
+
+}  // namespace clew::tools

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/graph.hpp"
+
+namespace clew::tools {
+
+/// What `clew run` was asked for.
+struct RunOptions {
+  std::string graph;
+  runtime::GraphOverrides overrides;
+  std::string layout = "processes";
+  std::vector<std::string> middleware;  ///< `VENDOR` or `STAGE=VENDOR`
+  std::string pace = "lockstep";
+  std::optional<int> domain;
+  std::optional<int> realtime_priority;
+  std::string record;
+  std::string resume;  ///< a recording to go on with, in the graph's place
+  bool force = false;
+  std::string record_on;                ///< `trap`: a black box
+  std::optional<double> record_last_s;  ///< that a black box keeps; none: 30
+  std::string compression;  ///< empty: as the recording that is gone on with has it, else none
+  std::string on_record_error = "stop";
+  std::vector<std::string> external;
+  std::vector<std::string> prefix;  ///< `STAGE=COMMAND`
+  bool json = false;
+  bool no_hash = false;
+};
+
+}  // namespace clew::tools
