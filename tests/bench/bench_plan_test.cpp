@@ -20,6 +20,12 @@ Suite small_suite() {
   return suite;
 }
 
+Variation varied(const std::string& path, const std::vector<std::vector<std::string>>& values) {
+  Variation variation{path, {}};
+  for (const auto& words : values) variation.values.push_back({words});
+  return variation;
+}
+
 core::Result<BenchPlan> plan(const Suite& suite, const BenchChanges& changes = {}) {
   return plan_bench(suite, changes, configs(), stages::all());
 }
@@ -42,8 +48,8 @@ TEST(BenchPlan, VariationsMakeEveryCombination) {
   suite.graphs = {"krishna_kalra"};
   BenchChanges changes;
   changes.variations = {
-      {"recover.detector", {{"landmark_revisit"}, {"none"}}, {}},
-      {"recover.escape", {{"obstacle_following"}, {"none", "obstacle_following"}}, {}}};
+      varied("recover.detector", {{"landmark_revisit"}, {"none"}}),
+      varied("recover.escape", {{"obstacle_following"}, {"none", "obstacle_following"}})};
 
   const auto planned = plan(suite, changes);
 
@@ -64,7 +70,7 @@ TEST(BenchPlan, VariationsMakeEveryCombination) {
 TEST(BenchPlan, ParametersAreVariedAsWell) {
   Suite suite = small_suite();
   BenchChanges changes;
-  changes.variations = {{"sense.range_m", {{"1.2"}, {"1.8"}}}};
+  changes.variations = {varied("sense.range_m", {{"1.2"}, {"1.8"}})};
 
   const auto planned = plan(suite, changes);
 
@@ -77,15 +83,18 @@ TEST(BenchPlan, ParametersAreVariedAsWell) {
 TEST(BenchPlan, ParametersAreSetAlongWithABehaviour) {
   Suite suite = small_suite();
   suite.graphs = {"any_sensor"};
-  suite.variations = {
-      {"sense", {{"cones"}, {"laser"}}, {{"laser", {{"range_m", "4"}}}}},
-      {"recover.escape", {{"remembered_map"}}, {{"remembered_map", {{"close_m", "0.5"}}}}}};
+  suite.variations = {varied("sense", {{"cones"}, {"laser"}, {"laser"}}),
+                      varied("recover.escape", {{"remembered_map"}})};
+  suite.variations[0].values[1].settings = {{"range_m", "4"}};
+  suite.variations[0].values[2].settings = {{"range_m", "2"}};
+  suite.variations[1].values[0].settings = {{"close_m", "0.5"}};
 
   const auto planned = plan(suite);
 
   ASSERT_TRUE(planned.ok()) << planned.error().text();
-  ASSERT_EQ(planned->variants.size(), 2u);
+  ASSERT_EQ(planned->variants.size(), 3u);
   EXPECT_EQ(planned->variants[1].label(), "any_sensor [sense=laser(range_m=4)]");
+  EXPECT_EQ(planned->variants[2].label(), "any_sensor [sense=laser(range_m=2)]");
   EXPECT_EQ(planned->variants[0].overrides.set,
             (std::vector<std::string>{"recover.escape.remembered_map.close_m=0.5"}));
   EXPECT_EQ(
@@ -95,10 +104,10 @@ TEST(BenchPlan, ParametersAreSetAlongWithABehaviour) {
 
 TEST(BenchPlan, ChangesReplaceGraphsAndVariationsOfTheSuite) {
   Suite suite = small_suite();
-  suite.variations = {{"sense.range_m", {{"1.2"}, {"1.5"}, {"1.8"}}}};
+  suite.variations = {varied("sense.range_m", {{"1.2"}, {"1.5"}, {"1.8"}})};
   BenchChanges changes;
   changes.graphs = {"reactive"};
-  changes.variations = {{"sense.range_m", {{"2"}}}};
+  changes.variations = {varied("sense.range_m", {{"2"}})};
 
   const auto planned = plan(suite, changes);
 
@@ -107,6 +116,57 @@ TEST(BenchPlan, ChangesReplaceGraphsAndVariationsOfTheSuite) {
   // A single value tells no two variants apart.
   EXPECT_EQ(planned->variants[0].label(), "reactive");
   EXPECT_EQ(planned->variants[0].overrides.set.back(), "sense.range_m=2");
+}
+
+TEST(BenchPlan, TheCommandLineOutranksWhatASuiteSets) {
+  Suite suite = small_suite();
+  suite.variations = {varied("sense.range_m", {{"1.2"}}), varied("control.guard", {{"false"}})};
+  BenchChanges changes;
+  changes.set = {"sense.range_m=1.8"};
+
+  const auto planned = plan(suite, changes);
+
+  ASSERT_TRUE(planned.ok()) << planned.error().text();
+  EXPECT_EQ(planned->variants[0].overrides.set,
+            (std::vector<std::string>{"sense.range_m=1.8", "control.guard=false"}));
+}
+
+TEST(BenchPlan, AnErrorInWhatASuiteSetsIsTheSuites) {
+  Suite suite = small_suite();
+  suite.graphs = {"any_sensor"};
+  suite.variations = {varied("sense", {{"laser"}})};
+  suite.variations[0].values[0].settings = {{"rnage_m", "4"}};
+  suite.variations[0].file = "mine.yaml";
+  suite.variations[0].line = 7;
+  suite.variations[0].column = 3;
+
+  const auto planned = plan(suite);
+
+  ASSERT_FALSE(planned.ok());
+  EXPECT_EQ(planned.error().text().substr(0, 14), "mine.yaml:7:3:");
+}
+
+TEST(BenchPlan, WorldsAreNamedByPathsAndWildcards) {
+  Suite suite = small_suite();
+  const std::string worlds = std::string(CLEW_SOURCE_DIR) + "/configs/worlds/";
+  suite.worlds = {{"names", {"?-trap", "kk-fig0[78]*"}},
+                  {"paths", {worlds + "lm-fig08*", worlds + "u-trap.yaml"}}};
+
+  const auto planned = plan(suite);
+
+  ASSERT_TRUE(planned.ok()) << planned.error().text();
+  std::vector<std::string> names;
+  for (const BenchWorld& world : planned->worlds) names.push_back(world.name);
+  const std::vector<std::string> expected = {"g-trap",
+                                             "u-trap",
+                                             "v-trap",
+                                             "kk-fig07-clutter",
+                                             "kk-fig08-right-angle-corner",
+                                             worlds + "lm-fig08-clutter.yaml",
+                                             worlds + "lm-fig08-u-100in.yaml",
+                                             worlds + "lm-fig08-u-beyond-range.yaml",
+                                             worlds + "u-trap.yaml"};
+  EXPECT_EQ(names, expected);
 }
 
 TEST(BenchPlan, WhatDecidesTheResultsIsInTheConfiguration) {
@@ -137,18 +197,21 @@ TEST(BenchPlan, RefusesWhatCannotBeRun) {
   unknown_world.worlds = {{"traps", {"u-trpa"}}};
   Suite no_match = small_suite();
   no_match.worlds = {{"traps", {"xyz*"}}};
+  Suite no_file = small_suite();
+  no_file.worlds = {{"traps", {"./no-such-folder/*"}}};
   Suite twice = small_suite();
   twice.worlds = {{"a", {"u-trap"}}, {"b", {"u-*"}}};
   BenchChanges no_stage;
-  no_stage.variations = {{"recovr.detector", {{"none"}}}};
+  no_stage.variations = {varied("recovr.detector", {{"none"}})};
   BenchChanges same_value;
-  same_value.variations = {{"sense.range_m", {{"1.2"}, {"1.2"}}}};
+  same_value.variations = {varied("sense.range_m", {{"1.2"}, {"1.2"}})};
   BenchChanges out_of_range;
-  out_of_range.variations = {{"sense.range_m", {{"1.5"}, {"-1"}}}};
+  out_of_range.variations = {varied("sense.range_m", {{"1.5"}, {"-1"}})};
   const std::vector<Refusal> refusals = {
       {"graph", unknown_graph, {}, "did you mean 'reactive'?"},
       {"world", unknown_world, {}, "did you mean 'u-trap'?"},
       {"pattern", no_match, {}, "no world's name matches 'xyz*'"},
+      {"path pattern", no_file, {}, "no .yaml file matches './no-such-folder/*'"},
       {"twice", twice, {}, "world 'u-trap' stands twice"},
       {"stage", small_suite(), no_stage, "did you mean 'recover'?"},
       {"value twice", small_suite(), same_value, "is asked for twice"},

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "bench/run_result.hpp"
+#include "bench/world_names.hpp"
+#include "bench/worst_runs.hpp"
 
 namespace clew::bench {
 namespace {
@@ -51,12 +53,13 @@ TEST_F(ReportOfFourRuns, CountsSuccessApartForSolvableAndUnsolvable) {
 
   ASSERT_EQ(table.rows.size(), 2u);
   // Wilson intervals of 2 of 2, 1 of 1, 1 of 2 and 0 of 1.
-  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"good", "2/2 100 % [34, 100]",
-                                                     "1/1 100 % [21, 100]", "1/1 100 % [21, 100]",
-                                                     "0", "0", "0", "1.20, 1.20", "9, 9", "1000"}));
+  EXPECT_EQ(table.rows[0],
+            (std::vector<std::string>{"good", "2/2 100 % [34, 100]", "1/1 100 % [21, 100]",
+                                      "1/1 100 % [21, 100]", "", "0", "0", "0", "1.20, 1.20",
+                                      "9, 9", "1000"}));
   EXPECT_EQ(table.rows[1][1], "1/2 50 % [9, 91]");
   EXPECT_EQ(table.rows[1][3], "0/1 0 % [0, 79]");
-  EXPECT_EQ(table.rows[1][4], "2");
+  EXPECT_EQ(table.rows[1][5], "2");
 }
 
 TEST_F(ReportOfFourRuns, TellsFamiliesApart) {
@@ -100,12 +103,92 @@ TEST_F(ReportOfFourRuns, ComparesValuesOfWhatIsVariedLastWithAllElseEqual) {
   EXPECT_EQ(table.rows[1][1], "g [sense=laser escape=a]");
 }
 
+TEST_F(ReportOfFourRuns, GivesWorldsThatDoNotSayWhetherTheyCanBeSolvedARowOfTheirOwn) {
+  for (RunResult& run : results_.runs) {
+    if (run.key.world == "box") run.solvable = std::nullopt;
+  }
+  results_.runs[1].success = std::nullopt;  // who knows whether `unreachable` is true
+  plan_.worlds[1].family = "open";
+  for (RunResult& run : results_.runs) run.family = "open";
+
+  const Table table = overall_table(results_);
+  const Table families = family_table(results_);
+
+  EXPECT_EQ(table.rows[0][1], "1/1 100 % [21, 100]");
+  EXPECT_EQ(table.rows[0][2], "1/1 100 % [21, 100]");
+  EXPECT_EQ(table.rows[0][3], "");
+  EXPECT_EQ(table.rows[0][4], "0/1 0 % [0, 79]");
+  EXPECT_EQ(table.rows[1][1], "1/2 50 % [9, 91]");
+  EXPECT_EQ(families.rows, (std::vector<std::vector<std::string>>{
+                               {"open", "1/1 100 % [21, 100]", "1/1 100 % [21, 100]"},
+                               {"open (solvable: unknown)", "", "0/1 0 % [0, 79]"}}));
+  EXPECT_EQ(remarks_on(results_),
+            (std::vector<std::string>{
+                "1 of 2 worlds do not say whether they can be solved (box): they stand apart, and "
+                "'unreachable' there is neither a success nor a failure."}));
+}
+
+/// As ReportOfFourRuns, with three seeds; without noise, `good` does the same with each of them.
+class ReportOfThreeSeeds : public ReportOfFourRuns {
+ protected:
+  ReportOfThreeSeeds() {
+    plan_.seeds = {1, 2, 3};
+    const std::vector<RunResult> once = results_.runs;
+    results_.runs.clear();
+    for (const RunResult& run : once) {
+      for (const std::uint64_t seed : plan_.seeds) {
+        results_.runs.push_back(run);
+        results_.runs.back().key.seed = seed;
+        results_.runs.back().hash =
+            run.key.graph + (run.key.graph == "good" ? "" : std::to_string(seed));
+      }
+    }
+  }
+};
+
+TEST_F(ReportOfThreeSeeds, CountsEqualRunsOnce) {
+  const Table table = overall_table(results_);
+
+  EXPECT_EQ(table.rows[0][1], "2/2 100 % [34, 100]");
+  EXPECT_EQ(table.rows[0][2], "1/1 100 % [21, 100]");
+  EXPECT_EQ(table.rows[1][1], "3/6 50 % [19, 81]");
+  EXPECT_EQ(detector_table(results_).rows[0][2], "2");
+  EXPECT_EQ(family_table(results_).rows[1][1], "1/1 100 % [21, 100]");
+}
+
+TEST_F(ReportOfThreeSeeds, SaysWhatWasMergedAndWhereSeedsDoNotMatter) {
+  const Report report = make_report(results_, {});
+
+  ASSERT_EQ(report.remarks.size(), 2u);
+  EXPECT_EQ(report.remarks[0],
+            "4 of 12 runs equal another one of the same graph in the same world to the byte (they "
+            "have one hash): they are one sample, and counted once.");
+  EXPECT_EQ(report.remarks[1].substr(0, 40), "Seeds make no difference to good: no noi");
+  EXPECT_NE(to_markdown(report).find(report.remarks[0]), std::string::npos);
+  EXPECT_NE(to_html(report).find("they are one sample"), std::string::npos);
+}
+
+TEST_F(ReportOfThreeSeeds, ComparesAPairOfEqualRunsOnce) {
+  for (RunResult& run : results_.runs) run.hash = run.key.graph;
+
+  const Table table = paired_table(results_);
+
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"bad", "good", "0", "1", "1", "1.250 of 1"}));
+}
+
+TEST_F(ReportOfThreeSeeds, SeedsMatterIfOneOfTheRunsDiffers) {
+  results_.runs[4].hash = "another";
+
+  EXPECT_FALSE(results_.ignores_seeds(0));
+  EXPECT_EQ(results_.samples_of(0).size(), 3u);
+}
+
 TEST_F(ReportOfFourRuns, HasARowForEveryRunInCsv) {
   const std::string csv = to_csv(results_);
 
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
   EXPECT_NE(
-      csv.find("\nbad,,closed,box,1,timeout,false,false,0,9.0000,50.0000,,,2,0,0,,false,0,0\n"),
+      csv.find("\nbad,,closed,box,1,timeout,false,false,0,9.0000,50.0000,,,2,0,0,,false,0,0,\n"),
       std::string::npos)
       << csv;
 }
@@ -131,6 +214,7 @@ TEST(Matrix, HasARowAndAColumnAVariation) {
           {"g", {{"recover.detector", detector}, {"recover.escape", escape}}, {}});
       RunResult run;
       run.success = std::string(detector) == "a" && std::string(escape) == "y";
+      run.solvable = true;
       results.runs.push_back(run);
     }
   }
@@ -142,6 +226,55 @@ TEST(Matrix, HasARowAndAColumnAVariation) {
   EXPECT_EQ(tables[0].rows[0],
             (std::vector<std::string>{"a", "0/1 0 % [0, 79]", "1/1 100 % [21, 100]"}));
   EXPECT_EQ(tables[0].rows[1][2], "0/1 0 % [0, 79]");
+}
+
+/// The index of the worst of runs with these outcomes, path lengths and shortest paths.
+struct Driven {
+  bool success;
+  double path_m;
+  std::optional<double> shortest_m;
+  std::uint32_t collisions = 0;
+};
+
+std::size_t worst(const std::vector<Driven>& driven) {
+  std::vector<RunResult> runs;
+  for (const Driven& each : driven) {
+    RunResult run;
+    run.outcome = each.success ? "reached" : "timeout";
+    run.success = each.success;
+    run.path_length_m = each.path_m;
+    run.shortest_path_m = each.shortest_m;
+    run.collisions = each.collisions;
+    runs.push_back(run);
+  }
+  std::vector<const RunResult*> pointers;
+  for (const RunResult& run : runs) pointers.push_back(&run);
+  return worst_of(pointers);
+}
+
+TEST(WorstRun, IsTheLongestOverTheShortestPath) {
+  EXPECT_EQ(worst({{true, 12.0, 10.0}, {true, 9.0, 3.0}, {true, 20.0, 15.0}}), 1u);
+}
+
+TEST(WorstRun, IsTheLongestWhereShortestPathsAreUnknown) {
+  EXPECT_EQ(worst({{true, 18.7, std::nullopt}, {true, 48.1, std::nullopt}, {true, 9.0, 3.0}}), 1u);
+}
+
+TEST(WorstRun, FailedAndAmongThoseCollided) {
+  EXPECT_EQ(worst({{true, 90.0, 10.0}, {false, 20.0, std::nullopt}, {false, 30.0, 2.0}}), 2u);
+  EXPECT_EQ(worst({{false, 90.0, 10.0}, {true, 5.0, 5.0, 1}, {true, 5.0, 5.0}}), 1u);
+}
+
+TEST(WorstRun, IsTheFirstOfEqualOnes) {
+  EXPECT_EQ(worst({{true, 5.0, 5.0}, {true, 5.0, 5.0}}), 0u);
+}
+
+TEST(FileName, OfAWorldStaysInItsFolder) {
+  EXPECT_EQ(file_name_of("u-trap"), "u-trap");
+  EXPECT_EQ(file_name_of("/home/me/my world.yaml"), "-home-me-my-world.yaml");
+  EXPECT_EQ(file_name_of("../../etc/passwd"), "-.-..-etc-passwd");
+  EXPECT_EQ(file_name_of(".."), "-.");
+  EXPECT_EQ(file_name_of(std::string(5000, 'a')).size(), 120u);
 }
 
 TEST(RunResult, RefusesALineThatIsNone) {

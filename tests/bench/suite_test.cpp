@@ -16,6 +16,15 @@ seeds: [1, 2]
 max_ticks: 500
 )";
 
+using Words = std::vector<std::vector<std::string>>;
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+Words words_of(const Variation& variation) {
+  Words words;
+  for (const auto& value : variation.values) words.push_back(value.words);
+  return words;
+}
+
 core::Result<Suite> read(const std::string& text) {
   return read_suite({"suite.yaml", text}, "test");
 }
@@ -28,8 +37,7 @@ TEST(Suite, IsReadWhole) {
   EXPECT_EQ(suite->graphs, (std::vector<std::string>{"krishna_kalra", "reactive"}));
   ASSERT_EQ(suite->variations.size(), 1u);
   EXPECT_EQ(suite->variations[0].path, "recover.escape");
-  EXPECT_EQ(suite->variations[0].values,
-            (std::vector<std::vector<std::string>>{{"none"}, {"a", "b"}}));
+  EXPECT_EQ(words_of(suite->variations[0]), (Words{{"none"}, {"a", "b"}}));
   ASSERT_EQ(suite->worlds.size(), 1u);
   EXPECT_EQ(suite->worlds[0].second, (std::vector<std::string>{"u-trap", "kk-*"}));
   EXPECT_EQ(suite->generated.seed, 7u);
@@ -53,10 +61,37 @@ TEST(Suite, SetsParametersAlongWithABehaviour) {
 
   ASSERT_TRUE(suite.ok()) << suite.error().text();
   const Variation& variation = suite->variations.front();
-  EXPECT_EQ(variation.values, (std::vector<std::vector<std::string>>{{"cones"}, {"laser"}}));
-  ASSERT_EQ(variation.settings.size(), 1u);
-  EXPECT_EQ(variation.settings.at("laser"),
-            (std::vector<std::pair<std::string, std::string>>{{"range_m", "4"}, {"beams", "181"}}));
+  EXPECT_EQ(words_of(variation), (Words{{"cones"}, {"laser"}}));
+  EXPECT_TRUE(variation.values[0].settings.empty());
+  EXPECT_EQ(variation.values[1].settings, (Settings{{"range_m", "4"}, {"beams", "181"}}));
+}
+
+TEST(Suite, VariesOneBehaviourWithSeveralSetsOfParameters) {
+  const auto suite = read(
+      "format: clew-suite/1\ngraphs: [reactive]\ngenerated: {count: 1}\n"
+      "vary: {sense: [{laser: {range_m: 2}}, {laser: {range_m: 4}}]}\n");
+
+  ASSERT_TRUE(suite.ok()) << suite.error().text();
+  const Variation& variation = suite->variations.front();
+  EXPECT_EQ(words_of(variation), (Words{{"laser"}, {"laser"}}));
+  EXPECT_EQ(variation.values[0].settings, (Settings{{"range_m", "2"}}));
+  EXPECT_EQ(variation.values[1].settings, (Settings{{"range_m", "4"}}));
+}
+
+TEST(Suite, SetsValuesOfEveryGraphAsVariationsOfOneValue) {
+  const auto suite = read(
+      "format: clew-suite/1\ngraphs: [reactive]\ngenerated: {count: 1}\n"
+      "vary: {recover.detector: [none]}\n"
+      "set: {sense.range_m: 1.5, recover.escape: [a, b], sense: {laser: {range_m: 4}}}\n");
+
+  ASSERT_TRUE(suite.ok()) << suite.error().text();
+  ASSERT_EQ(suite->variations.size(), 4u);
+  EXPECT_EQ(suite->variations[0].path, "sense.range_m");
+  EXPECT_EQ(words_of(suite->variations[0]), (Words{{"1.5"}}));
+  EXPECT_EQ(words_of(suite->variations[1]), (Words{{"a", "b"}}));
+  EXPECT_EQ(suite->variations[2].values[0].settings, (Settings{{"range_m", "4"}}));
+  EXPECT_EQ(suite->variations[3].path, "recover.detector");
+  EXPECT_EQ(suite->variations[0].line, 5);
 }
 
 struct Refusal {
@@ -98,14 +133,16 @@ INSTANTIATE_TEST_SUITE_P(
             "worlds: {traps: [u-trap, kk-*]}\ngenerated: {seed: 7, count: 3, families: [u, v]}\n",
             "", "no worlds"},
         Refusal{"[none, [a, b]]", "[{a: {x: 1}, b: {y: 2}}]", "expected one behaviour"},
-        Refusal{"[none, [a, b]]", "[]", "suite.yaml:4"}));
+        Refusal{"[none, [a, b]]", "[]", "suite.yaml:4"},
+        Refusal{"vary: {recover.escape: [none, [a, b]]}", "set: [recover.escape=none]",
+                "suite.yaml:4:6: found a list of 1, expected a map"}));
 
 TEST(Variation, IsReadFromTheCommandLine) {
   const auto variation = read_variation("recover.escape=a,b,a+b");
 
   ASSERT_TRUE(variation.ok());
   EXPECT_EQ(variation->path, "recover.escape");
-  EXPECT_EQ(variation->values, (std::vector<std::vector<std::string>>{{"a"}, {"b"}, {"a", "b"}}));
+  EXPECT_EQ(words_of(*variation), (Words{{"a"}, {"b"}, {"a", "b"}}));
 }
 
 TEST(Variation, NeedsAPathAndValues) {

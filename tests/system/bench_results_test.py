@@ -45,7 +45,7 @@ def rows(report):
 def curve(report):
     """The rows of a curve as they are published: solvable ones reached, unsolvable told, stops."""
     [variants] = [part for part in report.split("\n## ") if part.startswith("All worlds")]
-    return [[cells[0].split("=")[1].rstrip("]"), cells[2], " ".join(cells[3].split()[:1]), cells[6]]
+    return [[cells[0].split("=")[1].rstrip("]"), cells[2], " ".join(cells[3].split()[:1]), cells[7]]
             for cells in rows(variants)[1:]]
 
 
@@ -62,7 +62,7 @@ def own_lines(runs, report):
     over_rival = {cells[0]: cells[5] for cells in rows(pairs)[1:]}
     for cells in rows(variants)[1:]:
         most = max(run["safety_stops"] for run in runs if run["variant"] in cells[0])
-        yield [*behaviours(cells[0]), cells[2], cells[3], cells[6], str(most), cells[7],
+        yield [*behaviours(cells[0]), cells[2], cells[3], cells[7], str(most), cells[8],
                over_rival.get(cells[0], "")]
 
 

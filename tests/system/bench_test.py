@@ -2,11 +2,12 @@
 """clew bench: the same results with any number of workers, killed and gone on with or not."""
 import json
 import pathlib
+import resource
 import signal
 import tempfile
 import unittest
 
-from clew_command import Run, processes_of_session, start, wait_until, write_file
+from clew_command import SOURCE, Run, processes_of_session, start, wait_until, write_file
 
 SUITE = """format: clew-suite/1
 graphs: [krishna_kalra, reactive]
@@ -173,6 +174,86 @@ class Bench(unittest.TestCase):
         self.assertIn("closing-door-s3-01.svg", names)
         self.assertEqual((out / "u-s3-01.yaml").read_text(),
                          (self.one / "worlds/u-s3-01.yaml").read_text())
+
+    def bench(self, suite, name):
+        """A bench of a suite's text, and its report."""
+        run = Run(["bench", write_file(suite), "--out", self.out(name)])
+        self.assertEqual(run.status, 0, run.err)
+        return run, (self.out(name) / "report.md").read_text()
+
+    def test_worlds_are_given_by_paths_and_wildcards(self):
+        folder = self.out("my worlds")
+        (folder / "inner").mkdir(parents=True)
+        for name in ("b.yaml", "a.yaml", "inner/c.yaml"):
+            (folder / name).write_text((SOURCE / "configs/worlds/open-field.yaml").read_text())
+        (folder / "notes.txt").write_text("no world")
+
+        run, report = self.bench(
+            f"""format: clew-suite/1
+graphs: [reactive]
+worlds: {{mine: ["{folder}/*", "{folder}/inner/c.yaml"]}}
+""", "paths")
+
+        self.assertIn("| reactive | 3/3 100 %", run.out)
+        lines = (self.out("paths") / "results.csv").read_text().splitlines()[1:]
+        self.assertEqual([line.split(",")[3] for line in lines],
+                         [f"{folder}/a.yaml", f"{folder}/b.yaml", f"{folder}/inner/c.yaml"])
+        [picture] = (self.out("paths") / "pictures").iterdir()
+        self.assertIn(f"(pictures/{picture.name})", report)
+        self.assertTrue(picture.name.endswith("-my-worlds-a.yaml-1.svg"), picture.name)
+
+    def test_equal_runs_are_one_sample(self):
+        run, report = self.bench("""format: clew-suite/1
+graphs: [reactive]
+vary: {sense.noise_stddev_m: [0, 0.05]}
+worlds: {open: [open-field, forest]}
+seeds: [1, 2, 3]
+""", "seeds")
+
+        for text in (run.out, report):
+            self.assertIn("4 of 12 runs equal another one of the same graph in the same world", text)
+            self.assertIn("Seeds make no difference to reactive [sense.noise_stddev_m=0]: no noise "
+                          "is on", text)
+        self.assertRegex(run.out, r"\| reactive \[sense.noise_stddev_m=0\] \| 2/2 ")
+        self.assertRegex(run.out, r"\| reactive \[sense.noise_stddev_m=0.05\] \| 6/6 ")
+
+    def test_a_suite_sets_values_and_varies_parameters_of_one_behaviour(self):
+        _, report = self.bench("""format: clew-suite/1
+graphs: [any_sensor]
+set: {recover.escape: remembered_map, drive.drift_rad_per_sqrt_m: 0.01}
+vary: {sense: [{laser: {range_m: 2}}, {laser: {range_m: 4}}]}
+worlds: {open: [open-field]}
+seeds: [1, 2]
+""", "sets")
+
+        for range_m in (2, 4):
+            self.assertIn(f"| any_sensor [sense=laser(range_m={range_m})] | 2/2 100 %", report)
+        self.assertNotIn("Seeds make no difference", report)
+
+    def test_unknown_solvability_stands_apart(self):
+        text = (SOURCE / "configs/worlds/open-field.yaml").read_text()
+        unknown = write_file("\n".join(line for line in text.splitlines()
+                                       if not line.startswith(("solvable", "shortest_path"))))
+
+        run, report = self.bench(f"""format: clew-suite/1
+graphs: [reactive]
+worlds: {{open: [open-field, "{unknown}"]}}
+""", "unknown")
+
+        self.assertRegex(run.out, r"\| reactive \| 2/2 [^|]*\| 1/1 [^|]*\|  \| 1/1 ")
+        self.assertIn("| open (solvable: unknown) | 1/1", report)
+        self.assertIn("1 of 2 worlds do not say whether they can be solved", run.out)
+
+    def test_a_disk_that_is_full_is_named_with_the_reason(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (3000, 3000))
+
+        process = start(["bench", self.suite, "--out", self.out("full"), "--jobs", "1"],
+                        preexec_fn=limit)
+        _, err = process.communicate(timeout=60)
+
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("results.jsonl: cannot be written: File too large", err)
 
     def test_bad_input(self):
         varied = write_file(SUITE + "vary: {sesne.range_m: [1, 2]}\n")

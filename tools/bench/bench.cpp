@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/bench.hpp"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 
@@ -13,6 +10,7 @@
 #include "bench/worker_pool.hpp"
 #include "bench/world_bench.hpp"
 #include "bench/worst_runs.hpp"
+#include "files/whole_file.hpp"
 #include "plot/world_picture.hpp"
 
 namespace clew::bench {
@@ -21,22 +19,10 @@ namespace {
 using core::Error;
 using core::Result;
 
+using files::make_directory;
+using files::write_file;
+
 namespace fs = std::filesystem;
-
-Result<void> make_directory(const fs::path& path) {
-  std::error_code code;
-  fs::create_directories(path, code);
-  if (!code) return {};
-  return Error{"cannot be made: " + code.message(), path.string(), 0, 0};
-}
-
-Result<void> write_file(const fs::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out << text;
-  out.close();
-  if (out) return {};
-  return Error{std::string("cannot be written: ") + std::strerror(errno), path.string(), 0, 0};
-}
 
 RunKey key_of(const BenchPlan& plan, std::size_t variant, std::size_t world, std::size_t seed) {
   return {plan.variants[variant].graph, plan.variants[variant].text(), plan.worlds[world].name,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bench/world_names.hpp"
 #include "core/hash128.hpp"
 #include "core/nearest_name.hpp"
 #include "runtime/run_plan.hpp"
@@ -35,31 +36,27 @@ bool names_a_behaviour(const std::string& path, const std::vector<StageInfo>& st
 }
 
 /// A value as labels have it: `laser(range_m=4)`.
-std::string value_text(const Variation& variation, const std::vector<std::string>& value) {
-  const auto settings = variation.settings.find(value.front());
-  if (settings == variation.settings.end()) return joined(value, "+");
+std::string value_text(const Variation::Value& value) {
+  if (value.settings.empty()) return joined(value.words, "+");
   std::vector<std::string> words;
-  for (const auto& [name, setting] : settings->second) words.push_back(name + '=' + setting);
-  return value.front() + '(' + joined(words, ", ") + ')';
+  for (const auto& [name, setting] : value.settings) words.push_back(name + '=' + setting);
+  return value.words.front() + '(' + joined(words, ", ") + ')';
 }
 
-void apply(const Variation& variation, const std::vector<std::string>& value, bool is_behaviour,
-           Variant& variant) {
-  const std::string& path = variation.path;
-  if (variation.values.size() > 1) variant.values.emplace_back(path, value_text(variation, value));
-  if (!is_behaviour) {
-    const std::string text = value.size() == 1 ? value[0] : '[' + joined(value, ", ") + ']';
-    variant.overrides.set.push_back(path + '=' + text);
+void apply(const std::string& path, const Variation::Value& value,
+           const std::vector<StageInfo>& stages, runtime::GraphOverrides& overrides) {
+  const auto& words = value.words;
+  if (!names_a_behaviour(path, stages)) {
+    const std::string text = words.size() == 1 ? words[0] : '[' + joined(words, ", ") + ']';
+    overrides.set.push_back(path + '=' + text);
     return;
   }
-  variant.overrides.with.push_back(path + '=' + joined(value, ","));
-  const auto settings = variation.settings.find(value.front());
-  if (settings == variation.settings.end()) return;
+  overrides.with.push_back(path + '=' + joined(words, ","));
   // Parameters of a stage's behaviour are the stage's; those of a part's are under its name.
   const bool is_part = path.find('.') != std::string::npos;
-  const std::string owner = is_part ? path + '.' + value.front() : path;
-  for (const auto& [name, setting] : settings->second) {
-    variant.overrides.set.push_back(owner + '.' + name + '=' + setting);
+  const std::string owner = is_part ? path + '.' + words.front() : path;
+  for (const auto& [name, setting] : value.settings) {
+    overrides.set.push_back(owner + '.' + name + '=' + setting);
   }
 }
 
@@ -76,12 +73,13 @@ std::vector<Variant> combine(const std::vector<std::string>& graphs,
     variants.push_back(std::move(variant));
   }
   for (const Variation& variation : variations) {
-    const bool is_behaviour = names_a_behaviour(variation.path, stages);
     std::vector<Variant> more;
     for (const Variant& variant : variants) {
       for (const auto& value : variation.values) {
         more.push_back(variant);
-        apply(variation, value, is_behaviour, more.back());
+        apply(variation.path, value, stages, more.back().overrides);
+        if (variation.values.size() == 1) continue;
+        more.back().values.emplace_back(variation.path, value_text(value));
       }
     }
     variants = std::move(more);
@@ -89,8 +87,22 @@ std::vector<Variant> combine(const std::vector<std::string>& graphs,
   return variants;
 }
 
+/// Whether --with or --set gives `path` a value.
+bool is_given(const std::string& path, const BenchChanges& changes) {
+  for (const auto& texts : {changes.with, changes.set}) {
+    for (const std::string& text : texts) {
+      if (text.substr(0, text.find('=')) == path) return true;
+    }
+  }
+  return false;
+}
+
+/// The suite's variations and those of the command line, which outranks it.
 std::vector<Variation> all_variations(const Suite& suite, const BenchChanges& changes) {
-  std::vector<Variation> all = suite.variations;
+  std::vector<Variation> all;
+  for (const Variation& variation : suite.variations) {
+    if (variation.values.size() > 1 || !is_given(variation.path, changes)) all.push_back(variation);
+  }
   for (const Variation& change : changes.variations) {
     const auto same = std::find_if(all.begin(), all.end(), [&](const Variation& variation) {
       return variation.path == change.path;
@@ -116,17 +128,10 @@ Result<void> add_world(BenchPlan& plan, BenchWorld world) {
 
 Result<void> add_files(const std::string& family, const std::string& pattern,
                        const runtime::ConfigPath& configs, BenchPlan& plan) {
-  const auto names = configs.names("worlds");
-  if (pattern.empty() || pattern.back() != '*') return add_world(plan, {family, pattern, {}});
-  const std::string beginning = pattern.substr(0, pattern.size() - 1);
-  bool any = false;
-  for (const std::string& name : names) {
-    if (name.compare(0, beginning.size(), beginning) != 0) continue;
-    any = true;
-    CLEW_RETURN_IF_ERROR(add_world(plan, {family, name, {}}));
-  }
-  if (any) return {};
-  return Error{"no world's name matches '" + pattern + "'", plan.suite, 0, 0};
+  const auto names = world_names(pattern, configs);
+  if (!names.ok()) return Error{names.error().message, plan.suite, 0, 0};
+  for (const std::string& name : *names) CLEW_RETURN_IF_ERROR(add_world(plan, {family, name, {}}));
+  return {};
 }
 
 Result<void> add_worlds(const Suite& suite, const runtime::ConfigPath& configs, BenchPlan& plan) {
@@ -151,12 +156,21 @@ Result<void> add_worlds(const Suite& suite, const runtime::ConfigPath& configs, 
   return {};
 }
 
+/// Whether an error is in an override of this path, or of a parameter under it.
+bool is_of(const std::string& place, const std::string& path) {
+  for (const std::string option : {"--with ", "--set "}) {
+    const std::string beginning = option + path;
+    if (place == beginning || place.compare(0, beginning.size() + 1, beginning + '.') == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// An error in an override that a variation made is that variation's.
 Error at_variation(Error error, const std::vector<Variation>& variations) {
   for (const Variation& variation : variations) {
-    if (error.file != "--with " + variation.path && error.file != "--set " + variation.path) {
-      continue;
-    }
+    if (!is_of(error.file, variation.path)) continue;
     return {error.message, variation.file, variation.line, variation.column};
   }
   return error;

@@ -66,6 +66,7 @@ Report make_report(const BenchResults& results, std::vector<Picture> pictures) {
   report.about = fmt::format("{}{}{} worlds, {} seeds, at most {} ticks.", plan.about,
                              plan.about.empty() ? "" : " ", plan.worlds.size(), plan.seeds.size(),
                              plan.configuration.at("max_ticks"));
+  report.remarks = remarks_on(results);
   report.tables.push_back(overall_table(results));
   for (Table& table : matrix_tables(results)) report.tables.push_back(std::move(table));
   report.tables.push_back(family_table(results));
@@ -87,6 +88,7 @@ std::string to_markdown(const Table& table) {
 
 std::string to_markdown(const Report& report) {
   std::string text = "# " + report.title + '\n' + report.about + '\n';
+  for (const std::string& remark : report.remarks) text += '\n' + remark + '\n';
   for (const Table& table : report.tables) text += '\n' + to_markdown(table);
   if (!report.pictures.empty()) text += "\n## Worst runs\n";
   for (const Picture& picture : report.pictures) {
@@ -100,6 +102,7 @@ std::string to_html(const Report& report) {
                      html_text(report.title) + "</title><style>" + kStyle +
                      "</style></head><body>\n<h1>" + html_text(report.title) + "</h1>\n<p>" +
                      html_text(report.about) + "</p>\n";
+  for (const std::string& remark : report.remarks) text += "<p>" + html_text(remark) + "</p>\n";
   for (const Table& table : report.tables) text += html_table(table);
   if (!report.pictures.empty()) text += "<h2>Worst runs</h2>\n";
   for (const Picture& picture : report.pictures) {
@@ -115,7 +118,7 @@ std::string to_csv(const BenchResults& results) {
   std::string text =
       "graph,variant,family,world,seed,outcome,success,solvable,ticks,sim_time_s,path_length_m,"
       "shortest_path_m,path_ratio,collisions,hit_by,safety_stops,captures,held_at_end,alarms,"
-      "false_alarms\n";
+      "false_alarms,hash\n";
   for (const RunResult& run : results.runs) {
     std::uint32_t alarms = 0;
     std::uint32_t false_alarms = 0;
@@ -124,14 +127,15 @@ std::string to_csv(const BenchResults& results) {
       alarms += detector.alarms;
       false_alarms += detector.false_alarms;
     }
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{}\n",
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{}\n",
                         csv_cell(run.key.graph), csv_cell(run.key.variant), csv_cell(run.family),
-                        csv_cell(run.key.world), run.key.seed, run.outcome, run.success,
+                        csv_cell(run.key.world), run.key.seed, run.outcome,
+                        run.success ? fmt::format("{}", *run.success) : "",
                         run.solvable ? fmt::format("{}", *run.solvable) : "", run.ticks,
                         run.sim_time_s, run.path_length_m, number_or_nothing(run.shortest_path_m),
                         number_or_nothing(run.path_ratio()), run.collisions, run.hit_by,
                         run.safety_stops, run.captures ? fmt::format("{}", *run.captures) : "",
-                        run.held_at_end, alarms, false_alarms);
+                        run.held_at_end, alarms, false_alarms, run.hash);
   }
   return text;
 }

@@ -18,6 +18,7 @@ struct Picture {
 struct Report {
   std::string title;
   std::string about;
+  std::vector<std::string> remarks;  ///< what a reader must know of the numbers
   std::vector<Table> tables;
   std::vector<Picture> pictures;
 };

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <utility>
 
+#include "files/whole_file.hpp"
+
 namespace clew::bench {
 namespace {
 
@@ -132,9 +134,7 @@ Result<void> ResultsFile::append(const std::string& line) {
 }
 
 Result<void> ResultsFile::write_line(const std::string& line) {
-  const std::string bytes = line + '\n';
-  const ssize_t written = ::write(file_, bytes.data(), bytes.size());
-  if (written == static_cast<ssize_t>(bytes.size())) return {};
+  if (files::write_all(file_, line + '\n')) return {};
   return failed("cannot be written");
 }
 

@@ -34,7 +34,7 @@ RunResult read(const json& object) {
              object.at("world").get<std::string>(), object.at("seed").get<std::uint64_t>()};
   run.family = object.at("family").get<std::string>();
   run.outcome = object.at("outcome").get<std::string>();
-  run.success = object.at("success").get<bool>();
+  run.success = optional_at<bool>(object, "success");
   run.solvable = optional_at<bool>(object, "solvable");
   run.ticks = object.at("ticks").get<std::uint64_t>();
   run.sim_time_s = object.at("sim_time_s").get<double>();
@@ -44,6 +44,7 @@ RunResult read(const json& object) {
   run.hit_by = object.at("hit_by").get<std::uint32_t>();
   run.safety_stops = object.at("safety_stops").get<std::uint32_t>();
   run.ticks_per_s = object.at("ticks_per_s").get<double>();
+  run.hash = optional_at<std::string>(object, "hash").value_or("");
   run.captures = optional_at<std::uint32_t>(object, "captures");
   run.held_at_end = optional_at<bool>(object, "held_at_end").value_or(false);
   for (const json& detector : object.at("detectors")) {

@@ -25,7 +25,8 @@ struct RunResult {
   RunKey key;
   std::string family;
   std::string outcome;
-  bool success = false;
+  /// None where nobody knows whether `unreachable` is true.
+  std::optional<bool> success;
   std::optional<bool> solvable;
   std::uint64_t ticks = 0;
   double sim_time_s = 0.0;
@@ -35,6 +36,7 @@ struct RunResult {
   std::uint32_t hit_by = 0;
   std::uint32_t safety_stops = 0;
   double ticks_per_s = 0.0;
+  std::string hash;
 
   /// None without a truth about traps.
   std::optional<std::uint32_t> captures;
@@ -51,6 +53,7 @@ struct RunResult {
   std::vector<Detector> detectors;
 
   bool reached() const { return outcome == "reached"; }
+  bool succeeded() const { return success.value_or(false); }
   /// Path over shortest path; none where either is missing or the target was not reached.
   std::optional<double> path_ratio() const;
 };

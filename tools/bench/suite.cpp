@@ -45,44 +45,63 @@ Result<std::int64_t> read_count(const YamlNode& node, std::int64_t least, std::i
 }
 
 /// A behaviour with parameters that are set along with it: `{laser: {range_m: 4}}`.
-Result<std::string> read_behaviour(const YamlNode& node, Variation& variation) {
+Result<Variation::Value> read_behaviour(const YamlNode& node) {
   const auto behaviours = node.entries();
   if (!behaviours.ok()) return behaviours.error();
   if (behaviours->size() != 1) return node.error("expected one behaviour: {NAME: {PARAM: value}}");
   const auto& behaviour = behaviours->front();
   const auto entries = behaviour.value.entries();
   if (!entries.ok()) return entries.error();
-  auto& settings = variation.settings[behaviour.key];
+  Variation::Value value{{behaviour.key}};
   for (const auto& entry : *entries) {
-    auto value = entry.value.string();
-    if (!value.ok()) return value.error();
-    settings.emplace_back(entry.key, std::move(value).value());
+    auto text = entry.value.string();
+    if (!text.ok()) return text.error();
+    value.settings.emplace_back(entry.key, std::move(text).value());
   }
-  return behaviour.key;
+  return value;
+}
+
+Result<std::vector<std::string>> read_word(const YamlNode& node) {
+  auto text = node.string();
+  if (!text.ok()) return text.error();
+  return std::vector<std::string>{std::move(text).value()};
 }
 
 /// A value of a variation: a word, a list of words, or a behaviour with parameters.
-Result<std::vector<std::string>> read_value(const YamlNode& node, Variation& variation) {
-  if (node.kind() == YamlKind::kList) return read_texts(node);
-  auto text = node.kind() == YamlKind::kMap ? read_behaviour(node, variation) : node.string();
-  if (!text.ok()) return text.error();
-  return std::vector<std::string>{std::move(text).value()};
+Result<Variation::Value> read_value(const YamlNode& node) {
+  if (node.kind() == YamlKind::kMap) return read_behaviour(node);
+  auto words = node.kind() == YamlKind::kList ? read_texts(node) : read_word(node);
+  if (!words.ok()) return words.error();
+  return Variation::Value{std::move(words).value()};
 }
 
 Result<void> read_variations(const YamlNode& node, const std::string& file, Suite& suite) {
   const auto entries = node.entries();
   if (!entries.ok()) return entries.error();
   for (const auto& entry : *entries) {
-    Variation variation{entry.key, {}, {}, file, entry.value.line(), entry.value.column()};
+    Variation variation{entry.key, {}, file, entry.value.line(), entry.value.column()};
     const auto items = entry.value.items();
     if (!items.ok()) return items.error();
     if (items->empty()) return entry.value.error("the list is empty; expected at least one value");
     for (const YamlNode& item : *items) {
-      auto value = read_value(item, variation);
+      auto value = read_value(item);
       if (!value.ok()) return value.error();
       variation.values.push_back(std::move(value).value());
     }
     suite.variations.push_back(std::move(variation));
+  }
+  return {};
+}
+
+/// `set: {PATH: value}`, of every graph.
+Result<void> read_settings(const YamlNode& node, const std::string& file, Suite& suite) {
+  const auto entries = node.entries();
+  if (!entries.ok()) return entries.error();
+  for (const auto& entry : *entries) {
+    auto value = read_value(entry.value);
+    if (!value.ok()) return value.error();
+    suite.variations.push_back(
+        {entry.key, {std::move(value).value()}, file, entry.value.line(), entry.value.column()});
   }
   return {};
 }
@@ -176,7 +195,7 @@ Result<Suite> read_suite(const core::Resource& file, const std::string& name) {
   if (!root.ok()) return root.error();
   CLEW_RETURN_IF_ERROR(core::check_format(*root, kSuiteFormat));
   CLEW_RETURN_IF_ERROR(root->check_keys(
-      {"format", "about", "graphs", "vary", "worlds", "generated", "seeds", "max_ticks"}));
+      {"format", "about", "graphs", "set", "vary", "worlds", "generated", "seeds", "max_ticks"}));
   Suite suite;
   suite.name = name;
   CLEW_RETURN_IF_ERROR(read_about(*root, suite));
@@ -185,6 +204,9 @@ Result<Suite> read_suite(const core::Resource& file, const std::string& name) {
   auto graphs = read_texts(*graphs_node);
   if (!graphs.ok()) return graphs.error();
   suite.graphs = std::move(graphs).value();
+  if (const auto node = root->find("set")) {
+    CLEW_RETURN_IF_ERROR(read_settings(*node, file.file, suite));
+  }
   if (const auto node = root->find("vary")) {
     CLEW_RETURN_IF_ERROR(read_variations(*node, file.file, suite));
   }
@@ -207,7 +229,7 @@ Result<Variation> read_variation(const std::string& text) {
   Variation variation{text.substr(0, equals), {}};
   variation.file = "--vary " + variation.path;
   for (const std::string& value : split(text.substr(equals + 1), ',')) {
-    variation.values.push_back(split(value, '+'));
+    variation.values.push_back({split(value, '+')});
     if (value.empty()) return Error{"an empty value in '" + text + "'", "--vary", 0, 0};
   }
   return variation;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,13 +12,17 @@
 namespace clew::bench {
 
 /// Something of a graph that is given several values in turn: a behaviour (`recover.detector`) or a
-/// parameter (`sense.range_m`). A value is a list of words; more than one where the choice is a
-/// list itself, as the fallback order of `recover.escape`.
+/// parameter (`sense.range_m`).
 struct Variation {
+  struct Value {
+    /// More than one where the choice is a list itself, as the fallback order of `recover.escape`.
+    std::vector<std::string> words;
+    /// Parameters that are set along with a behaviour: names and values.
+    std::vector<std::pair<std::string, std::string>> settings = {};
+  };
+
   std::string path;
-  std::vector<std::vector<std::string>> values;
-  /// Parameters that are set along with a behaviour, by its name: names and values.
-  std::map<std::string, std::vector<std::pair<std::string, std::string>>> settings = {};
+  std::vector<Value> values;
   /// Where it is asked for, for messages: a suite file's place, or the option.
   std::string file = {};
   int line = 0;
@@ -38,8 +41,9 @@ struct Suite {
   std::string name;
   std::string about;
   std::vector<std::string> graphs;
+  /// What `set` gives every graph comes first, a variation of one value each.
   std::vector<Variation> variations;
-  /// Family and its worlds' names, in order; a name may end in `*`.
+  /// Family and its worlds' names or paths, in order, with the wildcards of a shell.
   std::vector<std::pair<std::string, std::vector<std::string>>> worlds;
   GeneratedWorlds generated;
   std::vector<std::uint64_t> seeds = {1};

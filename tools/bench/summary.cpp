@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <set>
 
 #include "bench/statistics.hpp"
 
@@ -35,12 +37,22 @@ Runs those(const Runs& runs, const Condition& condition) {
   return chosen;
 }
 
+/// Of those of which it is known.
 std::string successes(const Runs& runs) {
-  return runs.empty() ? ""
-                      : share_text(count(runs, [](auto& run) { return run.success; }), runs.size());
+  const std::size_t known = count(runs, [](auto& run) { return run.success.has_value(); });
+  if (known == 0) return "";
+  return share_text(count(runs, [](auto& run) { return run.succeeded(); }), known);
 }
 
-bool is_solvable(const RunResult& run) { return run.solvable.value_or(true); }
+Runs with(const Runs& runs, std::optional<bool> solvable) {
+  return those(runs, [&](const RunResult& run) { return run.solvable == solvable; });
+}
+
+/// Where nobody knows whether there is a way, only that it was found tells something.
+std::string reached_of(const Runs& runs) {
+  if (runs.empty()) return "";
+  return share_text(count(runs, [](auto& run) { return run.reached(); }), runs.size());
+}
 
 /// Median and 90 % quantile; empty without values.
 std::string quantiles(const std::vector<double>& values, const char* format) {
@@ -110,6 +122,33 @@ std::size_t counterpart(const std::vector<Variant>& variants, std::size_t which)
   return other;
 }
 
+/// Two variants in the same worlds with the same seeds.
+struct PairTotal {
+  std::size_t only_this = 0;   ///< succeeds
+  std::size_t only_other = 0;  ///< succeeds
+  std::vector<double> ratios;  ///< of paths, where both reached the target
+};
+
+PairTotal pair_total(const Runs& runs, const Runs& others) {
+  PairTotal total;
+  // A pair of runs that are both copies of those of another seed is that pair.
+  std::set<std::array<std::string, 3>> seen;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const RunResult& run = *runs[k];
+    const RunResult& other = *others[k];
+    const bool hashed = !run.hash.empty() && !other.hash.empty();
+    if (hashed && !seen.insert({run.key.world, run.hash, other.hash}).second) continue;
+    if (run.success && other.success) {
+      total.only_this += *run.success && !*other.success ? 1 : 0;
+      total.only_other += *other.success && !*run.success ? 1 : 0;
+    }
+    if (run.reached() && other.reached() && other.path_length_m > 0.0) {
+      total.ratios.push_back(run.path_length_m / other.path_length_m);
+    }
+  }
+  return total;
+}
+
 Table matrix_of(const std::string& graph, const BenchResults& results) {
   const BenchPlan& plan = *results.plan;
   Table table;
@@ -128,21 +167,13 @@ Table matrix_of(const std::string& graph, const BenchResults& results) {
         column_of.emplace(variant.values[1].second, table.columns.size());
     if (new_column) table.columns.push_back(variant.values[1].second);
     table.rows[row->second].resize(std::max(table.rows[row->second].size(), column->second + 1));
-    const Runs solvable = those(results.of_variant(i), is_solvable);
-    table.rows[row->second][column->second] = successes(solvable);
+    table.rows[row->second][column->second] = successes(with(results.samples_of(i), true));
   }
   table.note = "Solvable worlds in which the target was reached, with 95 % intervals (Wilson).";
   return table;
 }
 
 }  // namespace
-
-std::vector<const RunResult*> BenchResults::of_variant(std::size_t variant) const {
-  std::vector<const RunResult*> chosen;
-  const std::size_t each = plan->worlds.size() * plan->seeds.size();
-  for (std::size_t i = variant * each; i < (variant + 1) * each; ++i) chosen.push_back(&runs[i]);
-  return chosen;
-}
 
 std::string share_text(std::size_t successes, std::size_t trials) {
   const Interval interval = wilson_interval(successes, trials);
@@ -156,23 +187,25 @@ Table overall_table(const BenchResults& results) {
   Table table;
   table.title = "All worlds";
   table.note =
-      "Success: the target reached, or called unreachable where it is. Shares with 95 % intervals "
-      "(Wilson). Path: over the shortest path, of runs that reached the target, median and 90 % "
+      "Success: the target reached, or called unreachable where it is. Unknown: worlds that do not "
+      "say whether they can be solved. Shares with 95 % intervals (Wilson). Path: over the "
+      "shortest path, of runs that reached the target, median and 90 % "
       "quantile. Time is simulated, of successful runs.";
-  table.columns = {"graph",      "success",       "solvable: reached", "unsolvable: told",
-                   "collisions", "hit by moving", "safety stops",      "path / shortest",
-                   "time s",     "ticks/s"};
+  table.columns = {
+      "graph",      "success",       "solvable: reached", "unsolvable: told", "unknown: reached",
+      "collisions", "hit by moving", "safety stops",      "path / shortest",  "time s",
+      "ticks/s"};
   for (std::size_t i = 0; i < results.plan->variants.size(); ++i) {
-    const Runs runs = results.of_variant(i);
+    const Runs runs = results.samples_of(i);
     std::vector<double> times_s;
     std::vector<double> speeds;
     for (const RunResult* run : runs) {
-      if (run->success) times_s.push_back(run->sim_time_s);
+      if (run->succeeded()) times_s.push_back(run->sim_time_s);
       speeds.push_back(run->ticks_per_s);
     }
     table.rows.push_back({results.plan->variants[i].label(), successes(runs),
-                          successes(those(runs, is_solvable)),
-                          successes(those(runs, [](auto& run) { return !is_solvable(run); })),
+                          successes(with(runs, true)), successes(with(runs, false)),
+                          reached_of(with(runs, std::nullopt)),
                           std::to_string(sum(runs, [](auto& run) { return run.collisions; })),
                           std::to_string(sum(runs, [](auto& run) { return run.hit_by; })),
                           std::to_string(sum(runs, [](auto& run) { return run.safety_stops; })),
@@ -186,18 +219,27 @@ Table family_table(const BenchResults& results) {
   Table table;
   table.title = "Success by family";
   table.columns = {"family"};
-  std::vector<std::string> families;
+  // A family whose worlds partly do not say whether they can be solved has two rows.
+  std::vector<std::pair<std::string, bool>> rows;
   for (const BenchWorld& world : results.plan->worlds) {
-    if (std::find(families.begin(), families.end(), world.family) != families.end()) continue;
-    families.push_back(world.family);
-    table.rows.push_back({world.family});
+    for (const bool known : {true, false}) {
+      const auto is_of_row = [&](const RunResult& run) {
+        return run.family == world.family && run.solvable.has_value() == known;
+      };
+      if (!std::any_of(results.runs.begin(), results.runs.end(), is_of_row)) continue;
+      const std::pair<std::string, bool> row(world.family, known);
+      if (std::find(rows.begin(), rows.end(), row) != rows.end()) continue;
+      rows.push_back(row);
+      table.rows.push_back({world.family + (known ? "" : " (solvable: unknown)")});
+    }
   }
   for (std::size_t i = 0; i < results.plan->variants.size(); ++i) {
     table.columns.push_back(results.plan->variants[i].label());
-    const Runs runs = results.of_variant(i);
-    for (std::size_t row = 0; row < families.size(); ++row) {
-      table.rows[row].push_back(
-          successes(those(runs, [&](auto& run) { return run.family == families[row]; })));
+    const Runs runs = results.samples_of(i);
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      table.rows[row].push_back(successes(those(runs, [&](auto& run) {
+        return run.family == rows[row].first && run.solvable.has_value() == rows[row].second;
+      })));
     }
   }
   return table;
@@ -217,7 +259,7 @@ Table detector_table(const BenchResults& results) {
   table.columns = {"graph",  "detector",     "captures", "noticed",
                    "missed", "false alarms", "delay s",  "delay m"};
   for (std::size_t i = 0; i < results.plan->variants.size(); ++i) {
-    for (const auto& [name, total] : detector_totals(results.of_variant(i))) {
+    for (const auto& [name, total] : detector_totals(results.samples_of(i))) {
       table.rows.push_back(
           {results.plan->variants[i].label(), name.second + (name.first ? " (shadow)" : ""),
            std::to_string(total.captures), std::to_string(total.noticed),
@@ -254,28 +296,17 @@ Table paired_table(const BenchResults& results) {
   for (std::size_t i = 1; i < variants.size(); ++i) {
     const std::size_t other = counterpart(variants, i);
     if (other == i) continue;
-    const Runs first = results.of_variant(other);
-    const Runs runs = results.of_variant(i);
-    std::size_t only_this = 0;
-    std::size_t only_first = 0;
-    std::vector<double> ratios;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-      only_this += runs[k]->success && !first[k]->success ? 1 : 0;
-      only_first += first[k]->success && !runs[k]->success ? 1 : 0;
-      const bool both = runs[k]->reached() && first[k]->reached();
-      if (both && first[k]->path_length_m > 0.0) {
-        ratios.push_back(runs[k]->path_length_m / first[k]->path_length_m);
-      }
-    }
+    const PairTotal total = pair_total(results.of_variant(i), results.of_variant(other));
     std::string ratio;
-    if (!ratios.empty()) ratio = fmt::format("{:.3f}", quantile(ratios, 0.5));
-    if (const auto interval = median_interval(ratios)) {
+    if (!total.ratios.empty()) ratio = fmt::format("{:.3f}", quantile(total.ratios, 0.5));
+    if (const auto interval = median_interval(total.ratios)) {
       ratio += fmt::format(" [{:.3f}, {:.3f}]", interval->low, interval->high);
     }
-    if (!ratios.empty()) ratio += fmt::format(" of {}", ratios.size());
-    table.rows.push_back({variants[i].label(), variants[other].label(), std::to_string(only_this),
-                          std::to_string(only_first),
-                          fmt::format("{:.3g}", mcnemar_p(only_this, only_first)), ratio});
+    if (!total.ratios.empty()) ratio += fmt::format(" of {}", total.ratios.size());
+    table.rows.push_back({variants[i].label(), variants[other].label(),
+                          std::to_string(total.only_this), std::to_string(total.only_other),
+                          fmt::format("{:.3g}", mcnemar_p(total.only_this, total.only_other)),
+                          ratio});
   }
   return table;
 }

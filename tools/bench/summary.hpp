@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/bench_plan.hpp"
-#include "bench/run_result.hpp"
+#include "bench/bench_results.hpp"
 
 namespace clew::bench {
 
@@ -17,15 +16,8 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// All results of a bench, in its order: by variant, then world, then seed.
-struct BenchResults {
-  const BenchPlan* plan = nullptr;
-  std::vector<RunResult> runs;
-
-  /// The runs of a variant, in the order of worlds and seeds.
-  std::vector<const RunResult*> of_variant(std::size_t variant) const;
-};
-
+/// In all tables, runs that equal each other to the byte count once (BenchResults::samples_of).
+///
 /// A share with its Wilson interval: `11/12 92 % [65, 99]`.
 std::string share_text(std::size_t successes, std::size_t trials);
 

@@ -45,9 +45,12 @@ ordered_json to_json(const TrapJudge& judge) {
   return detectors;
 }
 
-/// Whether the run ended as it should: at the target, or with `unreachable` where it is.
-bool is_success(const std::string& outcome, const world::World& world) {
-  return outcome == (world.solvable().value_or(true) ? "reached" : "unreachable");
+/// Whether the run ended as it should: at the target, or with `unreachable` where it is. None for
+/// `unreachable` where the world does not say.
+std::optional<bool> is_success(const std::string& outcome, const world::World& world) {
+  if (world.solvable()) return outcome == (*world.solvable() ? "reached" : "unreachable");
+  if (outcome == "unreachable") return std::nullopt;
+  return outcome == "reached";
 }
 
 }  // namespace
@@ -88,7 +91,8 @@ Result<std::optional<std::string>> WorldBench::run(const Variant& variant, std::
   const auto as_run =
       ordered_json::parse(tools::report_json(*report, *run, {"composed", "inprocess", ""}));
   line.update(as_run);
-  line["success"] = is_success(as_run["outcome"], world);
+  const auto success = is_success(as_run["outcome"], world);
+  line["success"] = success ? ordered_json(*success) : ordered_json(nullptr);
   line["solvable"] = world.solvable() ? ordered_json(*world.solvable()) : ordered_json(nullptr);
   line["depth_ranges"] =
       source_.depth_ranges() ? ordered_json(*source_.depth_ranges()) : ordered_json(nullptr);

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "bench/world_bench.hpp"
+#include "bench/world_names.hpp"
 #include "plot/plot.hpp"
 
 namespace clew::bench {
@@ -13,11 +15,10 @@ namespace {
 
 constexpr std::size_t kMostPictures = 12;
 
-/// The greater, the worse; path ratios are far below the steps of 1e6.
-double badness(const RunResult& run) {
-  if (run.collisions > 0) return 2e6;
-  if (!run.success) return 1e6;
-  return run.path_ratio().value_or(0.0);
+/// The greater, the worse.
+int badness(const RunResult& run) {
+  if (run.collisions > 0) return 2;
+  return run.success.value_or(true) ? 0 : 1;
 }
 
 std::string caption_of(const Variant& variant, const RunResult& run) {
@@ -29,6 +30,26 @@ std::string caption_of(const Variant& variant, const RunResult& run) {
 
 }  // namespace
 
+std::size_t worst_of(const std::vector<const RunResult*>& runs) {
+  int most = 0;
+  for (const RunResult* run : runs) most = std::max(most, badness(*run));
+  bool all_know_shortest = true;
+  for (const RunResult* run : runs) {
+    if (badness(*run) == most && !run->shortest_path_m) all_know_shortest = false;
+  }
+  std::size_t worst = runs.size();
+  double longest = 0.0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (badness(*runs[i]) != most) continue;
+    const double shortest_m = all_know_shortest ? *runs[i]->shortest_path_m : 1.0;
+    const double length = runs[i]->path_length_m / shortest_m;
+    if (worst < runs.size() && length <= longest) continue;
+    worst = i;
+    longest = length;
+  }
+  return worst;
+}
+
 core::Result<std::vector<Picture>> draw_worst_runs(const BenchResults& results,
                                                    const runtime::ConfigPath& configs,
                                                    const std::vector<runtime::StageInfo>& stages,
@@ -38,13 +59,10 @@ core::Result<std::vector<Picture>> draw_worst_runs(const BenchResults& results,
   std::vector<Picture> pictures;
   for (std::size_t i = 0; i < plan.variants.size() && i < kMostPictures; ++i) {
     const auto runs = results.of_variant(i);
-    std::size_t worst = 0;
-    for (std::size_t k = 1; k < runs.size(); ++k) {
-      if (badness(*runs[k]) > badness(*runs[worst])) worst = k;
-    }
+    const std::size_t worst = worst_of(runs);
     const RunResult& run = *runs[worst];
     const std::string name =
-        fmt::format("pictures/{:02}-{}-{}", i + 1, plan.worlds[worst / seeds].name, run.key.seed);
+        fmt::format("pictures/{:02}-{}-{}", i + 1, file_name_of(run.key.world), run.key.seed);
     const std::string path = (std::filesystem::path(directory) / name).string();
     WorldBench bench(plan, worst / seeds, configs, stages);
     CLEW_RETURN_IF_ERROR(bench.record(plan.variants[i], run.key.seed, path + ".mcap"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,13 @@
 
 namespace clew::bench {
 
-/// Of each variant the worst run (one that collided, else one without success, else the longest
-/// over the shortest path; of equal ones the first), run once more and drawn to
-/// `<directory>/pictures/`. At most a dozen, the first variants'.
+/// Which of a variant's runs, at least one, is the worst: one that collided, else one without
+/// success, else any. Among those the longest over the shortest path, or, where one of them does
+/// not know its shortest path, the longest; of equal ones the first.
+std::size_t worst_of(const std::vector<const RunResult*>& runs);
+
+/// Of each variant the worst run, once more and drawn to `<directory>/pictures/`. At most a dozen,
+/// the first variants'.
 core::Result<std::vector<Picture>> draw_worst_runs(const BenchResults& results,
                                                    const runtime::ConfigPath& configs,
                                                    const std::vector<runtime::StageInfo>& stages,

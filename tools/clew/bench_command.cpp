@@ -134,6 +134,7 @@ int bench_command(const BenchCommandOptions& options) {
     for (const std::string& line : end->lines) fmt::print("{}\n", line);
     return kExitGood;
   }
+  for (const std::string& remark : end->report.remarks) fmt::print("{}\n\n", remark);
   fmt::print("{}\n{}/report.html, report.md, results.csv, results.jsonl\n",
              bench::to_markdown(end->report.tables.front()), bench.directory);
   return kExitGood;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <string>
 
 #include "clew/exit_status.hpp"
 #include "clew/train_commands.hpp"
 #include "clew/training_groups.hpp"
+#include "files/whole_file.hpp"
 #include "plot/line_chart.hpp"
 
 namespace clew::tools {
@@ -80,27 +78,18 @@ Result<Trained> train(const TrainNeuroFuzzyOptions& options) {
       plot::draw(chart_of(training, errors))};
 }
 
-Result<void> write(const std::string& path, const std::string& text) {
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  if (!stream.flush()) {
-    return Error{std::string("cannot be written: ") + std::strerror(errno), path, 0, 0};
-  }
-  return {};
-}
-
 int train_neuro_fuzzy_command(const TrainNeuroFuzzyOptions& options) {
   const auto trained = train(options);
   if (!trained.ok()) return complain(trained.error());
   if (!options.curves.empty()) {
-    const auto written = write(options.curves, trained->curves);
+    const auto written = files::write_file(options.curves, trained->curves);
     if (!written.ok()) return complain(written.error());
   }
   if (options.output.empty()) {
     fmt::print("{}", trained->file);
     return kExitGood;
   }
-  const auto written = write(options.output, trained->file);
+  const auto written = files::write_file(options.output, trained->file);
   return written.ok() ? kExitGood : complain(written.error());
 }
 

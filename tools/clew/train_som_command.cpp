@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <string>
 
 #include "classify/som_training.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/scaled_world.hpp"
 #include "clew/train_commands.hpp"
+#include "files/whole_file.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
 #include "world/world.hpp"
@@ -100,13 +98,8 @@ int train_som_command(const TrainSomOptions& options) {
     fmt::print("{}", *trained);
     return kExitGood;
   }
-  std::ofstream stream(options.output, std::ios::binary);
-  stream << *trained;
-  if (!stream.flush()) {
-    return complain(
-        {std::string("cannot be written: ") + std::strerror(errno), options.output, 0, 0});
-  }
-  return kExitGood;
+  const auto written = files::write_file(options.output, *trained);
+  return written.ok() ? kExitGood : complain(written.error());
 }
 
 }  // namespace

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/plot.hpp"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "core/check.hpp"
+#include "files/whole_file.hpp"
 #include "plot/png.hpp"
 #include "plot/run_picture.hpp"
 #include "plot/run_track.hpp"
@@ -15,14 +13,6 @@
 
 namespace clew::plot {
 namespace {
-
-core::Result<void> write_file(const std::string& path, const std::string& bytes) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (out) return {};
-  return core::Error{std::string("cannot be written: ") + std::strerror(errno), path, 0, 0};
-}
 
 core::Result<void> check_ending(const std::string& output) {
   const std::string ending = std::filesystem::path(output).extension().string();
@@ -36,7 +26,7 @@ core::Result<void> write_picture(std::string picture, const std::string& output)
     if (!png) return png.error();
     picture = std::move(png).value();
   }
-  return write_file(output, picture);
+  return files::write_file(output, picture);
 }
 
 }  // namespace
