@@ -8,63 +8,25 @@
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <type_traits>
 
-#include "convert/named_fields.hpp"
+#include "domain/message_fields.hpp"
 
 namespace clew::bridge {
 namespace {
-
-using domain::CommandKind;
-using domain::EventKind;
-using domain::GuidanceMode;
-using domain::Network;
-using domain::Outcome;
-
-// As in idl/, in the order of the enumerators.
-template <typename Enum>
-constexpr std::array<const char*, 0> kNames{};
-template <>
-constexpr std::array kNames<CommandKind> = {"COMMAND_STOP", "COMMAND_TURN_AND_STEP",
-                                            "COMMAND_VELOCITIES", "COMMAND_WHEEL_SPEEDS",
-                                            "COMMAND_GIVE_UP"};
-template <>
-constexpr std::array kNames<EventKind> = {
-    "EVENT_LANDMARK",     "EVENT_REFLEX",        "EVENT_TRAP",           "EVENT_ESCAPE_BEGUN",
-    "EVENT_ESCAPE_ENDED", "EVENT_ESCAPE_FAILED", "EVENT_VIRTUAL_TARGET", "EVENT_UNREACHABLE"};
-template <>
-constexpr std::array kNames<GuidanceMode> = {"GUIDANCE_SEEK", "GUIDANCE_RECOVER",
-                                             "GUIDANCE_UNREACHABLE"};
-template <>
-constexpr std::array kNames<Network> = {"NETWORK_SOM", "NETWORK_FUZZY_ART"};
-template <>
-constexpr std::array kNames<Outcome> = {"OUTCOME_RUNNING", "OUTCOME_REACHED", "OUTCOME_COLLIDED",
-                                        "OUTCOME_UNREACHABLE", "OUTCOME_TIMEOUT"};
 
 /// An enumerator's name; its number, if it has none.
 template <typename Enum>
 FieldValue enumerator_value(Enum value) {
   const auto index = static_cast<std::size_t>(value);
-  if (index >= kNames<Enum>.size()) return std::uint64_t{index};
-  return std::string_view(kNames<Enum>[index]);
+  if (index >= domain::kEnumeratorNames<Enum>.size()) return std::uint64_t{index};
+  return std::string_view(domain::kEnumeratorNames<Enum>[index]);
 }
-
-template <typename T, typename = void>
-struct IsList : std::false_type {};
-template <typename T>
-struct IsList<T, std::void_t<decltype(std::declval<const T&>().begin())>>
-    : std::bool_constant<!std::is_same_v<T, std::string>> {};
-
-template <typename T>
-struct HasFixedLength : std::false_type {};
-template <typename T, std::size_t N>
-struct HasFixedLength<std::array<T, N>> : std::true_type {};
 
 /// Collects the fields of a message; `path_` is where it is at the moment.
 class FieldLister {
  public:
   template <typename Member>
-  void operator()(const char* name, Member& member) {
+  void operator()(const char* name, const Member& member) {
     const std::size_t outer = path_.size();
     if (outer > 0) path_ += '.';
     path_ += name;
@@ -76,7 +38,7 @@ class FieldLister {
 
  private:
   template <typename Member>
-  void list(Member& member) {
+  void list(const Member& member) {
     if constexpr (std::is_enum_v<Member>) {
       add(enumerator_value(member));
     } else if constexpr (std::is_same_v<Member, bool> || std::is_same_v<Member, double> ||
@@ -84,23 +46,23 @@ class FieldLister {
       add(member);
     } else if constexpr (std::is_integral_v<Member>) {
       add(static_cast<std::uint64_t>(member));
-    } else if constexpr (IsList<Member>::value) {
-      list_items(member);
+    } else if constexpr (domain::kIsStruct<Member>) {
+      domain::visit_named_fields(*this, member);
     } else {
-      visit_named_fields(*this, member);
+      list_items(member);
     }
   }
 
   template <typename List>
-  void list_items(List& items) {
+  void list_items(const List& items) {
     const std::size_t outer = path_.size();
-    if constexpr (!HasFixedLength<List>::value) {
+    if constexpr (domain::kIsSequence<List>) {
       path_ += ".length";
       add(static_cast<std::uint64_t>(items.size()));
       path_.resize(outer);
     }
     std::size_t i = 0;
-    for (auto& item : items) {
+    for (const auto& item : items) {
       path_ += '[' + std::to_string(i++) + ']';
       list(item);
       path_.resize(outer);
@@ -189,42 +151,15 @@ bool same_bits(const FieldValue& a, const FieldValue& b) {
 
 std::string field_text(const FieldValue& value) { return std::visit(ValueText{}, value); }
 
-template <typename Message>
-std::vector<Field> fields_of(const Message& message) {
+std::vector<Field> fields_of(domain::ConstMessagePointer message) {
   FieldLister lister;
-  // visit_named_fields takes a message by reference, to serve visitors that change it too.
-  visit_named_fields(lister, const_cast<Message&>(message));
+  std::visit([&](const auto* m) { domain::visit_named_fields(lister, *m); }, message);
   return lister.take();
 }
 
-template <typename Message>
-std::vector<FieldDifference> differences(const Message& a, const Message& b, double tolerance) {
+std::vector<FieldDifference> differences(domain::ConstMessagePointer a,
+                                         domain::ConstMessagePointer b, double tolerance) {
   return differences_of(fields_of(a), fields_of(b), tolerance);
 }
-
-template std::vector<Field> fields_of(const domain::Command&);
-template std::vector<Field> fields_of(const domain::Event&);
-template std::vector<Field> fields_of(const domain::Guidance&);
-template std::vector<Field> fields_of(const domain::Landmark&);
-template std::vector<Field> fields_of(const domain::Odometry&);
-template std::vector<Field> fields_of(const domain::Scan&);
-template std::vector<Field> fields_of(const domain::State&);
-template std::vector<Field> fields_of(const domain::Target&);
-
-template std::vector<FieldDifference> differences(const domain::Command&, const domain::Command&,
-                                                  double);
-template std::vector<FieldDifference> differences(const domain::Event&, const domain::Event&,
-                                                  double);
-template std::vector<FieldDifference> differences(const domain::Guidance&, const domain::Guidance&,
-                                                  double);
-template std::vector<FieldDifference> differences(const domain::Landmark&, const domain::Landmark&,
-                                                  double);
-template std::vector<FieldDifference> differences(const domain::Odometry&, const domain::Odometry&,
-                                                  double);
-template std::vector<FieldDifference> differences(const domain::Scan&, const domain::Scan&, double);
-template std::vector<FieldDifference> differences(const domain::State&, const domain::State&,
-                                                  double);
-template std::vector<FieldDifference> differences(const domain::Target&, const domain::Target&,
-                                                  double);
 
 }  // namespace clew::bridge

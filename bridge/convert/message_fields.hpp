@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "domain/messages.hpp"
+#include "domain/topics.hpp"
 
 namespace clew::bridge {
 
@@ -31,8 +31,11 @@ struct Field {
 
 /// All values of a message, in the order of idl/. A list is preceded by its length, as
 /// `ranges_m.length`.
+std::vector<Field> fields_of(domain::ConstMessagePointer message);
 template <typename Message>
-std::vector<Field> fields_of(const Message& message);
+std::vector<Field> fields_of(const Message& message) {
+  return fields_of(domain::ConstMessagePointer(&message));
+}
 
 /// A field in which two messages differ; one that only one of them has (of a longer list) has no
 /// value in the other.
@@ -44,8 +47,12 @@ struct FieldDifference {
 
 /// All fields that differ, in the order of idl/. Numbers (no whole ones) count as equal if they are
 /// at most `tolerance` apart; with 0 they must be the same bits.
+std::vector<FieldDifference> differences(domain::ConstMessagePointer a,
+                                         domain::ConstMessagePointer b, double tolerance = 0.0);
 template <typename Message>
 std::vector<FieldDifference> differences(const Message& a, const Message& b,
-                                         double tolerance = 0.0);
+                                         double tolerance = 0.0) {
+  return differences(domain::ConstMessagePointer(&a), domain::ConstMessagePointer(&b), tolerance);
+}
 
 }  // namespace clew::bridge

@@ -6,10 +6,11 @@
 namespace clew::domain {
 
 std::string FieldPath::text() const {
-  std::string text = parent != nullptr ? parent : "";
-  if (index) text += fmt::format("[{}]", *index);
+  std::string text = outer != nullptr ? outer->text() : "";
   if (!text.empty() && member != nullptr) text += '.';
-  return member != nullptr ? text + member : text;
+  if (member != nullptr) text += member;
+  if (index) text += fmt::format("[{}]", *index);
+  return text;
 }
 
 void FieldCheck::text(const FieldPath& path, const std::string& value, std::size_t bound) {

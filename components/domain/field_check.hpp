@@ -12,19 +12,19 @@
 
 namespace clew::domain {
 
-/// Where a value stands in a message; put into words only when the value is refused.
+/// Where a value stands in a message; put into words only when the value is refused, so it may
+/// point at paths that live as long as the check.
 struct FieldPath {
   FieldPath(const char* field) : member(field) {}  // NOLINT(google-explicit-constructor)
-  FieldPath(const char* parent_field, const char* field) : parent(parent_field), member(field) {}
-  FieldPath(const char* list, std::size_t i, const char* field = nullptr)
-      : parent(list), index(i), member(field) {}
+  FieldPath(const FieldPath* outer_field, const char* field) : outer(outer_field), member(field) {}
+  FieldPath(const FieldPath& list, std::size_t i) : outer(&list), index(i) {}
 
   /// `stamp.sim_time_s`, `ranges_m[3]`, `entries[2].x_m`.
   std::string text() const;
 
-  const char* parent = nullptr;
-  std::optional<std::size_t> index;
+  const FieldPath* outer = nullptr;
   const char* member = nullptr;
+  std::optional<std::size_t> index;
 };
 
 /// Looks at a message field by field and keeps the first complaint: what was found, what is
@@ -55,11 +55,6 @@ class FieldCheck {
   void at_most(const FieldPath& path, std::size_t value, std::size_t high) {
     if (value <= high) return;
     refuse(path, std::to_string(value), "at most " + std::to_string(high));
-  }
-  /// Enumerators count from 0 to `last` without a gap.
-  template <typename Enum>
-  void enumerator(const FieldPath& path, Enum value, Enum last) {
-    at_most(path, static_cast<std::size_t>(value), static_cast<std::size_t>(last));
   }
   void size(const FieldPath& path, std::size_t size, std::size_t bound) {
     if (size <= bound) return;

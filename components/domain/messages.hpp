@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The values on the arrows of the graph: one struct a topic. They mirror idl/ field by field;
-/// bridge/convert is the only place that knows both.
+/// The values on the arrows of the graph: one struct a topic. They mirror idl/ field by field, and
+/// domain/message_fields.hpp lists the fields.
 #pragma once
 
 #include <array>

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "domain/messages.hpp"
+#include "domain/message_fields.hpp"
 
 namespace clew::domain {
 
-/// Sets a message to *nothing*: default values, keeping the memory it has.
-template <typename Message>
-void reset(Message& message) {
-  message = Message{};
-}
-inline void reset(Scan& scan) {
-  std::vector<double> ranges = std::move(scan.ranges_m);
-  ranges.clear();
-  scan = Scan{};
-  scan.ranges_m = std::move(ranges);
-}
-inline void reset(Event& event) {
-  event.stamp = {};
-  event.entries.clear();
+/// Sets a message to *nothing*: default values, keeping the memory of its lists and texts.
+template <typename Struct>
+void reset(Struct& value) {
+  static const Struct kNothing{};
+  for_each_field<Struct>([&](const auto& field) {
+    auto& member = value.*field.member;
+    using Member = std::decay_t<decltype(member)>;
+    if constexpr (kIsStruct<Member>) {
+      reset(member);
+    } else if constexpr (kIsSequence<Member> || std::is_same_v<Member, std::string>) {
+      member.clear();
+    } else {
+      member = kNothing.*field.member;
+    }
+  });
 }
 
 }  // namespace clew::domain

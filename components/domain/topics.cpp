@@ -21,9 +21,9 @@ constexpr std::array<TopicNames, kTopicCount> kNames = {{{"command", "clew::msg:
 
 }  // namespace
 
-std::string_view topic_name(Topic topic) { return kNames[static_cast<std::size_t>(topic)].topic; }
+std::string_view topic_name(Topic topic) { return kNames[index_of(topic)].topic; }
 
-std::string_view type_name(Topic topic) { return kNames[static_cast<std::size_t>(topic)].type; }
+std::string_view type_name(Topic topic) { return kNames[index_of(topic)].type; }
 
 std::optional<Topic> topic_from_name(std::string_view name) {
   for (const Topic topic : kAllTopics) {

@@ -6,6 +6,9 @@
 #include <optional>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 #include "core/result.hpp"
 #include "domain/messages.hpp"
@@ -24,14 +27,13 @@ enum class Topic : std::uint8_t {
   kState,
   kTarget
 };
-inline constexpr std::size_t kTopicCount = 8;
-
-/// Where what is kept for each topic stands: in Messages and in arrays of kTopicCount.
-constexpr std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
 
 /// One value of each topic, indexed by Topic.
 using Messages = std::tuple<Command, Event, Guidance, Landmark, Odometry, Scan, State, Target>;
-static_assert(std::tuple_size_v<Messages> == kTopicCount);
+inline constexpr std::size_t kTopicCount = std::tuple_size_v<Messages>;
+
+/// Where what is kept for each topic stands: in Messages and in arrays of kTopicCount.
+constexpr std::size_t index_of(Topic topic) { return static_cast<std::size_t>(topic); }
 
 template <Topic topic>
 using MessageOf = std::tuple_element_t<index_of(topic), Messages>;
@@ -47,9 +49,35 @@ constexpr Topic topic_of() {
   }
 }
 
-inline constexpr std::array<Topic, kTopicCount> kAllTopics = {
-    Topic::kCommand,  Topic::kEvent, Topic::kGuidance, Topic::kLandmark,
-    Topic::kOdometry, Topic::kScan,  Topic::kState,    Topic::kTarget};
+namespace list_of_topics {
+
+template <typename Tuple>
+struct Of;
+template <typename... Message>
+struct Of<std::tuple<Message...>> {
+  template <template <typename> class F>
+  using PerTopic = std::tuple<F<Message>...>;
+  using ConstPointer = std::variant<const Message*...>;
+  using Pointer = std::variant<Message*...>;
+};
+
+template <std::size_t... I>
+constexpr std::array<Topic, sizeof...(I)> all(std::index_sequence<I...>) {
+  return {static_cast<Topic>(I)...};
+}
+
+}  // namespace list_of_topics
+
+inline constexpr std::array<Topic, kTopicCount> kAllTopics =
+    list_of_topics::all(std::make_index_sequence<kTopicCount>{});
+
+/// An F<Message> of each topic, indexed by Topic: `PerTopic<Codec>`.
+template <template <typename> class F>
+using PerTopic = list_of_topics::Of<Messages>::PerTopic<F>;
+
+/// A message of some topic, where the code is the same for all of them; never null.
+using ConstMessagePointer = list_of_topics::Of<Messages>::ConstPointer;
+using MessagePointer = list_of_topics::Of<Messages>::Pointer;
 
 /// The DDS topic's name: `scan`.
 std::string_view topic_name(Topic topic);
@@ -57,40 +85,29 @@ std::string_view topic_name(Topic topic);
 std::string_view type_name(Topic topic);
 std::optional<Topic> topic_from_name(std::string_view name);
 
-/// Calls f(std::integral_constant<Topic, topic>{}) for a topic known only at run time.
-template <typename F>
+/// A topic that is known when the program is compiled.
+template <Topic topic>
+struct TopicConstant : std::integral_constant<Topic, topic> {
+  using Message = MessageOf<topic>;
+  static constexpr std::size_t kIndex = index_of(topic);
+};
+
+/// Calls f(TopicConstant<topic>{}) for a topic known only at run time.
+template <std::size_t I = 0, typename F>
 decltype(auto) visit_topic(Topic topic, F&& f) {
-  switch (topic) {
-    case Topic::kCommand:
-      return f(std::integral_constant<Topic, Topic::kCommand>{});
-    case Topic::kEvent:
-      return f(std::integral_constant<Topic, Topic::kEvent>{});
-    case Topic::kGuidance:
-      return f(std::integral_constant<Topic, Topic::kGuidance>{});
-    case Topic::kLandmark:
-      return f(std::integral_constant<Topic, Topic::kLandmark>{});
-    case Topic::kOdometry:
-      return f(std::integral_constant<Topic, Topic::kOdometry>{});
-    case Topic::kScan:
-      return f(std::integral_constant<Topic, Topic::kScan>{});
-    case Topic::kState:
-      return f(std::integral_constant<Topic, Topic::kState>{});
-    case Topic::kTarget:
-      break;
+  if constexpr (I + 1 < kTopicCount) {
+    if (index_of(topic) != I) return visit_topic<I + 1>(topic, std::forward<F>(f));
   }
-  return f(std::integral_constant<Topic, Topic::kTarget>{});
+  return f(TopicConstant<static_cast<Topic>(I)>{});
 }
 
-/// Whether a sample may enter a component: every number finite and in its range, every list within
-/// its bound, every enumerator known. The error names the field, what was found and what is
+/// Whether a sample may enter a component: every field keeps its rule (domain/message_fields.hpp),
+/// and the fields those of their struct. The error names the field, what was found and what is
 /// allowed.
-core::Result<void> validate(const Command& m);
-core::Result<void> validate(const Event& m);
-core::Result<void> validate(const Guidance& m);
-core::Result<void> validate(const Landmark& m);
-core::Result<void> validate(const Odometry& m);
-core::Result<void> validate(const Scan& m);
-core::Result<void> validate(const State& m);
-core::Result<void> validate(const Target& m);
+core::Result<void> validate(ConstMessagePointer message);
+template <typename Message>
+core::Result<void> validate(const Message& message) {
+  return validate(ConstMessagePointer(&message));
+}
 
 }  // namespace clew::domain

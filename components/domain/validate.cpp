@@ -1,32 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "domain/field_check.hpp"
-#include "domain/landmark_classes.hpp"
+#include "domain/message_fields.hpp"
 #include "domain/topics.hpp"
 
 namespace clew::domain {
 namespace {
 
-constexpr double kFullTurn = 2.0 * core::kPi;
+// --- What members of a struct must keep together: its own overload, if there is such a rule. ---
 
-void check_stamp(FieldCheck& check, const TickStamp& stamp) {
-  check.not_negative({"stamp", "sim_time_s"}, stamp.sim_time_s);
-}
+template <typename Struct>
+void check_together(FieldCheck& /*check*/, const FieldPath* /*outer*/, const Struct& /*value*/) {}
 
-void check_pose(FieldCheck& check, const char* name, const Pose2& pose) {
-  check.finite({name, "x_m"}, pose.x_m);
-  check.finite({name, "y_m"}, pose.y_m);
-  check.wrapped_angle({name, "heading_rad"}, pose.heading_rad);
-}
-
-void check_motion(FieldCheck& check, const char* name, const Motion& m) {
+/// Numbers that a motion's kind does not use are 0.
+void check_together(FieldCheck& check, const FieldPath* outer, const Motion& m) {
   const auto number = [&](const char* member, double value, CommandKind user, double bound) {
     if (m.kind == user) {
-      check.in_range({name, member}, value, -bound, bound);
+      check.in_range({outer, member}, value, -bound, bound);
     } else {
-      check.unused({name, member}, value);
+      check.unused({outer, member}, value);
     }
   };
-  check.enumerator({name, "kind"}, m.kind, CommandKind::kGiveUp);
   number("turn_rad", m.turn_rad, CommandKind::kTurnAndStep, core::kPi);
   number("step_m", m.step_m, CommandKind::kTurnAndStep, FieldCheck::kLargest);
   number("speed_mps", m.speed_mps, CommandKind::kVelocities, FieldCheck::kLargest);
@@ -35,116 +28,80 @@ void check_motion(FieldCheck& check, const char* name, const Motion& m) {
   number("right_mps", m.right_mps, CommandKind::kWheelSpeeds, FieldCheck::kLargest);
 }
 
-void check_entry(FieldCheck& check, std::size_t i, const EventEntry& entry) {
-  const char* const list = "entries";
-  check.enumerator({list, i, "kind"}, entry.kind, EventKind::kUnreachable);
-  check.text({list, i, "rule"}, entry.rule, kMaxNameLength);
-  check.finite({list, i, "x_m"}, entry.x_m);
-  check.finite({list, i, "y_m"}, entry.y_m);
-  check.finite({list, i, "earlier_x_m"}, entry.earlier_x_m);
-  check.finite({list, i, "earlier_y_m"}, entry.earlier_y_m);
-  check.not_negative({list, i, "travel_m"}, entry.travel_m);
-  check.text({list, i, "text"}, entry.text, kMaxTextLength);
+void check_together(FieldCheck& check, const FieldPath* outer, const VirtualObstacle& box) {
+  check.in_range({outer, "x_min_m"}, box.x_min_m, -FieldCheck::kLargest, box.x_max_m);
+  check.in_range({outer, "y_min_m"}, box.y_min_m, -FieldCheck::kLargest, box.y_max_m);
+}
+
+void check_together(FieldCheck& check, const FieldPath* outer, const Scan& m) {
+  check.in_range({outer, "range_min_m"}, m.range_min_m, 0.0, m.range_max_m);
+  const FieldPath ranges(outer, "ranges_m");
+  for (std::size_t i = 0; i < m.ranges_m.size(); ++i) {
+    check.in_range({ranges, i}, m.ranges_m[i], 0.0, m.range_max_m);
+  }
+}
+
+// --- What one value must keep: by its rule, or else by its type. ---
+
+void check_value(FieldCheck& check, const FieldPath& path, double value, ByType) {
+  check.finite(path, value);
+}
+void check_value(FieldCheck& check, const FieldPath& path, double value, NotNegative) {
+  check.not_negative(path, value);
+}
+void check_value(FieldCheck& check, const FieldPath& path, double value, WrappedAngle) {
+  check.wrapped_angle(path, value);
+}
+void check_value(FieldCheck& check, const FieldPath& path, double value, const InRange& rule) {
+  check.in_range(path, value, rule.low, rule.high);
+}
+void check_value(FieldCheck&, const FieldPath&, double, WithOthers) {}
+void check_value(FieldCheck& check, const FieldPath& path, const std::string& value,
+                 const TextUpTo& rule) {
+  check.text(path, value, rule.bytes);
+}
+
+template <typename Struct>
+void check_struct(FieldCheck& check, const FieldPath* outer, const Struct& value);
+
+/// Whole numbers, truth values, enumerators, structs and lists.
+template <typename Value, typename Rule>
+void check_value(FieldCheck& check, const FieldPath& path, const Value& value, const Rule& rule) {
+  if constexpr (kIsStruct<Value>) {
+    check_struct(check, &path, value);
+  } else if constexpr (kIsSequence<Value> || kIsArray<Value>) {
+    if constexpr (kIsSequence<Value>) check.size(path, value.size(), length_bound<Value>(rule));
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      check_value(check, {path, i}, value[i], item_rule(rule));
+    }
+  } else if constexpr (std::is_enum_v<Value>) {
+    check.at_most(path, static_cast<std::size_t>(value), kEnumeratorNames<Value>.size() - 1);
+  } else if constexpr (std::is_same_v<Rule, AtMost>) {
+    check.at_most(path, value, rule.last);
+  } else {
+    static_assert(std::is_integral_v<Value> && std::is_same_v<Rule, ByType>,
+                  "a rule that is none of such values");
+  }
+}
+
+template <typename Struct>
+void check_struct(FieldCheck& check, const FieldPath* outer, const Struct& value) {
+  for_each_field<Struct>([&](const auto& field) {
+    check_value(check, {outer, field.name}, value.*field.member, field.rule);
+  });
+  check_together(check, outer, value);
 }
 
 }  // namespace
 
-core::Result<void> validate(const Command& m) {
-  FieldCheck check(Topic::kCommand);
-  check_stamp(check, m.stamp);
-  check_motion(check, "motion", m.motion);
-  return check.result();
-}
-
-core::Result<void> validate(const Event& m) {
-  FieldCheck check(Topic::kEvent);
-  check_stamp(check, m.stamp);
-  for (std::size_t i = 0; i < m.entries.size(); ++i) check_entry(check, i, m.entries[i]);
-  return check.result();
-}
-
-core::Result<void> validate(const Guidance& m) {
-  FieldCheck check(Topic::kGuidance);
-  check_stamp(check, m.stamp);
-  check.finite({"target_x_m"}, m.target_x_m);
-  check.finite({"target_y_m"}, m.target_y_m);
-  check.enumerator({"mode"}, m.mode, GuidanceMode::kUnreachable);
-  check_motion(check, "override_motion", m.override_motion);
-  for (std::size_t i = 0; i < m.virtual_obstacles.size(); ++i) {
-    const VirtualObstacle& box = m.virtual_obstacles[i];
-    check.finite({"virtual_obstacles", i, "x_max_m"}, box.x_max_m);
-    check.finite({"virtual_obstacles", i, "y_max_m"}, box.y_max_m);
-    check.in_range({"virtual_obstacles", i, "x_min_m"}, box.x_min_m, -FieldCheck::kLargest,
-                   box.x_max_m);
-    check.in_range({"virtual_obstacles", i, "y_min_m"}, box.y_min_m, -FieldCheck::kLargest,
-                   box.y_max_m);
-  }
-  check.text({"why"}, m.why, kMaxTextLength);
-  return check.result();
-}
-
-core::Result<void> validate(const Landmark& m) {
-  FieldCheck check(Topic::kLandmark);
-  check_stamp(check, m.stamp);
-  check.at_most({"spatial_class"}, m.spatial_class, kLastClass);
-  for (std::size_t i = 0; i < m.classes.size(); ++i) {
-    check.at_most({"classes", i}, m.classes[i], kLastClass);
-  }
-  for (std::size_t i = 0; i < m.recognitions.size(); ++i) {
-    check.enumerator({"recognitions", i, "network"}, m.recognitions[i].network, Network::kFuzzyArt);
-    for (const double prototype_class : m.recognitions[i].prototype_classes) {
-      check.in_range({"recognitions", i, "prototype_classes"}, prototype_class, 0.0, kLastClass);
-    }
-  }
-  return check.result();
-}
-
-core::Result<void> validate(const Odometry& m) {
-  FieldCheck check(Topic::kOdometry);
-  check_stamp(check, m.stamp);
-  check_pose(check, "pose_odom_robot", m.pose_odom_robot);
-  check.finite({"speed_mps"}, m.speed_mps);
-  check.finite({"turn_rate_radps"}, m.turn_rate_radps);
-  check.not_negative({"travel_m"}, m.travel_m);
-  for (std::size_t i = 0; i < m.contact_bearings_rad.size(); ++i) {
-    check.wrapped_angle({"contact_bearings_rad", i}, m.contact_bearings_rad[i]);
-  }
-  return check.result();
-}
-
-core::Result<void> validate(const Scan& m) {
-  FieldCheck check(Topic::kScan);
-  check_stamp(check, m.stamp);
-  check.in_range({"bearing_first_rad"}, m.bearing_first_rad, -kFullTurn, kFullTurn);
-  check.in_range({"bearing_step_rad"}, m.bearing_step_rad, -kFullTurn, kFullTurn);
-  check.in_range({"beam_width_rad"}, m.beam_width_rad, 0.0, kFullTurn);
-  check.not_negative({"range_max_m"}, m.range_max_m);
-  check.in_range({"range_min_m"}, m.range_min_m, 0.0, m.range_max_m);
-  check.size({"ranges_m"}, m.ranges_m.size(), kMaxRanges);
-  for (std::size_t i = 0; i < m.ranges_m.size(); ++i) {
-    check.in_range({"ranges_m", i}, m.ranges_m[i], 0.0, m.range_max_m);
-  }
-  return check.result();
-}
-
-core::Result<void> validate(const State& m) {
-  FieldCheck check(Topic::kState);
-  check_stamp(check, m.stamp);
-  check_pose(check, "pose_world_robot", m.pose_world_robot);
-  check.finite({"speed_mps"}, m.speed_mps);
-  check.finite({"turn_rate_radps"}, m.turn_rate_radps);
-  check.not_negative({"path_length_m"}, m.path_length_m);
-  check.enumerator({"outcome"}, m.outcome, Outcome::kTimeout);
-  return check.result();
-}
-
-core::Result<void> validate(const Target& m) {
-  FieldCheck check(Topic::kTarget);
-  check_stamp(check, m.stamp);
-  check.finite({"x_m"}, m.x_m);
-  check.finite({"y_m"}, m.y_m);
-  check.not_negative({"radius_m"}, m.radius_m);
-  return check.result();
+core::Result<void> validate(ConstMessagePointer message) {
+  return std::visit(
+      [](const auto* m) {
+        FieldCheck check(topic_of<std::decay_t<decltype(*m)>>());
+        check_struct(check, nullptr, *m);
+        return check.result();
+      },
+      message);
 }
 
 }  // namespace clew::domain

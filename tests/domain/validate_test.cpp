@@ -150,7 +150,7 @@ TEST(Validate, RefusesABadLandmark) {
        {"landmark: classes[2] is 9; allowed: at most 8", [](Landmark& m) { m.classes[2] = 9; }},
        {"landmark: recognitions[0].network is 2; allowed: at most 1",
         [](Landmark& m) { m.recognitions[0].network = static_cast<Network>(2); }},
-       {"landmark: recognitions[0].prototype_classes is 8.5; allowed: 0 to 8",
+       {"landmark: recognitions[0].prototype_classes[1] is 8.5; allowed: 0 to 8",
         [](Landmark& m) { m.recognitions[0].prototype_classes[1] = 8.5; }}});
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Writes the small files that fuzzing begins with: `fuzz_seeds MCAP_DIRECTORY RUN_DIRECTORY`.
+/// Writes the small files that fuzzing begins with:
+/// `fuzz_seeds MCAP_DIRECTORY RUN_DIRECTORY CODEC_DIRECTORY`.
 #include <cstdio>
 #include <fstream>
 #include <string>
 
+#include "convert/codec.hpp"
 #include "core/check.hpp"
+#include "random_messages.hpp"
 #include "recording/mcap_writer.hpp"
 #include "recording/run_recorder.hpp"
 
@@ -90,13 +93,28 @@ void write_run(const std::string& path, Compression compression) {
   CLEW_CHECK(recorder->finish().ok(), "the seed cannot be written");
 }
 
+/// A message of each topic, behind the byte that codec_fuzz chooses the topic by.
+void write_messages(const std::string& directory) {
+  RandomMessages random(1);
+  for (const domain::Topic topic : domain::kAllTopics) {
+    domain::visit_topic(topic, [&](auto constant) {
+      typename decltype(constant)::Message message;
+      random.fill(message);
+      std::vector<char> buffer;
+      std::ofstream file(directory + '/' + std::string(domain::topic_name(topic)),
+                         std::ios::binary);
+      file << static_cast<char>(constant.kIndex) << encode(&message, buffer);
+    });
+  }
+}
+
 }  // namespace
 }  // namespace clew::fuzz
 
 int main(int argc, char** argv) {
   using namespace clew::fuzz;
-  if (argc != 3) {
-    std::fputs("usage: fuzz_seeds MCAP_DIRECTORY RUN_DIRECTORY\n", stderr);
+  if (argc != 4) {
+    std::fputs("usage: fuzz_seeds MCAP_DIRECTORY RUN_DIRECTORY CODEC_DIRECTORY\n", stderr);
     return 2;
   }
   for (const auto compression : kCompressions) {
@@ -104,5 +122,6 @@ int main(int argc, char** argv) {
     write_run(file_of(argv[2], "run", compression), compression);
   }
   write_unprotected_mcap(std::string(argv[1]) + "/unprotected.mcap");
+  write_messages(argv[3]);
   return 0;
 }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "../bridge/random_messages.hpp"
+#include "random_messages.hpp"
 #include "convert/codec.hpp"
 #include "message_json.hpp"
 #include "recording/mcap_reader.hpp"

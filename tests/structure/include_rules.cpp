@@ -36,7 +36,7 @@ const std::map<std::string, Folders> kLayers = {
 
 /// Beginnings of the libraries' headers, and the folder that wraps the library.
 const std::vector<std::pair<std::string, std::string>> kVendors = {
-    {"fastdds/", "bridge/fastdds"}, {"fastrtps/", "bridge/fastdds"}, {"fastcdr/", "bridge/convert"},
+    {"fastdds/", "bridge/fastdds"}, {"fastrtps/", "bridge/fastdds"}, {"fastcdr/", "bridge/fastdds"},
     {"dds/", "bridge/cyclonedds"},  {"ddsi/", "bridge/cyclonedds"},
 };
 
