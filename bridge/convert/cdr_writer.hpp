@@ -35,6 +35,13 @@ inline constexpr bool kIsCdrNumber = std::is_arithmetic_v<Value> || std::is_enum
 template <typename Value>
 inline constexpr bool kIsSameInMemory = std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>;
 
+/// How many bytes after `position` the next multiple of a power of two is.
+template <std::size_t kAlignment>
+constexpr std::size_t cdr_padding(std::size_t position) {
+  static_assert((kAlignment & (kAlignment - 1)) == 0);
+  return (~position + 1) & (kAlignment - 1);
+}
+
 /// Writes values one after another, zeros between them where they are aligned.
 class CdrWriter {
  public:
@@ -56,12 +63,12 @@ class CdrWriter {
     } else {
       static_assert(kIsCdrNumber<Value>, "a type that CDR does not have");
       const auto number = static_cast<CdrNumber<Value>>(value);
-      write_bytes(&number, sizeof number, sizeof number);
+      write_bytes<sizeof number>(&number, sizeof number);
     }
   }
   void write(const std::string& text) {
     write(static_cast<std::uint32_t>(text.size() + 1));
-    write_bytes(text.c_str(), text.size() + 1, 1);
+    write_bytes<1>(text.c_str(), text.size() + 1);
   }
 
  private:
@@ -69,16 +76,17 @@ class CdrWriter {
   void write_items(const List& items) {
     using Item = std::decay_t<decltype(items[0])>;
     if constexpr (kIsSameInMemory<Item>) {
-      if (items.size() > 0) write_bytes(&items[0], items.size() * sizeof(Item), sizeof(Item));
+      if (items.size() > 0) write_bytes<sizeof(Item)>(&items[0], items.size() * sizeof(Item));
     } else {
       for (const Item& item : items) write(item);
     }
   }
 
-  void write_bytes(const void* from, std::size_t count, std::size_t alignment) {
-    const std::size_t padding = (alignment - size_ % alignment) % alignment;
+  template <std::size_t kAlignment>
+  void write_bytes(const void* from, std::size_t count) {
+    const std::size_t padding = cdr_padding<kAlignment>(size_);
     CLEW_CHECK(padding + count <= capacity_ - size_, "a message longer than the longest");
-    std::memset(bytes_ + size_, 0, padding);
+    if (padding > 0) std::memset(bytes_ + size_, 0, padding);
     std::memcpy(bytes_ + size_ + padding, from, count);
     size_ += padding + count;
   }

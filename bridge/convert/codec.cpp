@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include "clew/idl_fingerprint.h"
@@ -31,17 +32,12 @@ std::string header_fault(std::string_view cdr) {
                      static_cast<unsigned char>(cdr[0]), static_cast<unsigned char>(cdr[1]));
 }
 
-/// Reads a message; what is wrong, or an empty text.
-template <typename Message>
-std::string read(std::string_view cdr, Message& message, Values values) {
-  std::string fault = header_fault(cdr);
-  if (!fault.empty()) return fault;
-  constexpr std::size_t kLongest = max_cdr_size<Message>();
-  if (cdr.size() > kLongest + kMaxPadding) {
-    return fmt::format("too long; allowed: at most {}", kLongest);
-  }
-  CdrReader reader(cdr.substr(kCdrHeaderSize),
-                   values == Values::kAny ? Enumerators::kCutTo255 : Enumerators::kMustFit);
+/// Reads a message; what is wrong, if something is.
+template <typename Path, typename Message>
+std::optional<std::string> read(std::string_view cdr, Message& message, Values values) {
+  BasicCdrReader<Path> reader(cdr.substr(kCdrHeaderSize), values == Values::kAny
+                                                              ? Enumerators::kCutTo255
+                                                              : Enumerators::kMustFit);
   reader.read_struct(message);
   const std::size_t end = kCdrHeaderSize + reader.position();
   if (reader.ok() && cdr.size() > end + kMaxPadding) {
@@ -50,12 +46,26 @@ std::string read(std::string_view cdr, Message& message, Values values) {
   return reader.fault();
 }
 
+/// Reads a message that is most often good, so without a look at the names of its fields, and once
+/// more if it is not: what is wrong, if something is.
+template <typename Message>
+std::optional<std::string> read_message(std::string_view cdr, Message& message, Values values) {
+  std::string fault = header_fault(cdr);
+  if (!fault.empty()) return fault;
+  constexpr std::size_t kLongest = max_cdr_size<Message>();
+  if (cdr.size() > kLongest + kMaxPadding) {
+    return fmt::format("too long; allowed: at most {}", kLongest);
+  }
+  if (!read<domain::NoPath>(cdr, message, values)) return std::nullopt;
+  return read<domain::FieldPath>(cdr, message, values);
+}
+
 template <typename Message>
 core::Result<void> decode_message(std::string_view cdr, Message& message, Values values) {
-  const std::string fault = read(cdr, message, values);
+  const std::optional<std::string> fault = read_message(cdr, message, values);
   core::Result<void> result;
-  if (!fault.empty()) {
-    result = refusal(domain::topic_of<Message>(), cdr, fault);
+  if (fault) {
+    result = refusal(domain::topic_of<Message>(), cdr, *fault);
   } else if (values == Values::kValid) {
     result = domain::validate(message);
   }

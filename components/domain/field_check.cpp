@@ -13,7 +13,8 @@ std::string FieldPath::text() const {
   return text;
 }
 
-void FieldCheck::text(const FieldPath& path, const std::string& value, std::size_t bound) {
+template <typename Path>
+void BasicFieldCheck<Path>::text(const Path& path, const std::string& value, std::size_t bound) {
   if (value.size() > bound) {
     refuse(path, fmt::format("{} bytes long", value.size()), fmt::format("at most {}", bound));
   } else if (value.find('\0') != std::string::npos) {
@@ -21,23 +22,32 @@ void FieldCheck::text(const FieldPath& path, const std::string& value, std::size
   }
 }
 
-std::string FieldCheck::describe_range(double low, double high) {
+template <typename Path>
+std::string BasicFieldCheck<Path>::describe_range(double low, double high) {
   if (low == -kLargest && high == kLargest) return "finite numbers";
   if (high == kLargest) return fmt::format("finite numbers from {}", low);
   if (low == -kLargest) return fmt::format("finite numbers up to {}", high);
   return fmt::format("{} to {}", low, high);
 }
 
-void FieldCheck::refuse_number(const FieldPath& path, double found, const std::string& allowed) {
+template <typename Path>
+void BasicFieldCheck<Path>::refuse_number(const Path& path, double found,
+                                          const std::string& allowed) {
   refuse(path, fmt::format("{}", found), allowed);
 }
 
-void FieldCheck::refuse(const FieldPath& path, const std::string& found,
-                        const std::string& allowed) {
+template <typename Path>
+void BasicFieldCheck<Path>::refuse(const Path& path, const std::string& found,
+                                   const std::string& allowed) {
   if (error_) return;
-  error_ = core::Error{
-      fmt::format("{}: {} is {}; allowed: {}", topic_name(topic_), path.text(), found, allowed),
-      {}};
+  error_.emplace();
+  if constexpr (std::is_same_v<Path, FieldPath>) {
+    error_->message =
+        fmt::format("{}: {} is {}; allowed: {}", topic_name(topic_), path.text(), found, allowed);
+  }
 }
+
+template class BasicFieldCheck<FieldPath>;
+template class BasicFieldCheck<NoPath>;
 
 }  // namespace clew::domain

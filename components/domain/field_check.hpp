@@ -27,46 +27,54 @@ struct FieldPath {
   std::optional<std::size_t> index;
 };
 
+/// Stands for a path where it is not asked which field a complaint is about: costs nothing.
+struct NoPath {
+  template <typename... Parts>
+  constexpr NoPath(const Parts&... /*parts*/) {}  // NOLINT(google-explicit-constructor)
+};
+
 /// Looks at a message field by field and keeps the first complaint: what was found, what is
-/// allowed.
-class FieldCheck {
+/// allowed. With NoPath the complaint has no text.
+template <typename Path>
+class BasicFieldCheck {
  public:
   static constexpr double kLargest = std::numeric_limits<double>::max();
 
-  explicit FieldCheck(Topic topic) : topic_(topic) {}
+  explicit BasicFieldCheck(Topic topic) : topic_(topic) {}
 
   /// In [low, high]; NaN is in no range.
-  void in_range(const FieldPath& path, double value, double low, double high) {
+  void in_range(const Path& path, double value, double low, double high) {
     if (value >= low && value <= high) return;
     refuse_number(path, value, describe_range(low, high));
   }
-  void finite(const FieldPath& path, double value) { in_range(path, value, -kLargest, kLargest); }
-  void not_negative(const FieldPath& path, double value) { in_range(path, value, 0.0, kLargest); }
+  void finite(const Path& path, double value) { in_range(path, value, -kLargest, kLargest); }
+  void not_negative(const Path& path, double value) { in_range(path, value, 0.0, kLargest); }
   /// In (-pi, pi], so that a direction has one value.
-  void wrapped_angle(const FieldPath& path, double value_rad) {
+  void wrapped_angle(const Path& path, double value_rad) {
     if (value_rad > -core::kPi && value_rad <= core::kPi) return;
     refuse_number(path, value_rad, "above -pi and at most pi");
   }
   /// A number that this message's kind does not use.
-  void unused(const FieldPath& path, double value) {
+  void unused(const Path& path, double value) {
     if (value == 0.0) return;
     refuse_number(path, value, "0, since the kind does not use it");
   }
-  void at_most(const FieldPath& path, std::size_t value, std::size_t high) {
+  void at_most(const Path& path, std::size_t value, std::size_t high) {
     if (value <= high) return;
     refuse(path, std::to_string(value), "at most " + std::to_string(high));
   }
-  void size(const FieldPath& path, std::size_t size, std::size_t bound) {
+  void size(const Path& path, std::size_t size, std::size_t bound) {
     if (size <= bound) return;
     refuse(path, std::to_string(size) + " values long", "at most " + std::to_string(bound));
   }
-  void size_is(const FieldPath& path, std::size_t size, std::size_t wanted) {
+  void size_is(const Path& path, std::size_t size, std::size_t wanted) {
     if (size == wanted) return;
     refuse(path, std::to_string(size) + " values long", std::to_string(wanted));
   }
   /// At most `bound` bytes, none of them zero, since that ends a string in CDR.
-  void text(const FieldPath& path, const std::string& value, std::size_t bound);
+  void text(const Path& path, const std::string& value, std::size_t bound);
 
+  bool ok() const { return !error_.has_value(); }
   /// The first complaint, or success.
   core::Result<void> result() const {
     if (error_) return *error_;
@@ -75,11 +83,15 @@ class FieldCheck {
 
  private:
   static std::string describe_range(double low, double high);
-  void refuse_number(const FieldPath& path, double found, const std::string& allowed);
-  void refuse(const FieldPath& path, const std::string& found, const std::string& allowed);
+  void refuse_number(const Path& path, double found, const std::string& allowed);
+  void refuse(const Path& path, const std::string& found, const std::string& allowed);
 
   Topic topic_;
   std::optional<core::Error> error_;
 };
+
+extern template class BasicFieldCheck<FieldPath>;
+extern template class BasicFieldCheck<NoPath>;
+using FieldCheck = BasicFieldCheck<FieldPath>;
 
 }  // namespace clew::domain

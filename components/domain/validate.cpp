@@ -6,13 +6,17 @@
 namespace clew::domain {
 namespace {
 
+template <typename Path>
+using Check = BasicFieldCheck<Path>;
+
 // --- What members of a struct must keep together: its own overload, if there is such a rule. ---
 
-template <typename Struct>
-void check_together(FieldCheck& /*check*/, const FieldPath* /*outer*/, const Struct& /*value*/) {}
+template <typename Path, typename Struct>
+void check_together(Check<Path>& /*check*/, const Path* /*outer*/, const Struct& /*value*/) {}
 
 /// Numbers that a motion's kind does not use are 0.
-void check_together(FieldCheck& check, const FieldPath* outer, const Motion& m) {
+template <typename Path>
+void check_together(Check<Path>& check, const Path* outer, const Motion& m) {
   const auto number = [&](const char* member, double value, CommandKind user, double bound) {
     if (m.kind == user) {
       check.in_range({outer, member}, value, -bound, bound);
@@ -28,14 +32,16 @@ void check_together(FieldCheck& check, const FieldPath* outer, const Motion& m) 
   number("right_mps", m.right_mps, CommandKind::kWheelSpeeds, FieldCheck::kLargest);
 }
 
-void check_together(FieldCheck& check, const FieldPath* outer, const VirtualObstacle& box) {
+template <typename Path>
+void check_together(Check<Path>& check, const Path* outer, const VirtualObstacle& box) {
   check.in_range({outer, "x_min_m"}, box.x_min_m, -FieldCheck::kLargest, box.x_max_m);
   check.in_range({outer, "y_min_m"}, box.y_min_m, -FieldCheck::kLargest, box.y_max_m);
 }
 
-void check_together(FieldCheck& check, const FieldPath* outer, const Scan& m) {
+template <typename Path>
+void check_together(Check<Path>& check, const Path* outer, const Scan& m) {
   check.in_range({outer, "range_min_m"}, m.range_min_m, 0.0, m.range_max_m);
-  const FieldPath ranges(outer, "ranges_m");
+  const Path ranges(outer, "ranges_m");
   for (std::size_t i = 0; i < m.ranges_m.size(); ++i) {
     check.in_range({ranges, i}, m.ranges_m[i], 0.0, m.range_max_m);
   }
@@ -43,36 +49,42 @@ void check_together(FieldCheck& check, const FieldPath* outer, const Scan& m) {
 
 // --- What one value must keep: by its rule, or else by its type. ---
 
-void check_value(FieldCheck& check, const FieldPath& path, double value, ByType) {
+template <typename Path>
+void check_value(Check<Path>& check, const Path& path, double value, ByType) {
   check.finite(path, value);
 }
-void check_value(FieldCheck& check, const FieldPath& path, double value, NotNegative) {
+template <typename Path>
+void check_value(Check<Path>& check, const Path& path, double value, NotNegative) {
   check.not_negative(path, value);
 }
-void check_value(FieldCheck& check, const FieldPath& path, double value, WrappedAngle) {
+template <typename Path>
+void check_value(Check<Path>& check, const Path& path, double value, WrappedAngle) {
   check.wrapped_angle(path, value);
 }
-void check_value(FieldCheck& check, const FieldPath& path, double value, const InRange& rule) {
+template <typename Path>
+void check_value(Check<Path>& check, const Path& path, double value, const InRange& rule) {
   check.in_range(path, value, rule.low, rule.high);
 }
-void check_value(FieldCheck&, const FieldPath&, double, WithOthers) {}
-void check_value(FieldCheck& check, const FieldPath& path, const std::string& value,
+template <typename Path>
+void check_value(Check<Path>&, const Path&, double, WithOthers) {}
+template <typename Path>
+void check_value(Check<Path>& check, const Path& path, const std::string& value,
                  const TextUpTo& rule) {
   check.text(path, value, rule.bytes);
 }
 
-template <typename Struct>
-void check_struct(FieldCheck& check, const FieldPath* outer, const Struct& value);
+template <typename Path, typename Struct>
+void check_struct(Check<Path>& check, const Path* outer, const Struct& value);
 
 /// Whole numbers, truth values, enumerators, structs and lists.
-template <typename Value, typename Rule>
-void check_value(FieldCheck& check, const FieldPath& path, const Value& value, const Rule& rule) {
+template <typename Path, typename Value, typename Rule>
+void check_value(Check<Path>& check, const Path& path, const Value& value, const Rule& rule) {
   if constexpr (kIsStruct<Value>) {
     check_struct(check, &path, value);
   } else if constexpr (kIsSequence<Value> || kIsArray<Value>) {
     if constexpr (kIsSequence<Value>) check.size(path, value.size(), length_bound<Value>(rule));
     for (std::size_t i = 0; i < value.size(); ++i) {
-      check_value(check, {path, i}, value[i], item_rule(rule));
+      check_value(check, Path(path, i), value[i], item_rule(rule));
     }
   } else if constexpr (std::is_enum_v<Value>) {
     check.at_most(path, static_cast<std::size_t>(value), kEnumeratorNames<Value>.size() - 1);
@@ -84,10 +96,10 @@ void check_value(FieldCheck& check, const FieldPath& path, const Value& value, c
   }
 }
 
-template <typename Struct>
-void check_struct(FieldCheck& check, const FieldPath* outer, const Struct& value) {
+template <typename Path, typename Struct>
+void check_struct(Check<Path>& check, const Path* outer, const Struct& value) {
   for_each_field<Struct>([&](const auto& field) {
-    check_value(check, {outer, field.name}, value.*field.member, field.rule);
+    check_value(check, Path(outer, field.name), value.*field.member, field.rule);
   });
   check_together(check, outer, value);
 }
@@ -97,9 +109,13 @@ void check_struct(FieldCheck& check, const FieldPath* outer, const Struct& value
 core::Result<void> validate(ConstMessagePointer message) {
   return std::visit(
       [](const auto* m) {
-        FieldCheck check(topic_of<std::decay_t<decltype(*m)>>());
-        check_struct(check, nullptr, *m);
-        return check.result();
+        constexpr Topic kTopic = topic_of<std::decay_t<decltype(*m)>>();
+        Check<NoPath> quick(kTopic);
+        check_struct<NoPath>(quick, nullptr, *m);
+        if (quick.ok()) return core::Result<void>();
+        Check<FieldPath> slow(kTopic);
+        check_struct<FieldPath>(slow, nullptr, *m);
+        return slow.result();
       },
       message);
 }
