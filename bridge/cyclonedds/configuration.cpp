@@ -5,20 +5,21 @@
 
 #include <cstdint>
 
-#include "dds/loopback.hpp"
+#include "dds/participant.hpp"
+#include "dds/rtps_ports.hpp"
 
 namespace clew::bridge {
 
-// ExternalDomainId: the number on the wire; participants of one process have domains of their own.
-// MaxAutoParticipantIndex: by default the tenth process of a host is refused.
-// SPDPInterval: by default 30 s. Cyclone answers a new participant once, at once, and Fast DDS may
-// not
-//   listen yet; then they meet at Cyclone's next announcement.
-// GenerateKeyhash: without it Fast DDS passes over Cyclone's news that an endpoint is gone.
-// WriterLingerDuration: as kLinger says; by default 1 s.
-// Watermarks: a writer takes what it is given until this much is not acknowledged, and does not
-// lower
-//   the mark after a lost packet.
+// Why each setting:
+// - ExternalDomainId is the number on the wire; participants of one process have domains of their
+//   own.
+// - MaxAutoParticipantIndex: by default the tenth process of a host is refused.
+// - SPDPInterval: by default 30 s. Cyclone answers a new participant once, at once, and Fast DDS
+//   may not listen yet; then they meet at Cyclone's next announcement.
+// - GenerateKeyhash: without it Fast DDS passes over Cyclone's news that an endpoint is gone.
+// - WriterLingerDuration: kLinger; by default 1 s.
+// - Watermarks: a writer takes what it is given until this much is not acknowledged, and does not
+//   lower the mark after a lost packet.
 std::string cyclonedds_configuration(const ParticipantConfig& config) {
   return fmt::format(
       "<CycloneDDS><Domain Id=\"any\">"

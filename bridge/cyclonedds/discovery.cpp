@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "dds/loopback.hpp"
+#include "dds/remote_endpoints.hpp"
 
 namespace clew::bridge {
 namespace {

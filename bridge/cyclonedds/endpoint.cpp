@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "dds/loopback.hpp"
+#include "dds/qos_policy_names.hpp"
 
 namespace clew::bridge {
 

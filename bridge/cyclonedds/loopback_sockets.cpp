@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "dds/loopback.hpp"
+#include "dds/rtps_ports.hpp"
 
 namespace clew::bridge {
 namespace {

@@ -4,6 +4,7 @@
 /// below knows a message type.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -16,19 +17,13 @@
 
 namespace clew::bridge {
 
-enum class Vendor : std::uint8_t { kCycloneDds, kFastDds };
-
-/// `cyclonedds` or `fastdds`, as in graph files and on the command line.
-std::string_view vendor_name(Vendor vendor);
-std::optional<Vendor> vendor_from_name(std::string_view name);
-
 /// An endpoint's topic, its type, and how much of its past it keeps. The rest of the QoS is the
 /// same everywhere: RELIABLE, TRANSIENT_LOCAL with the last history_depth samples, XCDR1, keyless.
 struct EndpointSpec {
   std::string topic;      ///< `scan`
   std::string type;       ///< `clew::msg::Scan`
   std::string user_data;  ///< USER_DATA, e.g. `clew_idl=<hex>;clew_stage=sense;`
-  int history_depth = 256;
+  int history_depth = 1;
 };
 
 /// An endpoint of somebody else, as discovery tells of it.
@@ -73,9 +68,13 @@ enum class WriteStatus : std::uint8_t {
   kFailed       ///< not taken, and it never will be
 };
 
+/// How long a writer that is closed waits at most until its readers have its last samples. A dead
+/// reader is waited for, too, until its lease ends.
+inline constexpr std::chrono::milliseconds kLinger{500};
+
 class SampleWriter {
  public:
-  /// Waits up to half a second until live readers have the last samples.
+  /// Waits up to kLinger until live readers have the last samples.
   virtual ~SampleWriter() = default;
   /// Publishes the bytes, encapsulation included, without waiting for anybody.
   virtual WriteStatus write(std::string_view cdr) = 0;
@@ -91,8 +90,7 @@ class SampleReader {
 struct ParticipantConfig {
   int domain = 0;    ///< 0..99
   std::string name;  ///< for people: `sense`
-  /// How long a dead participant is believed alive; an hour under a debugger.
-  double lease_s = 1.5;
+  double lease_s;    ///< how long it is believed alive while it is silent
 };
 
 /// A participant that speaks on 127.0.0.1 only, by unicast, and finds up to 100 others there.
@@ -105,14 +103,5 @@ class Participant {
   virtual core::Result<std::unique_ptr<SampleReader>> create_reader(const EndpointSpec& spec,
                                                                     SampleListener& listener) = 0;
 };
-
-/// Refuses a DDS domain whose ports the kernel may hand out to others.
-core::Result<void> check_domain(int domain);
-
-/// Creates a participant of `vendor`. `discovery` must outlive it. Takes a tenth of a second, in
-/// which participants get to know each other: endpoints that come earlier may match a second later.
-core::Result<std::unique_ptr<Participant>> create_participant(Vendor vendor,
-                                                              const ParticipantConfig& config,
-                                                              DiscoveryListener& discovery);
 
 }  // namespace clew::bridge

@@ -11,6 +11,9 @@
 
 namespace clew::bridge {
 
+/// The participant property in which both vendors tell their process id; Cyclone DDS came first.
+inline constexpr const char* kProcessIdProperty = "__Pid";
+
 /// The endpoints of other participants, by the vendor's key, beside the types of this one's own.
 /// Neither vendor says a word of two types on a topic, so they are compared here: once for every
 /// pair that comes to be known. The listener is called without the lock.

@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-#include "dds/loopback.hpp"
+#include "dds/remote_endpoints.hpp"
 
 namespace clew::bridge {
 namespace {

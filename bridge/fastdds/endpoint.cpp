@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fastdds/endpoint.hpp"
 
-#include "dds/loopback.hpp"
+#include "dds/qos_policy_names.hpp"
 
 namespace clew::bridge {
 

@@ -14,7 +14,7 @@
 #include <map>
 #include <mutex>
 
-#include "dds/loopback.hpp"
+#include "dds/participant.hpp"
 #include "fastdds/endpoint.hpp"
 #include "fastdds/qos.hpp"
 #include "fastdds/raw_type.hpp"

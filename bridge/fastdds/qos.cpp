@@ -13,7 +13,8 @@
 #include <memory>
 #include <mutex>
 
-#include "dds/loopback.hpp"
+#include "dds/remote_endpoints.hpp"
+#include "dds/rtps_ports.hpp"
 
 namespace clew::bridge {
 

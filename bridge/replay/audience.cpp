@@ -7,6 +7,10 @@
 #include <chrono>
 #include <utility>
 
+#include "run/limits.hpp"
+#include "supervisor/launcher.hpp"
+#include "supervisor/shutdown.hpp"
+
 namespace clew::bridge {
 
 Audience::Audience()
@@ -47,7 +51,7 @@ core::Result<void> Audience::start_readers(const std::vector<std::string>& comma
     if (!child.ok()) return child.error();
     Member reader;
     reader.stage = text;
-    reader.foreign = true;
+    reader.third_party = true;
     reader.child = std::move(child).value();
     readers_.push_back(std::move(reader));
   }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "process/start_barrier.hpp"
+#include "component/start_barrier.hpp"
 #include "replay/fed_component.hpp"
 #include "replay/wake_up.hpp"
 #include "runtime/component.hpp"

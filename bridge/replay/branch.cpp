@@ -44,7 +44,7 @@ Result<void> check(const RunRecording& recording, const runtime::RunPlan& plan,
 
 Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::RunPlan& recorded,
                                  const runtime::RunPlan& plan, std::uint64_t tick) {
-  ComposedStart start{{}, tick, {}, Journal(true, false), std::chrono::steady_clock::now()};
+  ComposedStart start{{}, tick, {}, SampleAccount(true, false), std::chrono::steady_clock::now()};
   CLEW_RETURN_IF_ERROR(check(recording, plan, tick));
   auto robot = recorded_robot(recording, recorded);
   if (!robot) return robot.error();

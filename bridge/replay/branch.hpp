@@ -6,10 +6,10 @@
 #include <string>
 
 #include "core/result.hpp"
-#include "process/composed_run.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/fed_node.hpp"
+#include "run/composed_run.hpp"
 #include "runtime/run_plan.hpp"
 
 namespace clew::bridge {

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "core/nearest_name.hpp"
-#include "process/tick_clock.hpp"
 #include "replay/black_box_past.hpp"
 #include "replay/fed_node.hpp"
 #include "replay/recorded_plan.hpp"
+#include "run/tick_clock.hpp"
 
 namespace clew::bridge {
 namespace {

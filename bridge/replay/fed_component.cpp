@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "convert/codec.hpp"
-#include "process/muster.hpp"
+#include "run/limits.hpp"
+#include "supervisor/launcher.hpp"
+#include "supervisor/shutdown.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -15,8 +17,6 @@ namespace {
 using core::Error;
 using core::Result;
 using domain::Topic;
-
-bool is_foreign(const runtime::GraphStage& stage) { return !stage.deployment.exec.empty(); }
 
 ProcessLayout layout_of(const WireSettings& settings) {
   ProcessLayout layout;
@@ -37,7 +37,7 @@ FedComponent::FedComponent(const runtime::RunPlan& plan, const runtime::GraphSta
       log_(std::move(log)),
       comparison_(stage.info->name, stage.ports, first_compared, std::move(on_arrival)) {
   member_.stage = stage.info->name;
-  member_.foreign = is_foreign(stage);
+  member_.third_party = is_third_party(stage);
   member_.starts_ticks = stage.ports.delayed_inputs.any();
 }
 
@@ -46,8 +46,9 @@ Result<void> FedComponent::open(Participant& participant, StartBarrier& barrier)
   for (Topic topic : domain::kAllTopics) {
     const auto index = static_cast<std::size_t>(topic);
     const std::string name(domain::topic_name(topic));
-    if (ports().outputs[index]) expected.push_back({name, true, stage(), member_.foreign});
-    if (ports().all_inputs()[index]) expected.push_back({name, false, stage(), member_.foreign});
+    if (ports().outputs[index]) expected.push_back({name, true, stage(), member_.third_party});
+    if (ports().all_inputs()[index])
+      expected.push_back({name, false, stage(), member_.third_party});
   }
   barrier.expect(expected);
   return comparison_.open(participant, barrier, settings_.history_depth);
@@ -84,13 +85,13 @@ Assignment FedComponent::assignment() const {
     if (ports().outputs[index]) assignment.expected.push_back({name, false, "replay", false});
     if (!ports().all_inputs()[index]) continue;
     const runtime::GraphStage* writer = plan_.graph.writer_of(topic);
-    assignment.expected.push_back({name, true, writer->info->name, is_foreign(*writer)});
+    assignment.expected.push_back({name, true, writer->info->name, is_third_party(*writer)});
   }
   return assignment;
 }
 
 Result<void> FedComponent::welcome(std::unique_ptr<Link>& link, const Hello& hello) {
-  if (member_.link != nullptr || member_.foreign || hello.stage != stage()) {
+  if (member_.link != nullptr || member_.third_party || hello.stage != stage()) {
     return Error{"this replay has no place for a component " + hello.stage, {}, 0, 0};
   }
   if (hello.idl_fingerprint != idl_fingerprint()) {
@@ -103,7 +104,7 @@ Result<void> FedComponent::welcome(std::unique_ptr<Link>& link, const Hello& hel
 
 std::vector<std::string> FedComponent::missing() const {
   std::vector<std::string> missing = member_.missing;
-  if (!member_.foreign && !member_.link) missing.push_back(stage() + " has not reported");
+  if (!member_.third_party && !member_.link) missing.push_back(stage() + " has not reported");
   return missing;
 }
 

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "process/run_members.hpp"
 #include "replay/live_comparison.hpp"
+#include "run/limits.hpp"
 #include "runtime/run_plan.hpp"
+#include "supervisor/member.hpp"
 
 namespace clew::bridge {
 
@@ -20,8 +21,8 @@ struct WireSettings {
   std::string program;     ///< the clew command
   std::string middleware;  ///< of a component whose graph does not say
   int domain = 0;
-  double lease_s = 1.5;
-  int history_depth = 512;
+  double lease_s = kLease_s;
+  int history_depth = kHistoryDepth;
 };
 
 /// A component process on the wire that is fed from a recording: to the component it is a run, on
@@ -45,7 +46,7 @@ class FedComponent {
   core::Result<void> welcome(std::unique_ptr<Link>& link, const Hello& hello);
 
   int socket() const { return member_.link ? member_.link->socket() : -1; }
-  bool ready() const { return member_.foreign || member_.ready; }
+  bool ready() const { return member_.third_party || member_.ready; }
   /// What it waits for, a sentence each.
   std::vector<std::string> missing() const;
 
@@ -62,7 +63,7 @@ class FedComponent {
 
   /// The tick fed last is the run's last one; it may leave.
   void finish();
-  bool finished() const { return member_.foreign || member_.finished.has_value(); }
+  bool finished() const { return member_.third_party || member_.finished.has_value(); }
   /// Ends the process if it is ours.
   void end(bool orderly);
 

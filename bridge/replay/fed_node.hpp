@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/result.hpp"
-#include "process/journal.hpp"
 #include "replay/tick_reader.hpp"
+#include "run/sample_account.hpp"
 #include "runtime/node.hpp"
 
 namespace clew::bridge {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/nearest_name.hpp"
-#include "process/journal.hpp"
 #include "replay/black_box_past.hpp"
 #include "replay/recorded_plan.hpp"
 #include "replay/tick_reader.hpp"
+#include "run/sample_account.hpp"
 
 namespace clew::bridge {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "convert/codec.hpp"
-#include "process/identity.hpp"
+#include "line/user_data.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -48,7 +48,7 @@ LiveComparison::~LiveComparison() { readers_.clear(); }
 
 Result<void> LiveComparison::open(Participant& participant, const StartBarrier& barrier,
                                   int history_depth) {
-  const std::string user_data = Identity{std::string(idl_fingerprint()), "replay"}.user_data();
+  const std::string user_data = UserData{std::string(idl_fingerprint()), "replay"}.to_text();
   for (Topic topic : ports_.output_order) {
     domain::visit_topic(topic, [&](auto constant) {
       using Message = domain::MessageOf<decltype(constant)::value>;

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "component/start_barrier.hpp"
 #include "core/result.hpp"
 #include "dds/participant.hpp"
-#include "process/start_barrier.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/tick_reader.hpp"
 

@@ -9,13 +9,15 @@
 #include <cstring>
 #include <utility>
 
-#include "process/domain_hold.hpp"
-#include "process/reception.hpp"
-#include "process/signal_queue.hpp"
+#include "line/acceptor.hpp"
+#include "line/domain_lock.hpp"
 #include "replay/audience.hpp"
 #include "replay/fed_component.hpp"
 #include "replay/live_checks.hpp"
 #include "replay/topic_publisher.hpp"
+#include "run/limits.hpp"
+#include "run/signal_queue.hpp"
+#include "vendors/participant_factory.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -25,52 +27,37 @@ using core::Error;
 using core::Result;
 using domain::Topic;
 
-// As many ticks as a run lets a component be behind, of those that histories hold.
-constexpr int kHistoryDepth = 512;
-constexpr std::size_t kLead = kHistoryDepth / 4;
-// Ticks published before something else is looked after.
-constexpr int kTicksPerRound = 64;
-constexpr auto kShowPeriod = std::chrono::milliseconds(100);
-// How soon a write that was refused is tried again: nobody tells when there is room.
-constexpr auto kRetryPeriod = std::chrono::milliseconds(1);
-constexpr auto kHeldUpPeriod = std::chrono::seconds(10);
-// A component that is in a debugger is not dead.
-constexpr double kPatientLease_s = 3600.0;
-// A person takes a while to start a component.
-constexpr double kPatience_s = 60.0;
-
 class LiveReplay {
  public:
   LiveReplay(const RunRecording& recording, const runtime::RunPlan& recorded,
              const runtime::RunPlan& plan, const LiveReplayOptions& options,
-             PlaybackConsole& console, DomainHold hold)
+             PlaybackConsole& console, DomainLock hold)
       : recording_(recording),
         recorded_(recorded),
         plan_(plan),
         options_(options),
         console_(console),
-        hold_(std::move(hold)),
-        reception_(hold_),
-        settings_{fmt::format("{}-{}", ::getpid(), hold_.domain()),
+        domain_lock_(std::move(hold)),
+        acceptor_(domain_lock_),
+        settings_{fmt::format("{}-{}", ::getpid(), domain_lock_.domain()),
                   options.program,
                   options.middleware,
-                  hold_.domain(),
-                  options.starts_component && options.prefix.empty() ? ParticipantConfig{}.lease_s
-                                                                     : kPatientLease_s,
+                  domain_lock_.domain(),
+                  options.starts_component && options.prefix.empty() ? kLease_s : kPatientLease_s,
                   kHistoryDepth},
         playback_(recorded.graph.tick_s, options.range.rate, options.paused) {
-    report_.domain = hold_.domain();
+    report_.domain = domain_lock_.domain();
   }
 
   /// Creates what is published and compared, and starts what is to be started.
   Result<void> open() {
     const auto vendor = vendor_from_name(options_.middleware);
     if (!vendor) return Error{"unknown middleware " + options_.middleware, {}, 0, 0};
-    auto participant = create_participant(*vendor, {hold_.domain(), "replay", settings_.lease_s},
-                                          audience_.barrier());
+    auto participant = create_participant(
+        *vendor, {domain_lock_.domain(), "replay", settings_.lease_s}, audience_.barrier());
     if (!participant.ok()) return participant.error();
     participant_ = std::move(participant).value();
-    console_.log(fmt::format("publishes on domain {}", hold_.domain()));
+    console_.log(fmt::format("publishes on domain {}", domain_lock_.domain()));
     runtime::TopicSet topics = options_.topics;
     if (!options_.component.empty()) {
       const runtime::GraphStage& stage = *plan_.graph.find(options_.component);
@@ -93,7 +80,7 @@ class LiveReplay {
       wait_for_something();
       take_signals();
       take_requests();
-      for (auto& [link, hello] : reception_.arrivals()) welcome(std::move(link), hello);
+      for (auto& [link, hello] : acceptor_.arrivals()) welcome(std::move(link), hello);
       look_after_others();
       advance();
       show(false);
@@ -152,7 +139,7 @@ class LiveReplay {
   // ---- what goes on ----
 
   void wait_for_something() {
-    std::vector<int> descriptors = reception_.sockets();
+    std::vector<int> descriptors = acceptor_.sockets();
     descriptors.push_back(signals_.descriptor());
     descriptors.push_back(console_.descriptor());
     if (component_) descriptors.push_back(component_->socket());
@@ -162,10 +149,10 @@ class LiveReplay {
   /// Until something may be due that no descriptor tells of.
   Clock::duration patience() const {
     if (held_up_ || phase_ == Phase::kDraining) return kRetryPeriod;
-    if (phase_ != Phase::kFeeding || too_far_ahead()) return kShowPeriod;
+    if (phase_ != Phase::kFeeding || too_far_ahead()) return kDisplayPeriod;
     if (next_ != nullptr && next_->tick() < options_.range.first_tick) return {};
     const auto due = playback_.due();
-    return due ? std::min<Clock::duration>(*due - Clock::now(), kShowPeriod) : kShowPeriod;
+    return due ? std::min<Clock::duration>(*due - Clock::now(), kDisplayPeriod) : kDisplayPeriod;
   }
 
   void take_signals() {
@@ -204,7 +191,7 @@ class LiveReplay {
 
   double wait_s() const {
     const bool by_hand = !options_.component.empty() && !options_.starts_component;
-    return options_.wait_s.value_or(by_hand ? kPatience_s : recorded_.graph.start_timeout_s);
+    return options_.wait_s.value_or(by_hand ? kReplayPatience_s : recorded_.graph.start_timeout_s);
   }
 
   bool everybody_ready() const {
@@ -347,7 +334,7 @@ class LiveReplay {
 
   void show(bool at_once) {
     const auto now = Clock::now();
-    if (!at_once && now - shown_at_ < kShowPeriod) return;
+    if (!at_once && now - shown_at_ < kDisplayPeriod) return;
     shown_at_ = now;
     console_.show({next_tick(), recorded_.graph.tick_s, phase_ == Phase::kWaiting,
                    playback_.paused(), halted(), playback_.rate(),
@@ -359,8 +346,8 @@ class LiveReplay {
   const runtime::RunPlan& plan_;
   const LiveReplayOptions& options_;
   PlaybackConsole& console_;
-  DomainHold hold_;
-  Reception reception_;
+  DomainLock domain_lock_;
+  Acceptor acceptor_;
   SignalQueue signals_;  // before any thread of a vendor's
   const WireSettings settings_;
   Audience audience_;
@@ -388,7 +375,7 @@ Result<LiveReplayReport> replay_live(const RunRecording& recording,
                                      const runtime::RunPlan& recorded, const runtime::RunPlan& plan,
                                      const LiveReplayOptions& options, PlaybackConsole& console) {
   CLEW_RETURN_IF_ERROR(check_live(recording, plan, options));
-  auto hold = DomainHold::take(options.domain);
+  auto hold = DomainLock::take(options.domain);
   if (!hold.ok()) return hold.error();
   LiveReplay replay(recording, recorded, plan, options, console, std::move(hold).value());
   CLEW_RETURN_IF_ERROR(replay.open());

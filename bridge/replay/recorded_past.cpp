@@ -67,7 +67,7 @@ Result<void> RecordedPast::check_outputs(const RecordedTick& recorded) {
 }
 
 bool RecordedPast::has_ended() const {
-  const auto& truth = journal_.tally().truth;
+  const auto& truth = account_.statistics().truth;
   return truth && truth->outcome != domain::Outcome::kRunning;
 }
 
@@ -81,7 +81,7 @@ Result<void> RecordedPast::hand_over(ComposedStart& start) {
     }
   }
   start.messages = std::move(messages_);
-  start.journal = std::move(journal_);
+  start.account = std::move(account_);
   return {};
 }
 
@@ -90,7 +90,7 @@ Result<void> RecordedPast::account(Topic topic, const RecordedTick& recorded) {
     constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
     auto& message = std::get<kIndex>(messages_);
     auto result = std::get<kIndex>(codecs_).decode(recorded.cdr(topic), message);
-    if (result) journal_.add(message, recorded.cdr(topic));
+    if (result) account_.add(message, recorded.cdr(topic));
     return result;
   });
   if (decoded) return {};

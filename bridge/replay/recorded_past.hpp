@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "core/result.hpp"
-#include "process/composed_run.hpp"
-#include "process/journal.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/fed_node.hpp"
 #include "replay/tick_reader.hpp"
+#include "run/composed_run.hpp"
+#include "run/sample_account.hpp"
 #include "runtime/run_plan.hpp"
 
 namespace clew::bridge {
@@ -46,7 +46,7 @@ class RecordedPast {
   std::optional<runtime::Node> new_robot_;
   Codecs codecs_;
   domain::Messages messages_;
-  Journal journal_{true, false};
+  SampleAccount account_{true, false};
 };
 
 /// The robot as it was recorded, to be fed.

@@ -29,14 +29,14 @@ Result<RecordedPast> past_of(const RunRecording& recording, const runtime::RunPl
 /// What each component process would have kept of the past.
 class ProcessPast {
  public:
-  explicit ProcessPast(std::size_t stages) : journals_(stages, Journal(true, false)) {}
+  explicit ProcessPast(std::size_t stages) : accounts_(stages, SampleAccount(true, false)) {}
 
   void add(const RecordedPast& past, const RecordedTick& recorded) {
-    for (std::size_t i = 0; i < journals_.size(); ++i) {
+    for (std::size_t i = 0; i < accounts_.size(); ++i) {
       for (Topic topic : past.nodes()[i].node().ports().output_order) {
         domain::visit_topic(topic, [&](auto constant) {
           constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-          journals_[i].add(std::get<kIndex>(past.messages()), recorded.cdr(topic));
+          accounts_[i].add(std::get<kIndex>(past.messages()), recorded.cdr(topic));
         });
         last_outputs_[static_cast<std::size_t>(topic)].assign(recorded.cdr(topic));
       }
@@ -47,11 +47,11 @@ class ProcessPast {
     ProcessStart start;
     start.next_tick = tick;
     if (tick == 0) return start;
-    for (std::size_t i = 0; i < journals_.size(); ++i) {
+    for (std::size_t i = 0; i < accounts_.size(); ++i) {
       const runtime::Node& node = past.nodes()[i].node();
-      core::StateWriter journal;
-      journal(journals_[i]);
-      Checkpoint checkpoint{tick, node.save(), journal.take(), {}};
+      core::StateWriter account;
+      account(accounts_[i]);
+      Checkpoint checkpoint{tick, node.save(), account.take(), {}};
       for (Topic topic : node.ports().output_order) {
         checkpoint.last_outputs[std::string(domain::topic_name(topic))] =
             last_outputs_[static_cast<std::size_t>(topic)];
@@ -62,7 +62,7 @@ class ProcessPast {
   }
 
  private:
-  std::vector<Journal> journals_;  ///< in the order of the nodes
+  std::vector<SampleAccount> accounts_;  ///< in the order of the nodes
   std::array<std::string, domain::kTopicCount> last_outputs_;
 };
 
@@ -145,7 +145,7 @@ Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan&
                          0});
   }
   Resumption resumption{past->has_ended(),
-                        {{}, *ticks, {}, Journal(true, false), started_at},
+                        {{}, *ticks, {}, SampleAccount(true, false), started_at},
                         processes.start(*past, *ticks)};
   CLEW_RETURN_IF_ERROR(past->hand_over(resumption.composed));
   return resumption;

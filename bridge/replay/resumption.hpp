@@ -4,10 +4,10 @@
 #include <cstdint>
 
 #include "core/result.hpp"
-#include "process/composed_run.hpp"
-#include "process/supervisor.hpp"
 #include "recording/run_recording.hpp"
+#include "run/composed_run.hpp"
 #include "runtime/run_plan.hpp"
+#include "supervisor/process_layout.hpp"
 
 namespace clew::bridge {
 

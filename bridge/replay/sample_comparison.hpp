@@ -7,7 +7,7 @@
 
 #include "convert/message_fields.hpp"
 #include "domain/topics.hpp"
-#include "process/journal.hpp"
+#include "run/sample_account.hpp"
 
 namespace clew::bridge {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "convert/codec.hpp"
-#include "process/identity.hpp"
+#include "line/user_data.hpp"
 
 namespace clew::bridge {
 
@@ -23,12 +23,12 @@ core::Result<TopicPublisher> TopicPublisher::create(Participant& participant,
     if (!topics[index]) continue;
     const runtime::GraphStage* stage = graph.writer_of(topic);
     CLEW_CHECK(stage != nullptr, std::string(domain::topic_name(topic)) + " has no writer");
-    Identity identity{std::string(idl_fingerprint()), stage->info->name};
+    UserData user_data{std::string(idl_fingerprint()), stage->info->name};
     // Components of someone else's do not tell their stage.
-    if (!stage->deployment.exec.empty()) identity.stage.clear();
+    if (!stage->deployment.exec.empty()) user_data.stage.clear();
     auto writer = participant.create_writer({std::string(domain::topic_name(topic)),
                                              std::string(domain::type_name(topic)),
-                                             identity.user_data(), history_depth});
+                                             user_data.to_text(), history_depth});
     if (!writer.ok()) return writer.error();
     publisher.writers_[index] = std::move(writer).value();
     publisher.samples_[topic] = 0;

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "process/composed_run.hpp"
-#include "process/recording_sink.hpp"
+#include "recorder/recording_sink.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/recorded_plan.hpp"
 #include "replay/recording_diff.hpp"
+#include "run/composed_run.hpp"
 #include "stages/all.hpp"
 
 namespace clew::bridge {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "process/black_box.hpp"
+#include "recorder/black_box.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "../recording/scratch_directory.hpp"
-#include "process/composed_run.hpp"
 #include "recorded_run.hpp"
+#include "recorder/recorder_process.hpp"
 #include "replay/black_box_past.hpp"
 #include "replay/branch.hpp"
 #include "replay/component_replay.hpp"
+#include "run/composed_run.hpp"
 
 namespace clew::replay_test {
 namespace {

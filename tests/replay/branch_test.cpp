@@ -7,8 +7,8 @@
 #include <string>
 
 #include "../recording/scratch_directory.hpp"
-#include "process/recording_sink.hpp"
 #include "recorded_run.hpp"
+#include "recorder/recording_sink.hpp"
 #include "recording_draft.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/recorded_plan.hpp"
@@ -74,8 +74,8 @@ TEST_F(Branch, WithoutAChangeIsTheSameRecordingByteForByte) {
     const RunReport report = branch(recording, plan, tick, branch_path_);
 
     EXPECT_EQ(report.hash, recording.end()->hash) << tick;
-    EXPECT_EQ(report.tally.truth->tick, last_tick_);
-    EXPECT_EQ(report.tally.traps_detected, 1U) << "those before the branch count";
+    EXPECT_EQ(report.statistics.truth->tick, last_tick_);
+    EXPECT_EQ(report.statistics.traps_detected, 1U) << "those before the branch count";
     EXPECT_TRUE(recording_test::read_bytes(branch_path_) == original) << tick;
   }
 }
@@ -294,8 +294,8 @@ TEST_F(Branch, CanBeCutShorter) {
   const RunReport report =
       branch(recording, replay_plan(recording, changes({}, {}, 150)), 120, branch_path_);
 
-  EXPECT_EQ(report.tally.truth->outcome, domain::Outcome::kTimeout);
-  EXPECT_EQ(report.tally.truth->tick, 150U);
+  EXPECT_EQ(report.statistics.truth->outcome, domain::Outcome::kTimeout);
+  EXPECT_EQ(report.statistics.truth->tick, 150U);
 }
 
 TEST_F(Branch, RefusesATickThatTheRunDoesNotHave) {

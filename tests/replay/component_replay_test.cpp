@@ -8,8 +8,8 @@
 
 #include "../recording/scratch_directory.hpp"
 #include "every_behaviour.hpp"
-#include "process/recording_sink.hpp"
 #include "recorded_run.hpp"
+#include "recorder/recording_sink.hpp"
 #include "recording_draft.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"

@@ -13,10 +13,10 @@
 
 #include "../recording/scratch_directory.hpp"
 #include "every_behaviour.hpp"
-#include "process/journal.hpp"
 #include "recorded_run.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/recorded_plan.hpp"
+#include "run/sample_account.hpp"
 #include "stages/all.hpp"
 
 namespace clew::replay_test {

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "../recording/scratch_directory.hpp"
-#include "process/recording_sink.hpp"
 #include "recorded_run.hpp"
+#include "recorder/recording_sink.hpp"
 #include "recording_draft.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/resumption.hpp"

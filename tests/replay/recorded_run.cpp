@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "process/composed_run.hpp"
-#include "process/recording_sink.hpp"
+#include "recorder/recording_sink.hpp"
 #include "replay/recorded_plan.hpp"
+#include "run/composed_run.hpp"
 #include "stages/all.hpp"
 
 namespace clew::replay_test {

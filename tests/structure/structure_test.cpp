@@ -89,8 +89,8 @@ TEST(LayerRule, ComponentRegistryAndStageKnowTheRuntime) {
 }
 
 TEST(LayerRule, BridgeKnowsNoTool) {
-  EXPECT_FALSE(layers("bridge/process/a.cpp", "#include \"clew/version.hpp\"").empty());
-  EXPECT_TRUE(layers("bridge/process/a.cpp", "#include \"dds/participant.hpp\"").empty());
+  EXPECT_FALSE(layers("bridge/supervisor/a.cpp", "#include \"clew/version.hpp\"").empty());
+  EXPECT_TRUE(layers("bridge/supervisor/a.cpp", "#include \"dds/participant.hpp\"").empty());
 }
 
 TEST(LayerRule, ComponentsDoNotKnowTheBridge) {
@@ -116,8 +116,8 @@ TEST(VendorRule, AVendorIsIncludedInItsWrapperAndInTests) {
 
   EXPECT_TRUE(vendors("bridge/cyclonedds/a.cpp", cyclone).empty());
   EXPECT_TRUE(vendors("tests/third_party/a.c", cyclone).empty());
-  EXPECT_EQ(vendors("bridge/process/a.cpp", cyclone),
-            (Texts{"bridge/process/a.cpp:1: includes dds/dds.h of a vendor; allowed in "
+  EXPECT_EQ(vendors("bridge/supervisor/a.cpp", cyclone),
+            (Texts{"bridge/supervisor/a.cpp:1: includes dds/dds.h of a vendor; allowed in "
                    "bridge/cyclonedds"}));
   EXPECT_FALSE(vendors("components/sense/a.cpp", "#include \"dds/ddsi/q_radmin.h\"").empty());
   EXPECT_FALSE(vendors("tools/clew/a.cpp", "#include <fastdds/rtps/common/Types.h>").empty());
@@ -126,7 +126,7 @@ TEST(VendorRule, AVendorIsIncludedInItsWrapperAndInTests) {
 }
 
 TEST(VendorRule, OurFoldersOfTheSameNamesAreNoVendors) {
-  EXPECT_TRUE(vendors("bridge/process/a.cpp", "#include \"dds/participant.hpp\"").empty());
+  EXPECT_TRUE(vendors("bridge/supervisor/a.cpp", "#include \"dds/participant.hpp\"").empty());
   EXPECT_TRUE(vendors("bridge/dds/a.cpp", "#include \"fastdds/types.hpp\"").empty());
 }
 
@@ -143,7 +143,7 @@ TEST(DeterminismRule, FindsClocksThreadsRandomnessFilesAndUnorderedContainers) {
         "#include <unordered_map>", "std::unordered_set<int> s;"}) {
     EXPECT_FALSE(is_deterministic(line)) << line;
     EXPECT_TRUE(is_deterministic(line, "components/runtime/a.cpp")) << line;
-    EXPECT_TRUE(is_deterministic(line, "bridge/process/a.cpp")) << line;
+    EXPECT_TRUE(is_deterministic(line, "bridge/supervisor/a.cpp")) << line;
   }
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "convert/codec.hpp"
-#include "process/sample_sink.hpp"
+#include "run/sample_sink.hpp"
 #include "terrain/trap_map.hpp"
 
 namespace clew::bench {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "clew/run_output.hpp"
-#include "process/composed_run.hpp"
-#include "process/recording_sink.hpp"
+#include "recorder/recording_sink.hpp"
+#include "run/composed_run.hpp"
 #include "world/world.hpp"
 
 namespace clew::bench {

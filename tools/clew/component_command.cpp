@@ -8,10 +8,10 @@
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "component/component_process.hpp"
 #include "core/nearest_name.hpp"
-#include "dds/participant.hpp"
-#include "process/component_process.hpp"
-#include "process/recorder_process.hpp"
+#include "dds/rtps_ports.hpp"
+#include "recorder/recorder_process.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
 

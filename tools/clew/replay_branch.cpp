@@ -8,7 +8,7 @@
 
 #include "clew/exit_status.hpp"
 #include "clew/run_output.hpp"
-#include "process/recording_sink.hpp"
+#include "recorder/recording_sink.hpp"
 #include "replay/black_box_past.hpp"
 #include "replay/branch.hpp"
 #include "replay/component_replay.hpp"

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "process/recording_sink.hpp"
+#include "recorder/recording_sink.hpp"
 #include "recording/output_file.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "clew/run_options.hpp"
-#include "process/recording_sink.hpp"
+#include "recorder/recording_sink.hpp"
 #include "replay/resumption.hpp"
 #include "runtime/run_plan.hpp"
 

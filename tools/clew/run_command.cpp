@@ -15,13 +15,14 @@
 #include "clew/run_options.hpp"
 #include "clew/run_output.hpp"
 #include "core/nearest_name.hpp"
-#include "process/composed_run.hpp"
-#include "process/recording_sink.hpp"
-#include "process/run_members.hpp"
-#include "process/signal_queue.hpp"
-#include "process/supervisor.hpp"
+#include "recorder/recorder_process.hpp"
+#include "recorder/recording_sink.hpp"
+#include "run/composed_run.hpp"
+#include "run/signal_queue.hpp"
 #include "runtime/middleware.hpp"
 #include "stages/all.hpp"
+#include "supervisor/launcher.hpp"
+#include "supervisor/supervisor.hpp"
 
 namespace clew::tools {
 namespace {

@@ -15,13 +15,13 @@ namespace clew::tools {
 namespace {
 
 using bridge::RunReport;
-using bridge::RunTally;
+using bridge::RunStatistics;
 using bridge::RunTruth;
 using domain::Outcome;
 
-const char* mode_word(const RunTally& tally) {
-  if (!tally.mode) return "seek";
-  switch (*tally.mode) {
+const char* mode_word(const RunStatistics& statistics) {
+  if (!statistics.mode) return "seek";
+  switch (*statistics.mode) {
     case domain::GuidanceMode::kSeek:
       return "seek";
     case domain::GuidanceMode::kRecover:
@@ -32,7 +32,7 @@ const char* mode_word(const RunTally& tally) {
   return "seek";
 }
 
-RunTruth truth_of(const RunReport& report) { return report.tally.truth.value_or(RunTruth{}); }
+RunTruth truth_of(const RunReport& report) { return report.statistics.truth.value_or(RunTruth{}); }
 
 /// `1 trap`, `2 traps`.
 std::string count_text(std::uint64_t count, const std::string& what) {
@@ -40,13 +40,13 @@ std::string count_text(std::uint64_t count, const std::string& what) {
 }
 
 /// Who said *trap* how often: ` (landmark_revisit 2; in shadow: oscillation 1)`; empty if nobody.
-std::string alarms_text(const RunTally& tally) {
+std::string alarms_text(const RunStatistics& statistics) {
   std::string in_command;
   std::string in_shadow;
   const auto add = [](std::string& text, const std::string& rule, std::uint32_t count) {
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", rule, count);
   };
-  for (const auto& [rule, alarms] : tally.alarms) {
+  for (const auto& [rule, alarms] : statistics.alarms) {
     add(in_command, rule, alarms.in_command);
     add(in_shadow, rule, alarms.in_shadow);
   }
@@ -103,8 +103,8 @@ std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
   json["sim_time_s"] = truth.sim_time_s;
   json["path_length_m"] = truth.path_length_m;
   json["shortest_path_m"] = shortest_m ? nlohmann::ordered_json(*shortest_m) : nullptr;
-  json["traps_detected"] = report.tally.traps_detected;
-  json["virtual_targets"] = report.tally.virtual_targets;
+  json["traps_detected"] = report.statistics.traps_detected;
+  json["virtual_targets"] = report.statistics.virtual_targets;
   json["collisions"] = truth.collisions;
   json["hit_by"] = truth.hit_by;
   json["safety_stops"] = truth.safety_stops;
@@ -130,7 +130,8 @@ std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {
       fmt::format("{} in {}: {} ticks ({:.1f} s), path {:.2f} m", outcome_word(report),
                   plan.graph.world, truth.tick, truth.sim_time_s, truth.path_length_m);
   if (shortest_m) line += fmt::format(" ({:.2f} x shortest)", truth.path_length_m / *shortest_m);
-  line += ", " + count_text(report.tally.traps_detected, "trap") + alarms_text(report.tally);
+  line +=
+      ", " + count_text(report.statistics.traps_detected, "trap") + alarms_text(report.statistics);
   line += ", " + count_text(truth.collisions, "collision") + ", " +
           count_text(truth.safety_stops, "safety stop");
   if (truth.hit_by > 0) {
@@ -144,12 +145,13 @@ std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {
 bridge::ProgressDisplay terminal_display(const runtime::RunPlan& plan) {
   if (::isatty(STDERR_FILENO) == 0) return {};
   const core::Vec2 target = plan.setup.world->target();
-  return [target](const RunTally& tally, double ticks_per_s) {
-    if (!tally.truth) return;
-    const double distance_m = core::length(target - core::Vec2(tally.truth->x_m, tally.truth->y_m));
+  return [target](const RunStatistics& statistics, double ticks_per_s) {
+    if (!statistics.truth) return;
+    const double distance_m =
+        core::length(target - core::Vec2(statistics.truth->x_m, statistics.truth->y_m));
     std::fprintf(stderr, "\r\033[Ktick %llu  distance %.2f m  %s  %.0f ticks/s",
-                 static_cast<unsigned long long>(tally.truth->tick), distance_m, mode_word(tally),
-                 ticks_per_s);
+                 static_cast<unsigned long long>(statistics.truth->tick), distance_m,
+                 mode_word(statistics), ticks_per_s);
   };
 }
 

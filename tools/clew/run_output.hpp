@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "process/run_report.hpp"
+#include "run/run_report.hpp"
 #include "runtime/run_plan.hpp"
 
 namespace clew::tools {

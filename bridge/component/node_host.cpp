@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "component/node_host.hpp"
+
+#include <type_traits>
+#include <utility>
+
+#include "domain/scan_check.hpp"
+#include "line/user_data.hpp"
+#include "run/limits.hpp"
+
+namespace clew::bridge {
+
+using runtime::Topic;
+
+namespace {
+
+EndpointSpec spec_of(Topic topic, const std::string& user_data, int history_depth) {
+  return {std::string(domain::topic_name(topic)), std::string(domain::type_name(topic)), user_data,
+          history_depth};
+}
+
+}  // namespace
+
+/// The reader of one topic: turns away what is no part of the run, decodes the rest.
+template <typename Message>
+class NodeHost::Input : public SampleListener {
+ public:
+  Input(NodeHost& host, const StartBarrier& barrier) : host_(host), barrier_(barrier) {}
+
+  void on_sample(std::string_view cdr, const RemoteEndpoint* writer) override {
+    if (!accepts(writer)) {
+      const std::lock_guard<std::mutex> lock(host_.mutex_);
+      ++host_.refused_samples_;
+      return;
+    }
+    auto decoded = codec_.decode(cdr, message_);
+    if constexpr (std::is_same_v<Message, domain::Scan>) {
+      if (decoded.ok()) decoded = domain::check_arrangement(message_, host_.scan_layout_);
+    }
+    const std::lock_guard<std::mutex> lock(host_.mutex_);
+    if (!decoded.ok()) {
+      host_.refuse(std::string(domain::topic_name(domain::topic_of<Message>())), decoded.error());
+      return;
+    }
+    host_.deliver(message_);
+  }
+
+ private:
+  // The answer for a writer changes only when discovery has news.
+  bool accepts(const RemoteEndpoint* writer) {
+    const std::uint64_t version = barrier_.version();
+    if (writer != known_writer_ || version != known_version_ || writer == nullptr) {
+      known_accepted_ = barrier_.accepts(writer);
+      known_writer_ = writer;
+      known_version_ = version;
+    }
+    return known_accepted_;
+  }
+
+  NodeHost& host_;
+  const StartBarrier& barrier_;
+  Codec<Message> codec_;
+  Message message_;
+  const RemoteEndpoint* known_writer_ = nullptr;
+  std::uint64_t known_version_ = 0;
+  bool known_accepted_ = false;
+};
+
+NodeHost::NodeHost(runtime::Node node, const Assignment& assignment, const runtime::RunPlan& plan,
+                   Handlers handlers, bool account_inputs)
+    : node_(std::move(node)),
+      scan_layout_(plan.setup.behaviour.scan),
+      user_data_(UserData{std::string(idl_fingerprint()), node_.name()}.to_text()),
+      history_depth_(static_cast<int>(assignment.history_depth)),
+      lockstep_(assignment.pace != Pace::kRealtime),
+      account_inputs_(account_inputs),
+      spools_states_(assignment.spooling == Spooling::kSamplesAndStates && !account_inputs),
+      handlers_(std::move(handlers)),
+      buffer_(node_.ports(), assignment.history_depth),
+      account_(assignment.hash, assignment.spooling != Spooling::kNothing),
+      clock_(assignment.pace, assignment.pace_factor, plan.graph.tick_s),
+      allowed_until_(assignment.lead) {}
+
+NodeHost::~NodeHost() { readers_.clear(); }
+
+core::Result<void> NodeHost::open(Participant& participant, const StartBarrier& barrier) {
+  for (Topic topic : node_.ports().output_order) {
+    auto writer = participant.create_writer(spec_of(topic, user_data_, history_depth_));
+    if (!writer.ok()) return writer.error();
+    outputs_[index_of(topic)].writer = std::move(writer).value();
+  }
+  const runtime::TopicSet inputs = node_.ports().all_inputs();
+  for (Topic topic : domain::kAllTopics) {
+    if (!inputs[index_of(topic)]) continue;
+    domain::visit_topic(topic, [&](auto constant) {
+      using Message = domain::MessageOf<decltype(constant)::value>;
+      listeners_.push_back(std::make_unique<Input<Message>>(*this, barrier));
+    });
+    auto reader =
+        participant.create_reader(spec_of(topic, user_data_, history_depth_), *listeners_.back());
+    if (!reader.ok()) return reader.error();
+    readers_.push_back(std::move(reader).value());
+  }
+  return {};
+}
+
+core::Result<void> NodeHost::restore(const Checkpoint& checkpoint) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  CLEW_RETURN_IF_ERROR(node_.load(checkpoint.node));
+  core::StateReader reader(checkpoint.account);
+  reader(account_);
+  if (!reader.complete()) return core::Error{"the checkpoint's account is not one", {}, 0, 0};
+  buffer_.restart_at(checkpoint.tick);
+  allowed_until_ = std::max(allowed_until_, checkpoint.tick + 1);
+  return {};
+}
+
+void NodeHost::go(Time now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  started_ = true;
+  clock_.start(now, buffer_.next_tick());
+  run_ready(now);
+}
+
+void NodeHost::allow_until(std::uint64_t tick) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  allowed_until_ = std::max(allowed_until_, tick);
+  run_ready(std::chrono::steady_clock::now());
+}
+
+void NodeHost::poll(Time now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (Topic topic : node_.ports().output_order) {
+    Output& output = outputs_[index_of(topic)];
+    while (!output.waiting.empty() &&
+           output.writer->write(output.waiting.front()) == WriteStatus::kTaken) {
+      output.waiting.pop_front();
+    }
+  }
+  run_ready(now);
+}
+
+std::optional<NodeHost::Time> NodeHost::next_due() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!started_ || !starts_ticks() || clock_.is_free()) return std::nullopt;
+  if (!clock_.is_realtime() && !buffer_.ready()) return std::nullopt;
+  return clock_.due(buffer_.next_tick());
+}
+
+template <typename Message>
+void NodeHost::deliver(Message& message) {
+  const std::uint64_t tick = message.stamp.tick;
+  const auto offer = buffer_.offer(message);
+  if (offer == runtime::InputBuffer::Offer::kAhead) {
+    const std::string topic(domain::topic_name(domain::topic_of<Message>()));
+    const std::string what = node_.name() + " is at tick " + std::to_string(buffer_.next_tick()) +
+                             " and lost '" + topic + "' of tick " + std::to_string(tick);
+    handlers_.on_fatal(what);
+    return;
+  }
+  run_ready(clock_.is_free() ? Time{} : std::chrono::steady_clock::now());
+}
+
+void NodeHost::refuse(const std::string& topic, const core::Error& error) {
+  ++refused_samples_;
+  const std::string what = node_.name() + " refuses a sample of '" + topic + "': " + error.text();
+  if (!lockstep_) return handlers_.on_notice(what);
+  // Without it the tick can never be complete.
+  report();
+  handlers_.on_fatal(what);
+}
+
+bool NodeHost::may_step(Time now) const {
+  if (stopped_) return false;
+  if (!starts_ticks()) {
+    // Who only keeps account in real time goes on without what was lost; the recording tells.
+    return buffer_.ready() || (account_inputs_ && !lockstep_ && buffer_.rest_is_lost());
+  }
+  if (!started_ || buffer_.next_tick() >= allowed_until_) return false;
+  if (clock_.is_free()) return buffer_.ready();
+  if (now < clock_.due(buffer_.next_tick())) return false;
+  return clock_.is_realtime() || buffer_.ready();
+}
+
+void NodeHost::run_ready(Time now) {
+  while (may_step(now)) step();
+}
+
+void NodeHost::step() {
+  const std::uint64_t tick = buffer_.next_tick();
+  const runtime::TopicSet present = buffer_.take(messages_);
+  if (account_inputs_) account(present);
+  node_.step(tick, present, messages_);
+  publish();
+  const auto& truth = account_.statistics().truth;
+  const bool ended = truth && truth->outcome != domain::Outcome::kRunning;
+  if (ended) stopped_ = true;
+  if (ended || tick % kTicksPerReport == 0 || account_.spooled_bytes() >= kSpoolBytes) report();
+  if (buffer_.next_tick() % kTicksPerCheckpoint == 0) save_checkpoint();
+}
+
+// What was written before is on its way to the recording first: a component that goes on from here
+// will not write it again.
+void NodeHost::save_checkpoint() {
+  const std::string state = node_.save();
+  if (spools_states_) account_.spool_state({node_.name(), buffer_.next_tick(), state});
+  report();
+  core::StateWriter account;
+  account(account_);
+  std::map<std::string, std::string> last_outputs;
+  for (Topic topic : node_.ports().output_order) {
+    domain::visit_topic(topic, [&](auto constant) {
+      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      last_outputs[std::string(domain::topic_name(topic))] =
+          std::get<kIndex>(codecs_).encode(std::get<kIndex>(messages_));
+    });
+  }
+  handlers_.on_checkpoint({buffer_.next_tick(), state, account.take(), std::move(last_outputs)});
+}
+
+void NodeHost::repeat_last_outputs(const Checkpoint& checkpoint) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (Topic topic : node_.ports().output_order) {
+    const auto bytes = checkpoint.last_outputs.find(std::string(domain::topic_name(topic)));
+    if (bytes != checkpoint.last_outputs.end()) {
+      write(outputs_[index_of(topic)], topic, bytes->second);
+    }
+  }
+}
+
+void NodeHost::account(const runtime::TopicSet& present) {
+  for (Topic topic : domain::kAllTopics) {
+    if (!present[index_of(topic)]) continue;
+    domain::visit_topic(topic, [&](auto constant) {
+      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      const auto& message = std::get<kIndex>(messages_);
+      account_.add(message, std::get<kIndex>(codecs_).encode(message));
+    });
+  }
+}
+
+// The next component waits for the samples and nobody for the account of them.
+void NodeHost::publish() {
+  const auto& outputs = node_.ports().output_order;
+  std::array<std::string_view, domain::kTopicCount> encoded;
+  for (Topic topic : outputs) {
+    domain::visit_topic(topic, [&](auto constant) {
+      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      encoded[kIndex] = std::get<kIndex>(codecs_).encode(std::get<kIndex>(messages_));
+    });
+    write(outputs_[index_of(topic)], topic, encoded[index_of(topic)]);
+  }
+  for (Topic topic : outputs) {
+    domain::visit_topic(topic, [&](auto constant) {
+      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      account_.add(std::get<kIndex>(messages_), encoded[kIndex]);
+    });
+  }
+}
+
+void NodeHost::write(Output& output, Topic topic, std::string_view cdr) {
+  WriteStatus status = WriteStatus::kWouldBlock;
+  if (output.waiting.empty()) status = output.writer->write(cdr);
+  if (status == WriteStatus::kWouldBlock) output.waiting.emplace_back(cdr);
+  if (status == WriteStatus::kFailed) {
+    stopped_ = true;
+    handlers_.on_fatal(node_.name() + " cannot write '" + std::string(domain::topic_name(topic)) +
+                       "'");
+  }
+}
+
+void NodeHost::report() {
+  handlers_.on_progress({buffer_.next_tick(), account_.statistics(), refused_samples_});
+  if (account_.spooled_bytes() > 0) handlers_.on_spooled(account_.take_spooled());
+}
+
+void NodeHost::flush() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  report();
+}
+
+std::optional<Finished> NodeHost::finished(std::uint64_t last_tick) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (buffer_.next_tick() <= last_tick) return std::nullopt;
+  for (const Output& output : outputs_) {
+    if (!output.waiting.empty()) return std::nullopt;
+  }
+  return Finished{account_.chains(), account_.statistics(), refused_samples_};
+}
+
+}  // namespace clew::bridge

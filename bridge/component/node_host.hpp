@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "component/start_barrier.hpp"
+#include "dds/participant.hpp"
+#include "line/frames.hpp"
+#include "run/sample_account.hpp"
+#include "run/tick_clock.hpp"
+#include "runtime/input_buffer.hpp"
+#include "runtime/run_plan.hpp"
+
+namespace clew::bridge {
+
+/// A node on the wire: samples come in on the vendor's threads, the last input of a tick steps the
+/// node in the thread that brought it, and outputs go out at once. A write that the vendor does not
+/// take waits in a queue for poll(), since a receive thread must never wait for acknowledgements
+/// that only it can process.
+class NodeHost {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  /// Calls come from any thread, with the host's lock held: they may send, and must not call back.
+  struct Handlers {
+    std::function<void(std::string)> on_notice;
+    std::function<void(std::string)> on_fatal;
+    /// Every few ticks, and when the run's outcome is known.
+    std::function<void(const Progress&)> on_progress;
+    /// At every multiple of the checkpoint period.
+    std::function<void(const Checkpoint&)> on_checkpoint;
+    /// Samples for the recording, as SampleAccount spools them.
+    std::function<void(std::string)> on_spooled;
+  };
+
+  /// Of the plan it needs the duration of a tick, and the arrangement of beams that scans must
+  /// have. With `account_inputs` the account is kept over the inputs instead of the outputs, in
+  /// their canonical form: for topics whose writer does not keep one.
+  NodeHost(runtime::Node node, const Assignment& assignment, const runtime::RunPlan& plan,
+           Handlers handlers, bool account_inputs = false);
+  ~NodeHost();
+  NodeHost(const NodeHost&) = delete;
+  NodeHost& operator=(const NodeHost&) = delete;
+
+  /// Creates the endpoints. `barrier` and `participant` must outlive the host.
+  core::Result<void> open(Participant& participant, const StartBarrier& barrier);
+
+  /// Goes on from a checkpoint instead of tick 0; before open().
+  core::Result<void> restore(const Checkpoint& checkpoint);
+  /// Writes again what was written last before the checkpoint; after open().
+  void repeat_last_outputs(const Checkpoint& checkpoint);
+  /// Lets the stage that starts ticks begin.
+  void go(Time now);
+  /// Ticks up to this one, not included, may start.
+  void allow_until(std::uint64_t tick);
+  /// Does what is due by the clock, and tries waiting writes again.
+  void poll(Time now);
+  /// When poll() should be called next; none: when something has arrived.
+  std::optional<Time> next_due() const;
+
+  /// Reports progress, and hands over what is spooled.
+  void flush();
+  /// What the node wrote, if it has stepped `last_tick` and every write was taken; else none yet.
+  std::optional<Finished> finished(std::uint64_t last_tick) const;
+
+ private:
+  template <typename Message>
+  class Input;
+  struct Output {
+    std::unique_ptr<SampleWriter> writer;
+    std::deque<std::string> waiting;
+  };
+
+  template <typename Message>
+  void deliver(Message& message);
+  void refuse(const std::string& topic, const core::Error& error);
+  void run_ready(Time now);
+  bool may_step(Time now) const;
+  void step();
+  void account(const runtime::TopicSet& present);
+  void publish();
+  void write(Output& output, runtime::Topic topic, std::string_view cdr);
+  void report();
+  void save_checkpoint();
+  bool starts_ticks() const { return node_.ports().delayed_inputs.any(); }
+
+  mutable std::mutex mutex_;
+  runtime::Node node_;
+  domain::ScanLayout scan_layout_;
+  const std::string user_data_;
+  const int history_depth_;
+  const bool lockstep_;
+  const bool account_inputs_;
+  const bool spools_states_;
+  Handlers handlers_;
+  runtime::InputBuffer buffer_;
+  domain::Messages messages_;
+  Codecs codecs_;
+  SampleAccount account_;
+  TickClock clock_;
+  bool started_ = false;
+  bool stopped_ = false;  ///< a write failed, or the run has its outcome
+  std::uint64_t allowed_until_ = 0;
+  std::uint64_t refused_samples_ = 0;
+  std::array<Output, domain::kTopicCount> outputs_;
+  std::vector<std::unique_ptr<SampleListener>> listeners_;
+  std::vector<std::unique_ptr<SampleReader>> readers_;  // closed before the listeners go
+};
+
+}  // namespace clew::bridge

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "dds/participant.hpp"
+#include "line/frames.hpp"
+
+namespace clew::bridge {
+
+/// Watches discovery for one process: which expected endpoints are matched, who may be listened to,
+/// and what can never match. Safe from any thread.
+class StartBarrier : public DiscoveryListener {
+ public:
+  /// `on_change` is called, without locks, when the set of missing endpoints changes; `on_refused`
+  /// with a sentence for each endpoint that is turned away; `on_fatal` for what makes a start
+  /// impossible.
+  struct Handlers {
+    std::function<void()> on_change;
+    std::function<void(std::string)> on_refused;
+    std::function<void(std::string)> on_fatal;
+  };
+
+  StartBarrier(std::string own_name, std::vector<ExpectedEndpoint> expected, Handlers handlers);
+
+  /// Expects more endpoints; before those of this process that they will match are created.
+  void expect(const std::vector<ExpectedEndpoint>& more);
+
+  /// The expected endpoints that are not matched, a sentence each.
+  std::vector<std::string> missing() const;
+
+  /// Whether samples of this writer may enter: it is the expected one of its topic, built from the
+  /// same IDL.
+  bool accepts(const RemoteEndpoint* writer) const;
+  /// Changes whenever an answer of accepts() may have changed.
+  std::uint64_t version() const { return version_.load(); }
+
+  void on_matched(const RemoteEndpoint& remote) override;
+  void on_unmatched(const RemoteEndpoint& remote) override;
+  void on_incompatible_qos(const std::string& topic, bool local_is_writer,
+                           const std::string& policy) override;
+  void on_inconsistent_type(const RemoteEndpoint& remote) override;
+
+ private:
+  /// Why an endpoint is no part of this run; empty if it is.
+  std::string objection(const RemoteEndpoint& remote) const;
+
+  const std::string own_name_;
+  const Handlers handlers_;
+  std::atomic<std::uint64_t> version_{0};
+  mutable std::mutex mutex_;
+  std::vector<ExpectedEndpoint> expected_;
+  std::map<std::string, RemoteEndpoint> matched_;  // accepted ones, by guid
+};
+
+}  // namespace clew::bridge

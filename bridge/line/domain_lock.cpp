@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "line/domain_lock.hpp"
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "dds/rtps_ports.hpp"
+#include "line/link.hpp"
+
+namespace clew::bridge {
+namespace {
+
+// Domain 0 is everybody's default.
+constexpr int kFirstDomain = 1;
+
+// Domains on whose ports any program of this host has a UDP socket.
+std::set<int> domains_in_use() {
+  std::set<int> domains;
+  for (const char* table : {"/proc/net/udp", "/proc/net/udp6"}) {
+    std::ifstream stream(table);
+    std::string line;
+    std::getline(stream, line);  // headings
+    while (std::getline(stream, line)) {
+      std::istringstream words(line);
+      std::string slot, local;
+      words >> slot >> local;
+      const std::size_t colon = local.rfind(':');
+      if (colon == std::string::npos) continue;
+      const int port = std::stoi(local.substr(colon + 1), nullptr, 16);
+      if (port >= kPortBase) domains.insert((port - kPortBase) / kPortsPerDomain);
+    }
+  }
+  return domains;
+}
+
+}  // namespace
+
+core::Result<DomainLock> DomainLock::take(std::optional<int> domain) {
+  if (domain) {
+    CLEW_RETURN_IF_ERROR(check_domain(*domain));
+    if (const auto socket = LinkListener::bind(*domain)) return DomainLock(*domain, *socket);
+    return core::Error{"domain " + std::to_string(*domain) + " is held by another run", {}, 0, 0};
+  }
+  const std::set<int> used = domains_in_use();
+  for (int candidate = kFirstDomain; candidate <= kMaxDomain; ++candidate) {
+    if (used.count(candidate) != 0) continue;
+    if (const auto socket = LinkListener::bind(candidate)) return DomainLock(candidate, *socket);
+  }
+  return core::Error{
+      "no DDS domain from 1 to " + std::to_string(kMaxDomain) + " is free on this host", {}, 0, 0};
+}
+
+DomainLock::DomainLock(DomainLock&& other) noexcept
+    : domain_(other.domain_), socket_(std::exchange(other.socket_, -1)) {}
+
+DomainLock::~DomainLock() {
+  if (socket_ >= 0) ::close(socket_);
+}
+
+std::optional<int> DomainLock::accept() const {
+  const int connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
+  if (connection < 0) return std::nullopt;
+  return connection;
+}
+
+}  // namespace clew::bridge

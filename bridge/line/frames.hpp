@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What is said on the line between a run's supervisor and its component processes: who is there,
+/// who waits for whom, how far each is, what it wrote (for the recording), and how it ended.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/archive.hpp"
+#include "core/hash128.hpp"
+#include "run/limits.hpp"
+#include "run/pace.hpp"
+#include "run/run_statistics.hpp"
+#include "runtime/config_source.hpp"
+
+namespace clew::bridge {
+
+enum class FrameType : std::uint8_t {
+  // from a component
+  kHello,
+  kPreparing,  ///< with what it is busy before it can say for whom it waits
+  kWaiting,    ///< which endpoints are not there yet; none: ready
+  kProgress,
+  kSamples,  ///< what was written, for the recording
+  kCheckpoint,
+  kFinished,
+  kNotice,  ///< a line for the log
+  kFatal,   ///< the component cannot go on
+  // from the recorder
+  kKept,      ///< how far the recorder is
+  kRecorded,  ///< the recording has ended, and how it went
+  // from the supervisor
+  kAssignment,
+  kGo,
+  kCredit,
+  kFinish,
+  // to the recorder, besides kSamples
+  kRecord,       ///< what to record
+  kRecordingEnd  ///< all samples were sent; why the run was aborted, if it was
+};
+
+struct Hello {
+  std::string stage;
+  std::int64_t process_id = 0;
+  std::string idl_fingerprint;
+};
+
+/// An endpoint of another process that must be matched before tick 0.
+struct ExpectedEndpoint {
+  std::string topic;
+  bool is_writer = false;
+  std::string stage;         ///< empty: of anybody
+  bool third_party = false;  ///< of a component that is not clew's, and so does not tell its stage
+};
+
+/// A component's state before it steps `tick`: with the inputs from that tick on it goes on as if
+/// it had never stopped.
+struct Checkpoint {
+  std::uint64_t tick = 0;
+  std::string node;     ///< runtime::Node::save
+  std::string account;  ///< the account of what it wrote
+  /// What it wrote last, by topic: of the tick before, which a delayed input of another component
+  /// that goes back to the same tick still needs.
+  std::map<std::string, std::string> last_outputs;
+};
+
+/// All that a component process needs to take its place in a run.
+struct Assignment {
+  std::string run_id;
+  runtime::Bundle bundle;
+  std::string middleware;
+  std::int32_t domain = 0;
+  double lease_s = kLease_s;
+  Pace pace = Pace::kLockstep;
+  double pace_factor = 1.0;  ///< with kScaled and kRealtime: simulated over wall-clock time
+  std::int32_t realtime_priority = 0;  ///< of all threads, first in, first out; 0: none
+  bool hash = true;
+  Spooling spooling = Spooling::kNothing;
+  std::uint32_t history_depth = kHistoryDepth;
+  std::uint64_t lead = 1;  ///< ticks that may be started before the first credit
+  std::vector<ExpectedEndpoint> expected;
+  bool resumes = false;  ///< the run is under way: go on from `checkpoint`, or else from tick 0
+  std::optional<Checkpoint> checkpoint;
+};
+
+struct Waiting {
+  std::vector<std::string> missing;  ///< one sentence each
+};
+
+struct Progress {
+  std::uint64_t ticks = 0;  ///< stepped so far
+  RunStatistics statistics;
+  std::uint64_t refused_samples = 0;
+};
+
+struct Finished {
+  std::map<std::string, core::Hash128> chains;  ///< by topic written
+  RunStatistics statistics;
+  std::uint64_t refused_samples = 0;
+};
+
+struct Text {
+  std::string text;
+};
+
+struct Tick {
+  std::uint64_t tick = 0;
+};
+
+/// How far a recorder is.
+struct Kept {
+  std::uint64_t ticks = 0;          ///< below this one nobody needs to wait for it
+  std::uint64_t durable_ticks = 0;  ///< ticks below this one it will not need again if it dies
+};
+
+template <typename V>
+void visit_fields(V& v, Hello& m) {
+  v(m.stage, m.process_id, m.idl_fingerprint);
+}
+template <typename V>
+void visit_fields(V& v, ExpectedEndpoint& m) {
+  v(m.topic, m.is_writer, m.stage, m.third_party);
+}
+template <typename V>
+void visit_fields(V& v, Checkpoint& m) {
+  v(m.tick, m.node, m.account, m.last_outputs);
+}
+template <typename V>
+void visit_fields(V& v, Assignment& m) {
+  v(m.run_id, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor,
+    m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected, m.resumes,
+    m.checkpoint);
+}
+template <typename V>
+void visit_fields(V& v, Waiting& m) {
+  v(m.missing);
+}
+template <typename V>
+void visit_fields(V& v, Progress& m) {
+  v(m.ticks, m.statistics, m.refused_samples);
+}
+template <typename V>
+void visit_fields(V& v, Finished& m) {
+  v(m.chains, m.statistics, m.refused_samples);
+}
+template <typename V>
+void visit_fields(V& v, Text& m) {
+  v(m.text);
+}
+template <typename V>
+void visit_fields(V& v, Tick& m) {
+  v(m.tick);
+}
+template <typename V>
+void visit_fields(V& v, Kept& m) {
+  v(m.ticks, m.durable_ticks);
+}
+
+/// A frame as received.
+struct Frame {
+  FrameType type = FrameType::kNotice;
+  std::string payload;
+
+  /// The message inside, or none if the payload is not one.
+  template <typename Message>
+  std::optional<Message> as() const {
+    Message message;
+    core::StateReader reader(payload);
+    reader(message);
+    if (!reader.complete()) return std::nullopt;
+    return message;
+  }
+};
+
+}  // namespace clew::bridge

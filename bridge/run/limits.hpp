@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Every time-out, period and depth of a run and its line, each with its reason. Those of DDS
+/// itself are in dds/participant.hpp and dds/rtps_ports.hpp.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+namespace clew::bridge {
+
+// ---- how far one may be ahead of another ----
+
+/// Samples of each topic that its writer and readers hold: all that a restarted component needs
+/// again, which is two checkpoint periods and the lead.
+inline constexpr std::uint32_t kHistoryDepth = 512;
+/// Ticks that the stage that starts them may be ahead of the slowest member: a quarter, so that a
+/// late reader still finds what it needs.
+inline constexpr std::uint32_t kLead = kHistoryDepth / 4;
+/// Ticks that a run may be ahead of what the recorder has in closed chunks: half a history.
+inline constexpr std::uint64_t kRecorderLead = kHistoryDepth / 2;
+/// Two are enough for members that go in step; one that nobody waits for may lag behind by the lead
+/// of the stage that starts ticks, which is two periods more.
+inline constexpr std::size_t kCheckpointsKept = 4;
+
+// ---- who is believed alive, and for how long ----
+
+/// How long a participant that is silent is believed alive by the others. They keep what they write
+/// for it until then.
+inline constexpr double kLease_s = 1.5;
+/// A component that is in a debugger is not dead.
+inline constexpr double kPatientLease_s = 3600.0;
+/// How often a component that has nothing else to do reports, and tries waiting writes again.
+inline constexpr auto kFlushPeriod = std::chrono::milliseconds(20);
+/// How often a process says that it lives while it reads a large world or a long recording.
+inline constexpr auto kHeartbeatPeriod = std::chrono::milliseconds(100);
+/// A process that has not reported for so long is killed: a hundred reports of a component, twenty
+/// of a recorder.
+inline constexpr auto kFrozenAfter = std::chrono::seconds(2);
+/// Discovery takes a second at the most; on a machine under full load three were seen.
+inline constexpr auto kLonelyAfter = std::chrono::seconds(4);
+/// No tick for so long means that a component is stuck.
+inline constexpr auto kStallTimeout = std::chrono::seconds(10);
+
+// ---- start and end ----
+
+/// A component whose run is not there says so after this.
+inline constexpr auto kSilence = std::chrono::seconds(1);
+/// How often a process looks whether its run is there.
+inline constexpr auto kConnectPeriod = std::chrono::milliseconds(50);
+/// A supervisor that starts a large world answers late; one that is gone closes the line.
+inline constexpr auto kAssignmentTimeout = std::chrono::seconds(30);
+/// A recorder reports that it lives from its first moment.
+inline constexpr auto kRecorderStartTimeout = std::chrono::seconds(10);
+/// With a debugger, or a component that a person starts: as long as a person may take.
+inline constexpr auto kPatience = std::chrono::hours(1);
+/// The same in a replay, where nothing but the replay waits.
+inline constexpr double kReplayPatience_s = 60.0;
+/// How long a process may take to end once it should.
+inline constexpr auto kEndGrace = std::chrono::milliseconds(500);
+/// A process that dies so often without coming any further will do so again.
+inline constexpr std::uint32_t kDeathsInPlace = 2;
+/// Of the recorder; those of a component are in its graph.
+inline constexpr std::uint32_t kRecorderRestarts = 100;
+
+// ---- how often something is looked at or told ----
+
+/// The supervisor's look at the clock while nothing arrives.
+inline constexpr auto kPollPeriod = std::chrono::milliseconds(20);
+inline constexpr auto kDisplayPeriod = std::chrono::milliseconds(100);
+/// A composed run looks at the clock for its display once in so many ticks.
+inline constexpr std::uint64_t kTicksPerLook = 256;
+/// A component reports its progress once in so many ticks: an eighth of the lead and more.
+inline constexpr std::uint64_t kTicksPerReport = 32;
+/// It sends what it wrote in batches of this size at the latest.
+inline constexpr std::size_t kSpoolBytes = std::size_t{64} * 1024;
+/// How often a recorder says how far it is.
+inline constexpr auto kRecorderReportPeriod = std::chrono::milliseconds(100);
+/// And after how many ticks at once: the run waits for it, but not for every tick.
+inline constexpr std::uint64_t kRecorderReportTicks = 4;
+/// What is in the open chunk is left in the file as often as this.
+inline constexpr auto kWriteAheadPeriod = std::chrono::milliseconds(500);
+/// Waking the recorder costs more than what it then does: it gets many samples at once.
+inline constexpr std::size_t kRecorderBatchBytes = std::size_t{64} * 1024;
+inline constexpr auto kRecorderBatchDelay = std::chrono::milliseconds(20);
+/// In real time, what is kept for the recorder: minutes of the fastest run.
+inline constexpr std::size_t kMaxKeptBytes = std::size_t{64} << 20;
+
+// ---- replay on the wire ----
+
+/// Ticks published before something else is looked after.
+inline constexpr int kTicksPerRound = 64;
+/// How soon a write that was refused is tried again: nobody tells when there is room.
+inline constexpr auto kRetryPeriod = std::chrono::milliseconds(1);
+/// A reader that acknowledges nothing for so long is worth a line.
+inline constexpr auto kHeldUpPeriod = std::chrono::seconds(10);
+
+}  // namespace clew::bridge

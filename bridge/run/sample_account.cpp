@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/sample_account.hpp"
+
+#include <cstring>
+#include <utility>
+
+namespace clew::bridge {
+namespace {
+
+struct SpoolHeader {
+  std::uint64_t tick;
+  std::uint64_t sequence;  ///< of a state: bytes of the stage's name, which is in front of it
+  std::uint32_t size;
+  std::uint32_t topic;  ///< or kState
+};
+constexpr std::uint32_t kState = domain::kTopicCount;
+
+void append(std::string& spool, const SpoolHeader& header) {
+  char raw[sizeof header];
+  std::memcpy(raw, &header, sizeof header);
+  spool.append(raw, sizeof raw);
+}
+
+}  // namespace
+
+void SampleAccount::add_bytes(domain::Topic topic, const domain::TickStamp& stamp,
+                              std::string_view cdr) {
+  const auto index = static_cast<std::size_t>(topic);
+  written_[index] = true;
+  if (hash_) chains_[index].add(stamp.tick, stamp.sequence, cdr);
+  if (!spool_) return;
+  append(spooled_, {stamp.tick, stamp.sequence, static_cast<std::uint32_t>(cdr.size()),
+                    static_cast<std::uint32_t>(topic)});
+  spooled_.append(cdr);
+}
+
+void SampleAccount::spool_state(const SpooledState& state) {
+  const std::size_t size = state.stage.size() + state.state.size();
+  append(spooled_, {state.tick, state.stage.size(), static_cast<std::uint32_t>(size), kState});
+  spooled_.append(state.stage).append(state.state);
+}
+
+std::map<std::string, core::Hash128> SampleAccount::chains() const {
+  std::map<std::string, core::Hash128> chains;
+  for (domain::Topic topic : domain::kAllTopics) {
+    const auto index = static_cast<std::size_t>(topic);
+    if (hash_ && written_[index]) {
+      chains[std::string(domain::topic_name(topic))] = chains_[index].value();
+    }
+  }
+  return chains;
+}
+
+std::string SampleAccount::take_spooled() {
+  std::string taken;
+  std::swap(taken, spooled_);
+  spooled_.reserve(taken.capacity());
+  return taken;
+}
+
+bool for_each_spooled(std::string_view spool, const SpoolVisitor& visitor) {
+  while (!spool.empty()) {
+    SpoolHeader header;
+    if (spool.size() < sizeof header) return false;
+    std::memcpy(&header, spool.data(), sizeof header);
+    spool.remove_prefix(sizeof header);
+    if (header.size > spool.size() || header.topic > kState) return false;
+    const std::string_view bytes = spool.substr(0, header.size);
+    if (header.topic < kState) {
+      visitor.on_sample(
+          {static_cast<domain::Topic>(header.topic), header.tick, header.sequence, bytes});
+    } else {
+      if (header.sequence > bytes.size()) return false;
+      visitor.on_state(
+          {bytes.substr(0, header.sequence), header.tick, bytes.substr(header.sequence)});
+    }
+    spool.remove_prefix(header.size);
+  }
+  return true;
+}
+
+}  // namespace clew::bridge

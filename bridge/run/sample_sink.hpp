@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/result.hpp"
+#include "run/sample_account.hpp"
+
+namespace clew::bridge {
+
+/// Receives what the components of a run write, in order within each topic.
+class SampleSink {
+ public:
+  virtual ~SampleSink() = default;
+  /// Takes a sample. After an error it is given no more.
+  virtual core::Result<void> add(const SpooledSample& sample) = 0;
+
+  /// Whether it wants the components' states, too: at every multiple of kTicksPerCheckpoint but 0.
+  virtual bool wants_states() const { return false; }
+  virtual void add_state(const SpooledState&) {}
+};
+
+}  // namespace clew::bridge

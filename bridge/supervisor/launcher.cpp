@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "supervisor/launcher.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <utility>
+
+#include "convert/codec.hpp"
+#include "run/limits.hpp"
+#include "vendors/third_party_environment.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using runtime::Graph;
+using runtime::GraphStage;
+using runtime::Topic;
+
+/// The word as a shell takes it for one.
+std::string for_shell(const std::string& word) {
+  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::strchr("_-./=:,@%+", c) != nullptr;
+  });
+  if (plain && !word.empty()) return word;
+  std::string quoted = "'";
+  for (const char c : word) c == '\'' ? quoted += "'\\''" : quoted += c;
+  return quoted + '\'';
+}
+
+std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const GraphStage& stage) {
+  std::vector<ExpectedEndpoint> expected;
+  for (Topic topic : domain::kAllTopics) {
+    const auto index = static_cast<std::size_t>(topic);
+    const std::string name(domain::topic_name(topic));
+    if (stage.ports.outputs[index]) {
+      for (const GraphStage* reader : graph.readers_of(topic)) {
+        expected.push_back({name, false, reader->info->name, is_third_party(*reader)});
+      }
+    }
+    if (stage.ports.all_inputs()[index]) {
+      const GraphStage* writer = graph.writer_of(topic);
+      expected.push_back({name, true, writer->info->name, is_third_party(*writer)});
+    }
+  }
+  return expected;
+}
+
+}  // namespace
+
+void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
+                     const std::string& stage, Assignment& assignment) {
+  assignment.bundle = plan.bundle;
+  assignment.pace = layout.pace;
+  assignment.pace_factor = layout.pace_factor;
+  assignment.realtime_priority = layout.realtime_priority;
+  assignment.hash = layout.hash;
+  if (const GraphStage* graph_stage = plan.graph.find(stage)) {
+    assignment.expected = expected_endpoints(plan.graph, *graph_stage);
+  }
+}
+
+std::string middleware_of(const GraphStage& stage, const ProcessLayout& layout) {
+  const auto chosen = layout.stage_middleware.find(stage.info->name);
+  if (chosen != layout.stage_middleware.end()) return chosen->second;
+  return stage.deployment.middleware.empty() ? layout.middleware : stage.deployment.middleware;
+}
+
+ChildCommand command_of(const Member& member, const GraphStage& stage, const ProcessLayout& layout,
+                        int domain, const std::string& run_id) {
+  ChildCommand command;
+  if (member.third_party) {
+    command.arguments = stage.deployment.exec;
+    command.may_start_others = true;
+  } else {
+    command.arguments = {layout.program, "component", "-", member.stage};
+  }
+  const auto prefix = layout.prefix.find(member.stage);
+  if (prefix != layout.prefix.end()) {
+    // The shell knows how to take a command line apart; it is replaced by the program at once.
+    const std::vector<std::string> shell = {"/bin/sh", "-c", "exec " + prefix->second + " \"$@\"",
+                                            "sh"};
+    command.arguments.insert(command.arguments.begin(), shell.begin(), shell.end());
+    command.keeps_terminal = true;
+  }
+  command.environment = environment_of(domain, run_id);
+  return command;
+}
+
+std::map<std::string, std::string> environment_of(int domain, const std::string& run_id) {
+  auto environment = environment_for_third_party(domain, kLease_s);
+  environment["CLEW_DOMAIN_ID"] = std::to_string(domain);
+  environment["CLEW_RUN_ID"] = run_id;
+  return environment;
+}
+
+// The run has the graph, so the line does not depend on where it is typed.
+std::string component_line(const std::string& program, const std::string& stage, int domain) {
+  return for_shell(program) + " component - " + stage + " --domain " + std::to_string(domain);
+}
+
+Launcher::Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
+                   Spooling spooling)
+    : plan_(plan),
+      layout_(layout),
+      domain_(domain),
+      spooling_(spooling),
+      run_id_(std::to_string(::getpid()) + '-' + std::to_string(domain)) {}
+
+core::Result<void> Launcher::start(Member& member) const {
+  auto child = ChildProcess::start(
+      command_of(member, *plan_.graph.find(member.stage), layout_, domain_, run_id_));
+  if (!child.ok()) return core::Error{member.stage + ": " + child.error().text(), {}, 0, 0};
+  member.child = std::move(child).value();
+  member.down = false;
+  return {};
+}
+
+ChildCommand Launcher::recorder_command() const {
+  ChildCommand command;
+  command.arguments = {layout_.program, "recorder", "--domain", std::to_string(domain_)};
+  return command;
+}
+
+std::string Launcher::how_to_start(const Member& member) const {
+  std::string command = component_line(layout_.program, member.stage, domain_);
+  if (member.third_party) {
+    command = "env";
+    for (const auto& [name, value] : environment_of(domain_, run_id_)) {
+      command += ' ' + name + '=' + for_shell(value);
+    }
+    for (const std::string& word : plan_.graph.find(member.stage)->deployment.exec) {
+      command += ' ' + for_shell(word);
+    }
+  }
+  return "waiting for " + member.stage + "; start it with: " + command;
+}
+
+core::Result<Member*> Launcher::admit(const Hello& hello, std::vector<Member>& members) const {
+  const auto member = std::find_if(members.begin(), members.end(), [&](const Member& candidate) {
+    return candidate.stage == hello.stage && !candidate.third_party;
+  });
+  if (member == members.end() || member->link != nullptr) return nullptr;
+  if (hello.idl_fingerprint == idl_fingerprint()) return &*member;
+  return core::Error{hello.stage + " (process " + std::to_string(hello.process_id) +
+                         ") was built from other IDL files: its fingerprint is " +
+                         hello.idl_fingerprint + ", that of the run is " +
+                         std::string(idl_fingerprint()),
+                     {},
+                     0,
+                     0};
+}
+
+Assignment Launcher::assignment_for(const std::string& stage, const std::string& middleware) const {
+  Assignment assignment;
+  assignment.run_id = run_id_;
+  assignment.middleware = middleware;
+  assignment.domain = domain_;
+  if (patient()) assignment.lease_s = kPatientLease_s;
+  assignment.spooling = spooling_;
+  assignment.history_depth = kHistoryDepth;
+  assignment.lead = kLead;
+  fill_assignment(plan_, layout_, stage, assignment);
+  return assignment;
+}
+
+Assignment Launcher::assignment_for(const Member& member) const {
+  Assignment assignment =
+      assignment_for(member.stage, middleware_of(*plan_.graph.find(member.stage), layout_));
+  if (!member.checkpoints.empty()) assignment.checkpoint = member.checkpoints.back();
+  return assignment;
+}
+
+std::chrono::steady_clock::duration Launcher::start_timeout() const {
+  if (patient()) return kPatience;
+  return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+      std::chrono::duration<double>(plan_.graph.start_timeout_s));
+}
+
+}  // namespace clew::bridge

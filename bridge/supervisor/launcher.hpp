@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+#include "line/link.hpp"
+#include "runtime/run_plan.hpp"
+#include "supervisor/member.hpp"
+#include "supervisor/process_layout.hpp"
+
+namespace clew::bridge {
+
+/// What a person types, anywhere, to start a component of ours: `program` is that of clew.
+std::string component_line(const std::string& program, const std::string& stage, int domain);
+
+/// Adds to an assignment what follows from the plan and its layout: the bundle, the pace, and the
+/// endpoints of others that `stage` must be matched with before tick 0.
+void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
+                     const std::string& stage, Assignment& assignment);
+
+/// The middleware of a stage: from the command line, else from the graph, else the default.
+std::string middleware_of(const runtime::GraphStage& stage, const ProcessLayout& layout);
+
+/// How to start a member's process.
+ChildCommand command_of(const Member& member, const runtime::GraphStage& stage,
+                        const ProcessLayout& layout, int domain, const std::string& run_id);
+
+/// What a process of a run is told: all that a component of someone else's needs.
+std::map<std::string, std::string> environment_of(int domain, const std::string& run_id);
+
+/// Starts the processes of a run, and gives each that reports its assignment.
+class Launcher {
+ public:
+  Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
+           Spooling spooling);
+
+  /// Starts a member's process.
+  core::Result<void> start(Member& member) const;
+  /// How to start the recorder.
+  ChildCommand recorder_command() const;
+  /// What a person must do to start an external member.
+  std::string how_to_start(const Member& member) const;
+
+  /// The member that says hello: none if the run has no place for it. An error if it was built from
+  /// other IDL files, which no run can go on with.
+  core::Result<Member*> admit(const Hello& hello, std::vector<Member>& members) const;
+  Assignment assignment_for(const std::string& stage, const std::string& middleware) const;
+  Assignment assignment_for(const Member& member) const;
+
+  /// Whether a person at a debugger takes part, who may take his time.
+  bool patient() const { return !layout_.external.empty() || !layout_.prefix.empty(); }
+  /// How long everybody may take to be there.
+  std::chrono::steady_clock::duration start_timeout() const;
+
+ private:
+  const runtime::RunPlan& plan_;
+  const ProcessLayout& layout_;
+  int domain_;
+  Spooling spooling_;
+  std::string run_id_;
+};
+
+}  // namespace clew::bridge

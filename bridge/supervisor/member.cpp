@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "supervisor/member.hpp"
+
+#include <algorithm>
+
+#include "run/limits.hpp"
+
+namespace clew::bridge {
+
+using runtime::GraphStage;
+
+bool is_third_party(const GraphStage& stage) { return !stage.deployment.exec.empty(); }
+
+void Member::begin(const ProcessStart& start) {
+  progress.ticks = start.next_tick;
+  const auto checkpoint = start.checkpoints.find(stage);
+  if (checkpoint != start.checkpoints.end()) checkpoints.push_back(checkpoint->second);
+}
+
+void Member::note(const Frame& frame, std::chrono::steady_clock::time_point now) {
+  if (frame.type == FrameType::kPreparing) {
+    if (const auto doing = frame.as<Text>()) missing = {doing->text};
+    joined_at = now;
+  } else if (frame.type == FrameType::kWaiting) {
+    if (const auto waiting = frame.as<Waiting>()) {
+      missing = waiting->missing;
+      ready = missing.empty();
+    }
+  } else if (frame.type == FrameType::kCheckpoint) {
+    auto checkpoint = frame.as<Checkpoint>();
+    if (!checkpoint) return;
+    if (!checkpoints.empty() && checkpoint->tick <= checkpoints.back().tick) return;
+    checkpoints.push_back(*std::move(checkpoint));
+    if (checkpoints.size() > kCheckpointsKept) checkpoints.pop_front();
+  } else if (frame.type == FrameType::kFinished) {
+    finished = frame.as<Finished>();
+  }
+}
+
+const Checkpoint* Member::checkpoint_at(std::uint64_t tick) const {
+  for (const Checkpoint& checkpoint : checkpoints) {
+    if (checkpoint.tick == tick) return &checkpoint;
+  }
+  return nullptr;
+}
+
+std::uint64_t common_checkpoint(const std::vector<const Member*>& members, std::uint64_t limit) {
+  const auto& first = members.front()->checkpoints;
+  for (auto candidate = first.rbegin(); candidate != first.rend(); ++candidate) {
+    const bool everywhere = std::all_of(members.begin(), members.end(), [&](const Member* member) {
+      return member->checkpoint_at(candidate->tick) != nullptr;
+    });
+    if (everywhere && candidate->tick <= limit) return candidate->tick;
+  }
+  return 0;
+}
+
+std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayout& layout) {
+  std::vector<Member> members;
+  for (const GraphStage& stage : plan.graph.stages) {
+    Member member;
+    member.stage = stage.info->name;
+    member.third_party = is_third_party(stage);
+    member.external = layout.external.count(member.stage) != 0;
+    member.starts_ticks = stage.ports.delayed_inputs.any();
+    members.push_back(std::move(member));
+  }
+  return members;
+}
+
+RunStatistics total_statistics(const std::vector<Member>& members) {
+  RunStatistics total;
+  for (const Member& member : members) {
+    total.merge(member.finished ? member.finished->statistics : member.progress.statistics);
+  }
+  return total;
+}
+
+std::map<std::string, core::Hash128> all_chains(const std::vector<Member>& members) {
+  std::map<std::string, core::Hash128> chains;
+  for (const Member& member : members) {
+    if (!member.finished) continue;
+    chains.insert(member.finished->chains.begin(), member.finished->chains.end());
+  }
+  return chains;
+}
+
+std::uint64_t total_refused_samples(const std::vector<Member>& members) {
+  std::uint64_t total = 0;
+  for (const Member& member : members) {
+    total += member.finished ? member.finished->refused_samples : member.progress.refused_samples;
+  }
+  return total;
+}
+
+std::string missing_text(const std::vector<Member>& members,
+                         const std::vector<std::string>& observed) {
+  std::string text;
+  for (const Member& member : members) {
+    if (!member.third_party && !member.link) text += "\n  " + member.stage + " has not reported";
+    for (const std::string& missing : member.missing) text += "\n  " + missing;
+  }
+  for (const std::string& missing : observed) text += "\n  " + missing;
+  return text;
+}
+
+std::string ticks_text(const std::vector<Member>& members) {
+  std::string text;
+  for (const Member& member : members) {
+    if (member.third_party) continue;
+    text += ' ' + member.stage + ' ' + std::to_string(member.progress.ticks);
+  }
+  return text;
+}
+
+}  // namespace clew::bridge

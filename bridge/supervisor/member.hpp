@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "line/link.hpp"
+#include "runtime/run_plan.hpp"
+#include "supervisor/child_process.hpp"
+#include "supervisor/process_layout.hpp"
+
+namespace clew::bridge {
+
+/// Whether a stage is a component that does not link clew, started by `exec`.
+bool is_third_party(const runtime::GraphStage& stage);
+
+/// One stage's place in a run, as the supervisor sees it.
+struct Member {
+  std::string stage;
+  bool third_party = false;  ///< a component of someone else's: no line, seen only on the wire
+  bool external = false;     ///< a person starts it
+  bool starts_ticks = false;
+  std::optional<ChildProcess> child;
+  std::unique_ptr<Link> link;
+  std::vector<std::string> missing;  ///< what it still waits for
+  bool ready = false;
+  Progress progress;
+  std::optional<Finished> finished;
+  std::chrono::steady_clock::time_point joined_at{};  ///< when it began to wait for the others
+  std::chrono::steady_clock::time_point heard_at{};
+  bool was_lonely = false;             ///< killed since it did not find the others
+  std::deque<Checkpoint> checkpoints;  ///< the newest last, at most kCheckpointsKept
+  // While it is down, or has not yet caught up with itself:
+  bool down = false;
+  bool catching_up = false;
+  std::uint64_t lost_at = 0;  ///< ticks that it had done when it was lost
+  std::chrono::steady_clock::time_point restart_at{};
+  std::uint32_t restarts = 0;
+  std::uint32_t deaths_in_place = 0;  ///< in a row without a tick more than the one before
+
+  /// Takes its place in a run that begins there.
+  void begin(const ProcessStart& start);
+  /// Notes what a frame says of the member alone: for whom it waits, its checkpoints, its end.
+  void note(const Frame& frame, std::chrono::steady_clock::time_point now);
+  /// The checkpoint at `tick`, if it is kept.
+  const Checkpoint* checkpoint_at(std::uint64_t tick) const;
+};
+
+/// The newest tick, `limit` at most, at which all of `members` have a checkpoint; 0, the start, if
+/// there is none.
+std::uint64_t common_checkpoint(const std::vector<const Member*>& members, std::uint64_t limit);
+
+/// The members of a plan, in the order of its stages.
+std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayout& layout);
+
+/// What all members together have gathered.
+RunStatistics total_statistics(const std::vector<Member>& members);
+
+/// The chained hashes of what those that have finished wrote, by topic.
+std::map<std::string, core::Hash128> all_chains(const std::vector<Member>& members);
+
+/// Samples that they have refused.
+std::uint64_t total_refused_samples(const std::vector<Member>& members);
+
+/// Who has not reported, and every endpoint that somebody waits for: `observed` by the observer. A
+/// line each, after a line break.
+std::string missing_text(const std::vector<Member>& members,
+                         const std::vector<std::string>& observed);
+
+/// How many ticks each member has done: ` drive 57 sense 57 ...`.
+std::string ticks_text(const std::vector<Member>& members);
+
+}  // namespace clew::bridge

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "line/frames.hpp"
+#include "run/pace.hpp"
+
+namespace clew::bridge {
+
+/// How to run a plan as separate processes. Nothing here changes what is computed.
+struct ProcessLayout {
+  std::string program;                                  ///< the clew command
+  std::string middleware = "cyclonedds";                ///< of stages that do not say
+  std::map<std::string, std::string> stage_middleware;  ///< by stage
+  std::optional<int> domain;                            ///< none: the first free one
+  Pace pace = Pace::kLockstep;
+  double pace_factor = 1.0;
+  int realtime_priority = 0;  ///< of component processes: 1 to 99, first in, first out; 0: none
+  bool hash = true;
+  OnRecordError on_record_error = OnRecordError::kStop;
+  std::set<std::string> external;             ///< stages that a person starts
+  std::map<std::string, std::string> prefix;  ///< by stage: `gdb --args`
+};
+
+/// Where a run begins that is under way: every component has stepped all ticks before.
+struct ProcessStart {
+  std::uint64_t next_tick = 0;
+  std::map<std::string, Checkpoint> checkpoints;  ///< by stage, at `next_tick`; none at tick 0
+};
+
+}  // namespace clew::bridge

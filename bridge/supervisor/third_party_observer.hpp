@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "component/node_host.hpp"
+#include "component/start_barrier.hpp"
+#include "dds/participant.hpp"
+#include "runtime/run_plan.hpp"
+
+namespace clew::bridge {
+
+/// Reads the topics that components of someone else's write, so that their samples are hashed,
+/// counted and recorded like those of components that keep their own account.
+class ThirdPartyObserver {
+ public:
+  /// Null if every component of the plan is ours.
+  static core::Result<std::unique_ptr<ThirdPartyObserver>> create(const runtime::RunPlan& plan,
+                                                                  Assignment assignment);
+
+  bool ready() const { return barrier_->missing().empty(); }
+  std::vector<std::string> missing() const { return barrier_->missing(); }
+  void poll();
+  std::uint64_t ticks() const;
+  /// How many ticks all the components that it reads have done: ` control 57`.
+  std::string ticks_text() const;
+  bool finished(std::uint64_t last_tick) const;
+  RunStatistics statistics() const;
+  std::uint64_t refused_samples() const;
+  std::map<std::string, core::Hash128> chains() const;
+  std::string take_spooled();
+  std::vector<std::string> take_notices();
+  std::optional<std::string> fatal() const;
+
+ private:
+  ThirdPartyObserver() = default;
+
+  std::string stages_;  ///< that it reads: `control`
+  mutable std::mutex mutex_;
+  Progress progress_;
+  std::string spooled_;
+  std::vector<std::string> notices_;
+  std::optional<std::string> fatal_;
+  std::unique_ptr<StartBarrier> barrier_;
+  std::unique_ptr<Participant> participant_;
+  std::unique_ptr<NodeHost> host_;  // closed before the participant
+};
+
+}  // namespace clew::bridge
