@@ -14,14 +14,14 @@
 namespace clew::bridge::mcap {
 namespace {
 
-enum class PathKind { kMissing, kRegularFile, kDirectory, kDevice };
+enum class PathKind { kMissing, kRegularFile, kDirectory, kDevice, kOther };
 
 PathKind kind_of(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return PathKind::kMissing;
   if (S_ISREG(status.st_mode)) return PathKind::kRegularFile;
   if (S_ISDIR(status.st_mode)) return PathKind::kDirectory;
-  return PathKind::kDevice;
+  return S_ISCHR(status.st_mode) ? PathKind::kDevice : PathKind::kOther;
 }
 
 core::Error error_at(const std::string& path, const std::string& message) {
@@ -51,9 +51,12 @@ core::Result<void> OutputFile::reserve(const std::string& path, bool overwrite) 
   if (kind == PathKind::kRegularFile && !overwrite) {
     return error_at(path, "exists; it is overwritten only with --force");
   }
+  if (kind == PathKind::kOther) {
+    return error_at(path, "is a pipe, a socket or a disk; a recording is written to a file");
+  }
   if (kind == PathKind::kDevice) return {};
   const std::string written_path = temporary_name(path);
-  const int flags = O_WRONLY | O_CLOEXEC | O_CREAT | (overwrite ? 0 : O_EXCL);
+  const int flags = O_WRONLY | O_CLOEXEC | O_NONBLOCK | O_CREAT | (overwrite ? 0 : O_EXCL);
   const int descriptor = ::open(written_path.c_str(), flags, 0666);
   if (descriptor < 0 && errno == EEXIST) {
     return error_at(written_path,

@@ -56,12 +56,16 @@ class PgmReader {
  private:
   Error refuse(const std::string& what) const { return {what, file_, line_, 0}; }
 
+  // To the last byte before the end of the line.
+  void skip_comment() {
+    while (at_ + 1 < bytes_.size() && bytes_[at_ + 1] != '\n' && bytes_[at_ + 1] != '\r') ++at_;
+  }
   // The next whole number, past white space and comments; none at the end or at anything else.
   std::optional<std::int32_t> number() {
     for (; at_ < bytes_.size(); ++at_) {
       const char c = bytes_[at_];
       if (c == '#') {
-        while (at_ + 1 < bytes_.size() && bytes_[at_ + 1] != '\n') ++at_;
+        skip_comment();
       } else if (std::isspace(static_cast<unsigned char>(c)) == 0) {
         break;
       }
@@ -95,14 +99,20 @@ class PgmReader {
       CLEW_RETURN_IF_ERROR(check_grey(*grey, white, i));
       picture.greys.push_back(static_cast<std::uint16_t>(*grey));
     }
+    if (number().has_value() || at_ < bytes_.size()) {
+      return refuse(fmt::format("goes on behind its last pixel, the {}th", size));
+    }
     return {};
   }
   // After one byte of white space, one byte a pixel, or two if one does not do, the high one first.
   Result<void> read_binary(std::size_t size, std::int32_t white, Picture& picture) {
-    ++at_;
     const std::size_t width = white < 256 ? 1 : 2;
+    skip_end_of_head(size * width);
     const std::size_t there = at_ < bytes_.size() ? (bytes_.size() - at_) / width : 0;
     if (there < size) return cut_short(there, size);
+    if (const std::size_t more = bytes_.size() - at_ - size * width; more > 0) {
+      return refuse(fmt::format("has {} bytes behind its last pixel, the {}th", more, size));
+    }
     picture.greys.reserve(size);
     for (std::size_t i = 0; i < size; ++i) {
       std::int32_t grey = 0;
@@ -113,6 +123,17 @@ class PgmReader {
       picture.greys.push_back(static_cast<std::uint16_t>(grey));
     }
     return {};
+  }
+
+  // One byte of white space, or a comment and the end of its line. Where lines end in CR and LF,
+  // which the format does not know, the LF is no pixel: there would be one byte too many.
+  void skip_end_of_head(std::size_t data_bytes) {
+    if (at_ < bytes_.size() && bytes_[at_] == '#') {
+      skip_comment();
+      ++at_;
+    }
+    const bool is_crlf = bytes_.substr(std::min(at_, bytes_.size()), 2) == "\r\n";
+    at_ += is_crlf && bytes_.size() - at_ - 2 == data_bytes ? 2 : 1;
   }
 
   std::string_view bytes_;

@@ -78,7 +78,18 @@ Result<std::unique_ptr<FileMap>> FileMap::create(const core::Resources& resource
   if (!file.ok()) return file.error();
   auto map = map::read_ros_map(*file);
   if (!map.ok()) return map.error();
-  return std::unique_ptr<FileMap>(new FileMap(std::move(map).value(), needs));
+  return std::unique_ptr<FileMap>(new FileMap(std::move(map).value(), file->file, needs));
+}
+
+Result<void> FileMap::check_covers(const std::string& what, const core::Vec2& place) const {
+  const map::Grid& grid = map_.grid;
+  if (grid.cell_at(place)) return {};
+  const core::Vec2 end = grid.corner + grid.cell_m * core::Vec2(grid.columns, grid.rows);
+  return core::Error{
+      fmt::format("the map covers x from {} to {} m and y from {} to {} m, and the {} is at ({}, "
+                  "{}): outside",
+                  grid.corner.x(), end.x(), grid.corner.y(), end.y(), what, place.x(), place.y()),
+      file_, 0, 0};
 }
 
 }  // namespace clew::plan

@@ -71,12 +71,18 @@ class FileMap final : public KnownMap {
                                                        const std::string& name,
                                                        const RoomNeeds& needs);
 
+  /// Whether `place`, the start or the target, lies on the map: outside of it all is blocked, so no
+  /// way begins or ends there. The error says what the map covers.
+  core::Result<void> check_covers(const std::string& what, const core::Vec2& place) const;
+
  private:
-  FileMap(map::BlockedMap map, const RoomNeeds& needs) : KnownMap(needs), map_(std::move(map)) {}
+  FileMap(map::BlockedMap map, std::string file, const RoomNeeds& needs)
+      : KnownMap(needs), map_(std::move(map)), file_(std::move(file)) {}
 
   map::RoomMap measure(double reach_m) const override { return map::room_around(map_, reach_m); }
 
   map::BlockedMap map_;
+  std::string file_;
 };
 
 }  // namespace clew::plan

@@ -58,7 +58,11 @@ core::Result<std::unique_ptr<MapSource>> make_map(const MapParameters& p,
   if (p.map_file.empty()) {
     return core::Error{"plan.map is file, and plan.map_file names none", {}, 0, 0};
   }
-  return as_source(FileMap::create(setup.behaviour.resources, p.map_file, needs));
+  auto map = FileMap::create(setup.behaviour.resources, p.map_file, needs);
+  if (!map.ok()) return map.error();
+  CLEW_RETURN_IF_ERROR((*map)->check_covers("start", setup.world->start().position()));
+  CLEW_RETURN_IF_ERROR((*map)->check_covers("target", setup.world->target()));
+  return as_source(std::move(map));
 }
 
 core::Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfig& config,

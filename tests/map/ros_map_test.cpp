@@ -54,6 +54,36 @@ TEST(RosMap, ReadsBinaryPictures) {
   EXPECT_EQ(wide->blocked, narrow->blocked);
 }
 
+TEST(RosMap, ReadsHeadsWhoseLinesEndAsOnOtherSystems) {
+  const std::string bytes = {'\xff', '\0', '\xcd', '\0', '\xfe', '\xff'};
+  const auto expected = read(kHead, kText)->blocked;
+
+  for (const std::string head : {"P5\r\n3 2\r\n255\r\n", "P5\r3 2\r255\r", "P5 # by hand\r3 2 255 ",
+                                 "P5\r\n# by hand\r\n3 2\r\n255\r\n", "P5\n3 2\n255# full\n"}) {
+    const auto map = read(kHead, head + bytes);
+
+    ASSERT_TRUE(map.ok()) << head << map.error().text();
+    EXPECT_EQ(map->blocked, expected) << head;
+  }
+  EXPECT_EQ(read(kHead, "P2\r\n3 2\r\n255\r\n255 0 205\r\n0 254 255\r\n")->blocked, expected);
+}
+
+TEST(RosMap, TakesALineFeedAfterACarriageReturnForAPixelWhereTheSizeSaysSo) {
+  // Six pixels, the first of which is grey 10: dark, and occupied.
+  const auto map = read(kHead, "P5\n3 2\n255\r\n\xff\xff\xff\xff\xff");
+
+  ASSERT_TRUE(map.ok()) << map.error().text();
+  EXPECT_EQ(map->blocked, (std::vector<std::uint8_t>{0, 0, 0, 1, 0, 0}));
+}
+
+TEST(RosMap, UnknownIsWhatLiesBetweenTheThresholdsAsInMapServer) {
+  // 205, by which map_server's saver means unknown: (255 - 205) / 255 = 0.19608.
+  const std::string grey = "P2 1 1 255 205";
+
+  EXPECT_EQ(read(replaced(kHead, "0.196", "0.196"), grey)->blocked.front(), 1);
+  EXPECT_EQ(read(replaced(kHead, "0.196", "0.25"), grey)->blocked.front(), 0);
+}
+
 TEST(RosMap, TakesBrightForOccupiedIfNegated) {
   const auto map = read(replaced(kHead, "negate: 0", "negate: 1"), kText);
 
@@ -96,6 +126,12 @@ TEST(RosMap, SaysWhatIsWrong) {
   EXPECT_EQ(message(kHead, "P2\n3 2\n15\n1 2 3\n4 16 5\n"),
             "image of room.yaml:5: pixel 4 is 16; allowed: 0 to 15");
   EXPECT_EQ(message(kHead, "P5\n3 2\n255\nabc"), "image of room.yaml:3: ends at pixel 3 of 6");
+  EXPECT_EQ(message(kHead, "P5\n3 2\n255\nabcdefgh"),
+            "image of room.yaml:3: has 2 bytes behind its last pixel, the 6th");
+  EXPECT_EQ(message(kHead, "P2\n3 2\n255\n1 2 3\n4 5 6 7\n"),
+            "image of room.yaml:5: goes on behind its last pixel, the 6th");
+  EXPECT_EQ(message(kHead, "P2\n3 2\n255\n1 2 3\n4 5 6 x\n"),
+            "image of room.yaml:5: goes on behind its last pixel, the 6th");
   EXPECT_EQ(message(kHead, "P5\n9999 9999\n255\n"),
             "image of room.yaml:3: has 99980001 pixels; allowed: at most 16777216");
 }

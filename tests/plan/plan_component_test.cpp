@@ -130,6 +130,29 @@ TEST_F(PlanStage, RefusesAMapThatIsNotNamedOrBroken) {
   EXPECT_EQ(error(), "hall.yaml:1:1: missing key 'resolution'");
 }
 
+TEST_F(PlanStage, RefusesAMapThatDoesNotHoldBothEndsOfTheMission) {
+  config_.parameters["map"] = std::string("file");
+  config_.parameters["map_file"] = std::string("hall");
+  const auto error_with_origin = [&](const std::string& origin) {
+    setup_.behaviour.resources = {};
+    setup_.behaviour.resources.add("maps", "hall",
+                                   {"hall.yaml",
+                                    "image: hall.pgm\nresolution: 5\norigin: " + origin +
+                                        "\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n",
+                                    "P2 2 2 255 255 255 255 255"});
+    return error();
+  };
+
+  // The start is at (1, 5), the target at (9, 5).
+  EXPECT_EQ(error_with_origin("[2, 0, 0]"),
+            "hall.yaml: the map covers x from 2 to 12 m and y from 0 to 10 m, and the start is at "
+            "(1, 5): outside");
+  EXPECT_EQ(error_with_origin("[-2, 0, 0]"),
+            "hall.yaml: the map covers x from -2 to 8 m and y from 0 to 10 m, and the target is at "
+            "(9, 5): outside");
+  EXPECT_EQ(error_with_origin("[0, 0, 0]"), "no error");
+}
+
 TEST_F(PlanStage, RefusesCellsThatAreTooMany) {
   auto world = world::World::parse(
       "format: clew-world/1\nname: plain\nbounds: [0, 0, 1000, 1000]\nstart: [1, 5, 0]\n"

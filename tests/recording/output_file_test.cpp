@@ -92,16 +92,19 @@ TEST(OutputFile, RefusesADirectoryThatIsReadOnly) {
             scratch.file("a.tmp~") + ": cannot be written: Permission denied");
 }
 
-TEST(OutputFile, TakesBackWhatItReservedButNoDevice) {
+TEST(OutputFile, TakesBackWhatItReservedAndNoPipe) {
   const ScratchDirectory scratch;
   const std::string pipe = scratch.file("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   ASSERT_TRUE(OutputFile::reserve(scratch.file("a"), false));
-  ASSERT_TRUE(OutputFile::reserve(pipe, true));
+  const auto reserved = OutputFile::reserve(pipe, true);
 
   OutputFile::discard(scratch.file("a"));
   OutputFile::discard(pipe);
 
+  ASSERT_FALSE(reserved);
+  EXPECT_EQ(reserved.error().text(),
+            pipe + ": is a pipe, a socket or a disk; a recording is written to a file");
   EXPECT_FALSE(std::filesystem::exists(scratch.file("a.tmp~")));
   EXPECT_TRUE(std::filesystem::exists(pipe));
 }

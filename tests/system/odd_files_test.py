@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pipes, devices and pictures from other systems in a file's place: answered at once."""
+import os
+import pathlib
+import tempfile
+import unittest
+
+from clew_command import SOURCE, Run, run_graph
+
+LONGEST_S = 10  # of a command that only has to say no
+
+
+class OddFiles(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+        self.pipe = self.folder / "pipe"
+        os.mkfifo(self.pipe)
+
+    def refused(self, arguments, *texts):
+        run = Run(arguments, timeout_s=LONGEST_S)
+        self.assertEqual(run.status, 2, run.err)
+        for text in texts:
+            self.assertIn(text, run.err)
+
+    def test_a_pipe_or_a_device_is_no_recording(self):
+        for path in (self.pipe, "/dev/zero", "/dev/null", self.folder):
+            for arguments in (["info", path], ["replay", path], ["diff", path, path],
+                              ["plot", path, "-o", self.folder / "x.svg"],
+                              ["run", "--resume", path],
+                              ["replay", path, "--publish", "scan"],
+                              ["train", "neuro-fuzzy", "--recording", path]):
+                with self.subTest(arguments=arguments):
+                    self.refused(arguments, f"{path}: is no regular file")
+
+    def test_nothing_is_recorded_into_a_pipe(self):
+        for layout in ("composed", "processes"):
+            self.refused(["run", "reactive", "--layout", layout, "--record", self.pipe],
+                         f"{self.pipe}: is a pipe, a socket or a disk")
+            self.refused(["run", "reactive", "--layout", layout, "--record", self.pipe, "--force"],
+                         f"{self.pipe}: is a pipe, a socket or a disk")
+
+    def test_a_pipe_under_the_temporary_name_holds_nobody_up(self):
+        os.mkfifo(self.folder / "r.mcap.tmp~")
+
+        self.refused(["run", "reactive", "--record", self.folder / "r.mcap", "--force"],
+                     "r.mcap.tmp~: cannot be written")
+
+    def test_a_pipe_is_no_configuration(self):
+        for arguments in (["run", self.pipe], ["check", "reactive", "--world", self.pipe],
+                          ["check", "reactive", "--robot", self.pipe], ["bench", self.pipe],
+                          ["train", "som", "--recipe", self.pipe]):
+            with self.subTest(arguments=arguments):
+                self.refused(arguments, f"{self.pipe}: cannot be read: it is no regular file")
+
+    def test_a_map_whose_head_ends_lines_with_cr_and_lf_is_the_same_map(self):
+        head = (SOURCE / "configs/maps/office.yaml").read_text(encoding="utf-8")
+        picture = (SOURCE / "configs/maps/office.pgm").read_bytes()
+        kind, size, white, data = picture.split(b"\n", 3)
+        (self.folder / "crlf.yaml").write_text(head.replace("office.pgm", "crlf.pgm"))
+        (self.folder / "crlf.pgm").write_bytes(b"\r\n".join((kind, size, white, data)))
+
+        arguments = ["neural_map", "--world", "office", "--layout", "composed", "--set",
+                     "plan.map=file", "--set"]
+        plain = run_graph(*arguments, "plan.map_file=office")
+        crlf = run_graph(*arguments, f"plan.map_file={self.folder}/crlf.yaml")
+
+        for key in ("outcome", "ticks", "path_length_m", "hash"):
+            self.assertEqual(plain[key], crlf[key])
+
+    def test_a_map_of_another_place_is_refused_before_the_start(self):
+        self.refused(["run", "neural_map", "--world", "office", "--set", "plan.map=file", "--set",
+                      f"plan.map_file={self.elsewhere()}"],
+                     "the map covers x from 100 to 116 m", "the start is at")
+
+    def elsewhere(self):
+        """The office's map, a hundred metres away."""
+        head = (SOURCE / "configs/maps/office.yaml").read_text(encoding="utf-8").splitlines()
+        moved = ["origin: [100, 0, 0]" if line.startswith("origin") else line for line in head]
+        (self.folder / "moved.yaml").write_text("\n".join(moved) + "\n")
+        (self.folder / "office.pgm").write_bytes(
+            (SOURCE / "configs/maps/office.pgm").read_bytes())
+        return self.folder / "moved.yaml"
+
+
+if __name__ == "__main__":
+    unittest.main()
