@@ -14,11 +14,11 @@
 
 #include "component/node_host.hpp"
 #include "component/start_barrier.hpp"
-#include "convert/codec.hpp"
 #include "line/heartbeat.hpp"
 #include "line/link.hpp"
 #include "run/limits.hpp"
 #include "vendors/participant_factory.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {

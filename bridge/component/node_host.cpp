@@ -93,7 +93,7 @@ core::Result<void> NodeHost::open(Participant& participant, const StartBarrier& 
   for (Topic topic : domain::kAllTopics) {
     if (!inputs[index_of(topic)]) continue;
     domain::visit_topic(topic, [&](auto constant) {
-      using Message = domain::MessageOf<decltype(constant)::value>;
+      using Message = typename decltype(constant)::Message;
       listeners_.push_back(std::make_unique<Input<Message>>(*this, barrier));
     });
     auto reader =
@@ -210,9 +210,8 @@ void NodeHost::save_checkpoint() {
   std::map<std::string, std::string> last_outputs;
   for (Topic topic : node_.ports().output_order) {
     domain::visit_topic(topic, [&](auto constant) {
-      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
       last_outputs[std::string(domain::topic_name(topic))] =
-          std::get<kIndex>(codecs_).encode(std::get<kIndex>(messages_));
+          std::get<constant.kIndex>(codecs_).encode(std::get<constant.kIndex>(messages_));
     });
   }
   handlers_.on_checkpoint({buffer_.next_tick(), state, account.take(), std::move(last_outputs)});
@@ -232,9 +231,8 @@ void NodeHost::account(const runtime::TopicSet& present) {
   for (Topic topic : domain::kAllTopics) {
     if (!present[index_of(topic)]) continue;
     domain::visit_topic(topic, [&](auto constant) {
-      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-      const auto& message = std::get<kIndex>(messages_);
-      account_.add(message, std::get<kIndex>(codecs_).encode(message));
+      const auto& message = std::get<constant.kIndex>(messages_);
+      account_.add(message, std::get<constant.kIndex>(codecs_).encode(message));
     });
   }
 }
@@ -245,15 +243,14 @@ void NodeHost::publish() {
   std::array<std::string_view, domain::kTopicCount> encoded;
   for (Topic topic : outputs) {
     domain::visit_topic(topic, [&](auto constant) {
-      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-      encoded[kIndex] = std::get<kIndex>(codecs_).encode(std::get<kIndex>(messages_));
+      encoded[constant.kIndex] =
+          std::get<constant.kIndex>(codecs_).encode(std::get<constant.kIndex>(messages_));
     });
     write(outputs_[index_of(topic)], topic, encoded[index_of(topic)]);
   }
   for (Topic topic : outputs) {
     domain::visit_topic(topic, [&](auto constant) {
-      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-      account_.add(std::get<kIndex>(messages_), encoded[kIndex]);
+      account_.add(std::get<constant.kIndex>(messages_), encoded[constant.kIndex]);
     });
   }
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "convert/codec.hpp"
 #include "line/user_data.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {

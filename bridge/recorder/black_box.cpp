@@ -70,12 +70,12 @@ Kept BlackBox::kept() const { return file_ ? file_->kept() : Kept{settled_ticks_
 
 Result<void> BlackBox::write_ahead() { return file_ ? file_->write_ahead() : Result<void>(); }
 
-Result<void> BlackBox::add(const SpooledSample& sample) {
+Result<void> BlackBox::add(const SampleView& sample) {
   if (file_) return file_->add(sample);
   const std::size_t topic = index_of(sample.topic);
   if (sample.tick < next_tick_[topic]) return {};
   next_tick_[topic] = sample.tick + 1;
-  held_.push_back({sample.topic, sample.tick, sample.sequence, std::string(sample.cdr)});
+  held_.emplace_back(sample);
   watch(sample);
   return settle();
 }
@@ -84,12 +84,12 @@ void BlackBox::add_state(const SpooledState& state) {
   if (!file_) states_[state.tick][std::string(state.stage)] = state.state;
 }
 
-void BlackBox::watch(const SpooledSample& sample) {
+void BlackBox::watch(const SampleView& sample) {
   if (sample.topic == Topic::kEvent) watch_event(sample);
   if (sample.topic == Topic::kState) watch_state(sample);
 }
 
-void BlackBox::watch_event(const SpooledSample& sample) {
+void BlackBox::watch_event(const SampleView& sample) {
   if (!event_codec_.decode(sample.cdr, event_)) return;
   for (const domain::EventEntry& entry : event_.entries) {
     if (entry.kind == domain::EventKind::kTrap && !entry.shadow) {
@@ -98,7 +98,7 @@ void BlackBox::watch_event(const SpooledSample& sample) {
   }
 }
 
-void BlackBox::watch_state(const SpooledSample& sample) {
+void BlackBox::watch_state(const SampleView& sample) {
   if (!state_codec_.decode(sample.cdr, state_)) return;
   if (contacts_ && state_.collisions > contacts_->first) happened(sample.tick, "a collision");
   if (contacts_ && state_.hit_by > contacts_->second) happened(sample.tick, "hit by an obstacle");
@@ -146,9 +146,9 @@ Result<void> BlackBox::write(std::uint64_t tick, const std::string& why) {
   auto file = RecordingSink::go_on(order);
   if (!file) return file.error();
   file_ = std::move(file).value();
-  for (const Held& held : held_) {
+  for (const Sample& held : held_) {
     if (held.tick + 1 < first) continue;
-    CLEW_RETURN_IF_ERROR(file_->add({held.topic, held.tick, held.sequence, held.cdr}));
+    CLEW_RETURN_IF_ERROR(file_->add(held.view()));
   }
   held_.clear();
   states_.clear();

@@ -27,7 +27,7 @@ class BlackBox : public RunSink {
   static core::Result<std::unique_ptr<BlackBox>> go_on(const RecordingOrder& order,
                                                        std::uint64_t least_ticks);
 
-  core::Result<void> add(const SpooledSample& sample) override;
+  core::Result<void> add(const SampleView& sample) override;
   bool wants_states() const override { return !file_; }
   void add_state(const SpooledState& state) override;
   core::Result<void> write_ahead() override;
@@ -40,21 +40,15 @@ class BlackBox : public RunSink {
   static std::uint64_t first_tick(std::uint64_t tick, std::uint64_t keep_ticks);
 
  private:
-  struct Held {
-    domain::Topic topic = domain::Topic::kCommand;
-    std::uint64_t tick = 0;
-    std::uint64_t sequence = 0;
-    std::string cdr;
-  };
   struct Happening {
     std::uint64_t tick = 0;
     std::string what;
   };
 
   explicit BlackBox(RecordingOrder order);
-  void watch(const SpooledSample& sample);
-  void watch_event(const SpooledSample& sample);
-  void watch_state(const SpooledSample& sample);
+  void watch(const SampleView& sample);
+  void watch_event(const SampleView& sample);
+  void watch_state(const SampleView& sample);
   void happened(std::uint64_t tick, const std::string& what);
   core::Result<void> settle();
   core::Result<void> write(std::uint64_t tick, const std::string& why);
@@ -66,7 +60,7 @@ class BlackBox : public RunSink {
   std::uint64_t keep_ticks_;
   std::array<std::uint64_t, domain::kTopicCount> next_tick_{};  ///< of each topic of the run
   std::uint64_t settled_ticks_ = 0;  ///< below this one every topic has delivered
-  std::deque<Held> held_;            ///< in the order of arrival
+  std::deque<Sample> held_;          ///< in the order of arrival
   std::map<std::uint64_t, std::map<std::string, std::string>> states_;  ///< by tick and stage
   std::optional<Happening> next_;  ///< the earliest that has not settled
   std::optional<std::pair<std::uint32_t, std::uint32_t>> contacts_;  ///< made, and suffered

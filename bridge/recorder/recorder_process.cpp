@@ -9,11 +9,11 @@
 #include <memory>
 #include <utility>
 
-#include "convert/codec.hpp"
 #include "line/heartbeat.hpp"
 #include "line/link.hpp"
 #include "recorder/black_box.hpp"
 #include "run/limits.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -53,7 +53,7 @@ class Recorder {
  private:
   void record(const std::string& spool) {
     const bool whole =
-        for_each_spooled(spool, {[this](const SpooledSample& sample) {
+        for_each_spooled(spool, {[this](const SampleView& sample) {
                                    if (failure_.empty()) note(sink_.add(sample));
                                  },
                                  [this](const SpooledState& state) { sink_.add_state(state); }});

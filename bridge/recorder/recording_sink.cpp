@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 

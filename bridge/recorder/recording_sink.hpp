@@ -64,7 +64,7 @@ class RecordingSink : public RunSink {
   static core::Result<std::unique_ptr<RecordingSink>> go_on(const RecordingOrder& order,
                                                             std::uint64_t least_ticks = 0);
 
-  core::Result<void> add(const SpooledSample& sample) override {
+  core::Result<void> add(const SampleView& sample) override {
     return recorder_.add(sample.topic, sample.tick, sample.sequence, sample.cdr);
   }
   core::Result<void> write_ahead() override { return recorder_.write_ahead(); }

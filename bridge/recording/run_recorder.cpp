@@ -96,7 +96,7 @@ core::Result<void> RunRecorder::keep(const std::string& file) {
     const auto sample = stream.next();
     if (!sample) return sample.error();
     if (!*sample) break;
-    const RecordedSample& found = **sample;
+    const SampleView& found = **sample;
     CLEW_RETURN_IF_ERROR(add(found.topic, found.tick, found.sequence, found.cdr));
   }
   writer_.keep(false);
@@ -115,14 +115,14 @@ void RunRecorder::declare_topics(const std::map<domain::Topic, std::string>& sch
     const auto schema = writer_.add_schema(std::string(domain::type_name(topic)), "omgidl", idl);
     recorded.channel_id =
         writer_.add_channel(schema, "/" + std::string(domain::topic_name(topic)), "cdr");
-    places_[static_cast<std::size_t>(topic)] = static_cast<int>(topics_.size());
+    places_[index_of(topic)] = static_cast<int>(topics_.size());
     topics_.push_back(std::move(recorded));
   }
 }
 
 core::Result<void> RunRecorder::add(domain::Topic topic, std::uint64_t tick, std::uint64_t sequence,
                                     std::string_view cdr) {
-  const int place = places_[static_cast<std::size_t>(topic)];
+  const int place = places_[index_of(topic)];
   if (place < 0) return refused(topic, "is not part of this recording");
   RecordedTopic& recorded = topics_[static_cast<std::size_t>(place)];
   if (tick < recorded.next_tick || (next_tick_ && tick < *next_tick_)) return {};
@@ -131,7 +131,7 @@ core::Result<void> RunRecorder::add(domain::Topic topic, std::uint64_t tick, std
   }
   note_sequence(recorded, tick, sequence);
   recorded.next_tick = tick + 1;
-  recorded.waiting.push({tick, sequence, cdr});
+  recorded.waiting.push({topic, tick, sequence, cdr});
   while (every_topic_waits() || recorded.waiting.size() > kMaxWaitingTicks) {
     CLEW_RETURN_IF_ERROR(write_tick());
   }
@@ -181,7 +181,7 @@ core::Result<void> RunRecorder::write_tick(bool topics_may_end) {
 }
 
 core::Result<void> RunRecorder::write_front(RecordedTopic& topic) {
-  const QueuedSample sample = topic.waiting.front();
+  const SampleView sample = topic.waiting.front();
   mcap::Message message;
   message.channel_id = topic.channel_id;
   message.sequence = static_cast<std::uint32_t>(sample.sequence);

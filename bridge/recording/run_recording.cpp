@@ -7,7 +7,7 @@ namespace clew::bridge {
 namespace {
 
 /// Adds a sample to a topic's survey; false if it does not come after the last one.
-bool add(RunSurvey::TopicSurvey& topic, const RecordedSample& sample) {
+bool add(RunSurvey::TopicSurvey& topic, const SampleView& sample) {
   if (topic.samples == 0) {
     topic.first_tick = sample.tick;
   } else {
@@ -22,14 +22,14 @@ bool add(RunSurvey::TopicSurvey& topic, const RecordedSample& sample) {
 
 }  // namespace
 
-core::Result<std::optional<RecordedSample>> SampleStream::next() {
+core::Result<std::optional<SampleView>> SampleStream::next() {
   const auto message = messages_.next();
   if (!message) return message.error();
-  if (!*message) return std::optional<RecordedSample>();
+  if (!*message) return std::optional<SampleView>();
   const mcap::Message& found = **message;
-  return std::optional<RecordedSample>({topics_.at(found.channel_id),
-                                        ns_to_tick(found.log_time_ns, tick_s_), found.sequence,
-                                        found.data});
+  return std::optional<SampleView>({topics_.at(found.channel_id),
+                                    ns_to_tick(found.log_time_ns, tick_s_), found.sequence,
+                                    found.data});
 }
 
 core::Result<RunRecording> RunRecording::open(const std::string& path) {

@@ -15,16 +15,9 @@
 #include "domain/topics.hpp"
 #include "recording/mcap_reader.hpp"
 #include "recording/run_description.hpp"
+#include "wire/sample.hpp"
 
 namespace clew::bridge {
-
-/// A sample as it was recorded; `cdr` is the stream's.
-struct RecordedSample {
-  domain::Topic topic = domain::Topic::kCommand;
-  std::uint64_t tick = 0;
-  std::uint64_t sequence = 0;
-  std::string_view cdr;
-};
 
 struct SampleFilter {
   std::set<domain::Topic> topics;  ///< empty: all
@@ -41,7 +34,7 @@ class SampleStream {
 
   /// The next sample, valid until the next call; nothing at the end. An error, a changed byte or a
   /// failing disk, ends the stream.
-  core::Result<std::optional<RecordedSample>> next();
+  core::Result<std::optional<SampleView>> next();
 
  private:
   mcap::MessageStream messages_;

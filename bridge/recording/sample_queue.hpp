@@ -7,14 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace clew::bridge {
+#include "wire/sample.hpp"
 
-/// One serialised sample of one topic: `cdr` belongs to whoever made it.
-struct QueuedSample {
-  std::uint64_t tick = 0;
-  std::uint64_t sequence = 0;
-  std::string_view cdr;
-};
+namespace clew::bridge {
 
 /// Samples of one topic that wait for those of the others, copied into one buffer that is reused: a
 /// sample costs no allocation once the buffer has grown.
@@ -23,16 +18,17 @@ class SampleQueue {
   bool empty() const { return head_ == entries_.size(); }
   std::size_t size() const { return entries_.size() - head_; }
 
-  void push(const QueuedSample& sample) {
-    entries_.push_back({sample.tick, sample.sequence, bytes_.size(), sample.cdr.size()});
+  void push(const SampleView& sample) {
+    entries_.push_back(
+        {sample.topic, sample.tick, sample.sequence, bytes_.size(), sample.cdr.size()});
     bytes_.append(sample.cdr);
   }
 
   /// The oldest sample of a queue that is not empty; valid until the next push or pop.
-  QueuedSample front() const {
+  SampleView front() const {
     const Entry& entry = entries_[head_];
     const std::string_view bytes = bytes_;
-    return {entry.tick, entry.sequence, bytes.substr(entry.offset, entry.bytes)};
+    return {entry.topic, entry.tick, entry.sequence, bytes.substr(entry.offset, entry.bytes)};
   }
 
   void pop() {
@@ -48,6 +44,7 @@ class SampleQueue {
 
  private:
   struct Entry {
+    domain::Topic topic = domain::Topic::kCommand;
     std::uint64_t tick = 0;
     std::uint64_t sequence = 0;
     std::size_t offset = 0;

@@ -36,7 +36,7 @@ Audience::Audience()
 
 void Audience::expect_readers(const runtime::TopicSet& topics) {
   for (domain::Topic topic : domain::kAllTopics) {
-    if (!topics[static_cast<std::size_t>(topic)]) continue;
+    if (!topics[index_of(topic)]) continue;
     barrier_.expect({{std::string(domain::topic_name(topic)), false, {}, false}});
   }
 }

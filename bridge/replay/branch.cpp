@@ -113,7 +113,7 @@ Result<void> copy_samples_before(const RunRecording& recording, std::uint64_t ti
     const auto sample = stream.next();
     if (!sample) return sample.error();
     if (!*sample) return {};
-    const RecordedSample& found = **sample;
+    const SampleView& found = **sample;
     CLEW_RETURN_IF_ERROR(sink.add({found.topic, found.tick, found.sequence, found.cdr}));
   }
 }

@@ -30,7 +30,7 @@ class OutputComparison {
     if (compared.none()) return;
     bool different = false;
     for (Topic topic : domain::kAllTopics) {
-      if (!compared[static_cast<std::size_t>(topic)]) continue;
+      if (!compared[index_of(topic)]) continue;
       auto fields = compare_output(topic, fed, recorded);
       if (fields.empty()) continue;
       different = true;
@@ -47,18 +47,16 @@ class OutputComparison {
                                               const RecordedTick& recorded) {
     if (!recorded.has(topic)) return missing_sample(true);
     const std::string_view replayed = domain::visit_topic(topic, [&](auto constant) {
-      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-      return std::get<kIndex>(codecs_).encode(std::get<kIndex>(fed.messages()));
+      return std::get<constant.kIndex>(codecs_).encode(std::get<constant.kIndex>(fed.messages()));
     });
     return comparison_.compare(topic, recorded.cdr(topic), replayed);
   }
 
   void list_inputs(const FedNode& fed) {
     for (Topic topic : domain::kAllTopics) {
-      if (!fed.inputs_present()[static_cast<std::size_t>(topic)]) continue;
+      if (!fed.inputs_present()[index_of(topic)]) continue;
       domain::visit_topic(topic, [&](auto constant) {
-        constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-        report_.inputs.push_back({topic, fields_of(std::get<kIndex>(fed.messages()))});
+        report_.inputs.push_back({topic, fields_of(std::get<constant.kIndex>(fed.messages()))});
       });
     }
   }
@@ -114,7 +112,7 @@ Result<const runtime::GraphStage*> find_stage(const runtime::RunPlan& plan,
 Result<void> check_recorded(const RunRecording& recording, const std::string& stage,
                             const runtime::TopicSet& topics) {
   for (Topic topic : domain::kAllTopics) {
-    if (!topics[static_cast<std::size_t>(topic)]) continue;
+    if (!topics[index_of(topic)]) continue;
     if (recording.description().schemas.count(topic) != 0) continue;
     return core::Error{fmt::format("has no topic '{}', without which {} cannot be replayed",
                                    domain::topic_name(topic), stage),

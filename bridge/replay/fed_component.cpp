@@ -6,10 +6,10 @@
 
 #include <utility>
 
-#include "convert/codec.hpp"
 #include "run/limits.hpp"
 #include "supervisor/launcher.hpp"
 #include "supervisor/shutdown.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -44,7 +44,7 @@ FedComponent::FedComponent(const runtime::RunPlan& plan, const runtime::GraphSta
 Result<void> FedComponent::open(Participant& participant, StartBarrier& barrier) {
   std::vector<ExpectedEndpoint> expected;
   for (Topic topic : domain::kAllTopics) {
-    const auto index = static_cast<std::size_t>(topic);
+    const auto index = index_of(topic);
     const std::string name(domain::topic_name(topic));
     if (ports().outputs[index]) expected.push_back({name, true, stage(), member_.third_party});
     if (ports().all_inputs()[index])
@@ -80,7 +80,7 @@ Assignment FedComponent::assignment() const {
   assignment.history_depth = static_cast<std::uint32_t>(settings_.history_depth);
   assignment.lead = 0;
   for (Topic topic : domain::kAllTopics) {
-    const auto index = static_cast<std::size_t>(topic);
+    const auto index = index_of(topic);
     const std::string name(domain::topic_name(topic));
     if (ports().outputs[index]) assignment.expected.push_back({name, false, "replay", false});
     if (!ports().all_inputs()[index]) continue;
@@ -161,7 +161,7 @@ Result<void> FedComponent::feed(const RecordedTick& recorded) {
                  0};
   }
   for (Topic topic : domain::kAllTopics) {
-    if (!ports().all_inputs()[static_cast<std::size_t>(topic)] || recorded.has(topic)) continue;
+    if (!ports().all_inputs()[index_of(topic)] || recorded.has(topic)) continue;
     return Error{fmt::format("has no sample of '{}' of tick {}, which {} needs",
                              domain::topic_name(topic), recorded.tick(), stage()),
                  {},

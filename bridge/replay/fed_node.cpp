@@ -48,8 +48,7 @@ core::Error FedNode::lacks(Topic topic, std::uint64_t tick) const {
 core::Result<void> FedNode::decode(Topic topic, std::uint64_t tick, std::string_view cdr) {
   core::Result<void> decoded;
   domain::visit_topic(topic, [&](auto constant) {
-    constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-    decoded = std::get<kIndex>(codecs_).decode(cdr, std::get<kIndex>(messages_));
+    decoded = std::get<constant.kIndex>(codecs_).decode(cdr, std::get<constant.kIndex>(messages_));
   });
   if (decoded) return decoded;
   return bad_sample(topic, tick, decoded.error());

@@ -29,7 +29,7 @@ Result<void> check_drive(const RunRecording& recording, std::uint64_t last_tick)
                  recording.path(), 0, 0};
   }
   runtime::TopicSet topics;
-  topics.set(static_cast<std::size_t>(Topic::kState));
+  topics.set(index_of(Topic::kState));
   TickReader reader(recording, topics, last_tick);
   Codec<domain::State> codec;
   domain::State state;
@@ -64,7 +64,7 @@ Result<void> check_fed(const RunRecording& recording, const runtime::GraphStage&
                        const runtime::TopicSet& topics, std::uint64_t last_tick) {
   const std::string& name = stage.info->name;
   for (Topic topic : domain::kAllTopics) {
-    const auto index = static_cast<std::size_t>(topic);
+    const auto index = index_of(topic);
     if (stage.ports.outputs[index] && topics[index]) {
       return Error{fmt::format("{} writes '{}' itself", name, domain::topic_name(topic)), {}, 0, 0};
     }

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "convert/codec.hpp"
 #include "line/user_data.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -27,7 +27,8 @@ class LiveComparison::Output : public SampleListener {
     if (const auto decoded = codec_.decode(cdr, message_); !decoded.ok()) {
       owner_.refuse(kTopic, decoded.error());
     } else {
-      owner_.arrive({kTopic, message_.stamp.tick, std::string(codec_.encode(message_))});
+      owner_.arrive(
+          {kTopic, message_.stamp.tick, message_.stamp.sequence, codec_.encode(message_)});
     }
   }
 
@@ -51,7 +52,7 @@ Result<void> LiveComparison::open(Participant& participant, const StartBarrier& 
   const std::string user_data = UserData{std::string(idl_fingerprint()), "replay"}.to_text();
   for (Topic topic : ports_.output_order) {
     domain::visit_topic(topic, [&](auto constant) {
-      using Message = domain::MessageOf<decltype(constant)::value>;
+      using Message = typename decltype(constant)::Message;
       listeners_.push_back(std::make_unique<Output<Message>>(*this, barrier));
     });
     auto reader =
@@ -64,10 +65,10 @@ Result<void> LiveComparison::open(Participant& participant, const StartBarrier& 
   return {};
 }
 
-void LiveComparison::arrive(Arrival arrival) {
+void LiveComparison::arrive(const SampleView& sample) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    arrivals_.push_back(std::move(arrival));
+    arrivals_.emplace_back(sample);
   }
   on_arrival_();
 }
@@ -91,13 +92,13 @@ std::uint64_t LiveComparison::next_tick() const {
 }
 
 Result<void> LiveComparison::compare() {
-  std::vector<Arrival> arrivals;
+  std::vector<Sample> arrivals;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!refused_.empty()) return core::Error{refused_, {}, 0, 0};
     arrivals.swap(arrivals_);
   }
-  for (Arrival& arrival : arrivals) {
+  for (Sample& arrival : arrivals) {
     const std::uint64_t first = next_tick();
     if (arrival.tick < first) continue;
     if (arrival.tick - first >= expected_.size()) {
@@ -148,10 +149,9 @@ void LiveComparison::list_inputs(const RecordedTick& recorded) {
     if (delayed && recorded.tick() == 0) continue;
     const std::string_view cdr = delayed ? cdr_before_[index_of(topic)] : recorded.cdr(topic);
     domain::visit_topic(topic, [&](auto constant) {
-      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-      auto& message = std::get<kIndex>(messages_);
+      auto& message = std::get<constant.kIndex>(messages_);
       // The component has taken it, so it is one.
-      if (!std::get<kIndex>(codecs_).decode(cdr, message).ok()) return;
+      if (!std::get<constant.kIndex>(codecs_).decode(cdr, message).ok()) return;
       report_.inputs.push_back({topic, fields_of(message)});
     });
   }

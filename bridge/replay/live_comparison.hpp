@@ -15,6 +15,7 @@
 #include "dds/participant.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/tick_reader.hpp"
+#include "wire/sample.hpp"
 
 namespace clew::bridge {
 
@@ -53,13 +54,8 @@ class LiveComparison {
     runtime::TopicSet arrived;
     std::array<std::string, domain::kTopicCount> cdr;
   };
-  struct Arrival {
-    domain::Topic topic = domain::Topic::kCommand;
-    std::uint64_t tick = 0;
-    std::string cdr;
-  };
 
-  void arrive(Arrival arrival);
+  void arrive(const SampleView& sample);
   void refuse(domain::Topic topic, const core::Error& error);
   void compare_tick(const ExpectedTick& expected);
   void list_inputs(const RecordedTick& recorded);
@@ -76,7 +72,7 @@ class LiveComparison {
   std::array<std::string, domain::kTopicCount> cdr_before_;  ///< inputs of the tick compared last
 
   std::mutex mutex_;  ///< of what the vendor's threads write
-  std::vector<Arrival> arrivals_;
+  std::vector<Sample> arrivals_;
   std::string refused_;
   std::vector<std::unique_ptr<SampleListener>> listeners_;
   std::vector<std::unique_ptr<SampleReader>> readers_;  // closed before the listeners go

@@ -51,8 +51,7 @@ Result<void> RecordedPast::check_outputs(const RecordedTick& recorded) {
   for (const FedNode& fed : fed_) {
     for (Topic topic : fed.node().ports().output_order) {
       const std::string_view written = domain::visit_topic(topic, [&](auto constant) {
-        constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-        return std::get<kIndex>(codecs_).encode(std::get<kIndex>(fed.messages()));
+        return std::get<constant.kIndex>(codecs_).encode(std::get<constant.kIndex>(fed.messages()));
       });
       if (written == recorded.cdr(topic)) continue;
       return core::Error{fmt::format("{} of this version does not write the '{}' that is recorded "
@@ -87,9 +86,8 @@ Result<void> RecordedPast::hand_over(ComposedStart& start) {
 
 Result<void> RecordedPast::account(Topic topic, const RecordedTick& recorded) {
   const auto decoded = domain::visit_topic(topic, [&](auto constant) {
-    constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-    auto& message = std::get<kIndex>(messages_);
-    auto result = std::get<kIndex>(codecs_).decode(recorded.cdr(topic), message);
+    auto& message = std::get<constant.kIndex>(messages_);
+    auto result = std::get<constant.kIndex>(codecs_).decode(recorded.cdr(topic), message);
     if (result) account_.add(message, recorded.cdr(topic));
     return result;
   });

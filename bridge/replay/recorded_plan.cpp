@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
-#include "convert/codec.hpp"
 #include "core/yaml_reader.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {

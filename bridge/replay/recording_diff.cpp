@@ -32,7 +32,7 @@ class OrderedSamples {
                                    sample_->tick, domain::topic_name(sample_->topic)),
                        path_, 0, 0};
   }
-  const std::optional<RecordedSample>& sample() const { return sample_; }
+  const std::optional<SampleView>& sample() const { return sample_; }
 
  private:
   std::optional<Place> place() const {
@@ -42,12 +42,11 @@ class OrderedSamples {
 
   std::string path_;
   SampleStream stream_;
-  std::optional<RecordedSample> sample_;
+  std::optional<SampleView> sample_;
 };
 
 /// Whether the sample stands before the other, or the other is none.
-bool comes_first(const std::optional<RecordedSample>& sample,
-                 const std::optional<RecordedSample>& other) {
+bool comes_first(const std::optional<SampleView>& sample, const std::optional<SampleView>& other) {
   if (!sample) return false;
   if (!other) return true;
   return std::tie(sample->tick, sample->topic) < std::tie(other->tick, other->topic);
@@ -58,14 +57,14 @@ class DiffBuilder {
  public:
   DiffBuilder(RecordingDiff& diff, double tolerance) : diff_(diff), comparison_(tolerance) {}
 
-  void add_one_side(const RecordedSample& sample, bool is_a) {
+  void add_one_side(const SampleView& sample, bool is_a) {
     TopicDiff& topic = diff_.topics[sample.topic];
     ++(is_a ? topic.samples_a : topic.samples_b);
     ++(is_a ? topic.only_a : topic.only_b);
     if (!diff_.first) diff_.first = {sample.topic, sample.tick, missing_sample(!is_a)};
   }
 
-  void add_pair(const RecordedSample& a, const RecordedSample& b) {
+  void add_pair(const SampleView& a, const SampleView& b) {
     TopicDiff& topic = diff_.topics[a.topic];
     ++topic.samples_a;
     ++topic.samples_b;

@@ -35,10 +35,9 @@ class ProcessPast {
     for (std::size_t i = 0; i < accounts_.size(); ++i) {
       for (Topic topic : past.nodes()[i].node().ports().output_order) {
         domain::visit_topic(topic, [&](auto constant) {
-          constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-          accounts_[i].add(std::get<kIndex>(past.messages()), recorded.cdr(topic));
+          accounts_[i].add(std::get<constant.kIndex>(past.messages()), recorded.cdr(topic));
         });
-        last_outputs_[static_cast<std::size_t>(topic)].assign(recorded.cdr(topic));
+        last_outputs_[index_of(topic)].assign(recorded.cdr(topic));
       }
     }
   }
@@ -54,7 +53,7 @@ class ProcessPast {
       Checkpoint checkpoint{tick, node.save(), account.take(), {}};
       for (Topic topic : node.ports().output_order) {
         checkpoint.last_outputs[std::string(domain::topic_name(topic))] =
-            last_outputs_[static_cast<std::size_t>(topic)];
+            last_outputs_[index_of(topic)];
       }
       start.checkpoints[node.name()] = std::move(checkpoint);
     }
@@ -74,7 +73,7 @@ Result<void> check_rest(TickReader& reader, TopicSet missing, std::uint64_t tick
     if (*later == nullptr) return {};
     const TopicSet goes_on = missing & (*later)->present();
     for (Topic topic : domain::kAllTopics) {
-      if (!goes_on[static_cast<std::size_t>(topic)]) continue;
+      if (!goes_on[index_of(topic)]) continue;
       return Error{
           fmt::format("lacks '{}' of tick {}, and has later ones: it cannot be gone on with",
                       domain::topic_name(topic), tick),

@@ -31,10 +31,9 @@ std::vector<FieldDifference> missing_sample(bool missing_in_a) {
 std::vector<FieldDifference> SampleComparison::explain(domain::Topic topic, std::string_view cdr_a,
                                                        std::string_view cdr_b) {
   return domain::visit_topic(topic, [&](auto constant) -> std::vector<FieldDifference> {
-    constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-    auto& codec = std::get<kIndex>(codecs_);
-    auto& a = std::get<kIndex>(a_);
-    auto& b = std::get<kIndex>(b_);
+    auto& codec = std::get<constant.kIndex>(codecs_);
+    auto& a = std::get<constant.kIndex>(a_);
+    auto& b = std::get<constant.kIndex>(b_);
     // Bytes that are no message, or padding that differs, have no field to tell of.
     if (!codec.decode_unvalidated(cdr_a, a) || !codec.decode_unvalidated(cdr_b, b)) {
       return {first_byte(cdr_a, cdr_b)};

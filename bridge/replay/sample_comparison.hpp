@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "convert/message_fields.hpp"
 #include "domain/topics.hpp"
 #include "run/sample_account.hpp"
+#include "wire/field_list.hpp"
 
 namespace clew::bridge {
 

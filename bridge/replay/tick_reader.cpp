@@ -8,7 +8,7 @@ SampleFilter filter_of(const runtime::TopicSet& topics, std::uint64_t first_tick
                        std::uint64_t last_tick) {
   SampleFilter filter;
   for (domain::Topic topic : domain::kAllTopics) {
-    if (topics[static_cast<std::size_t>(topic)]) filter.topics.insert(topic);
+    if (topics[index_of(topic)]) filter.topics.insert(topic);
   }
   filter.first_tick = first_tick;
   filter.last_tick = last_tick;
@@ -34,10 +34,10 @@ core::Result<void> TickReader::look_ahead() {
 core::Result<void> TickReader::note_ended() {
   const runtime::TopicSet missing = topics_ & ~current_.present_ & ~current_.ended_;
   for (domain::Topic topic : domain::kAllTopics) {
-    if (!missing[static_cast<std::size_t>(topic)]) continue;
+    if (!missing[index_of(topic)]) continue;
     const auto later = recording_.samples({{topic}, current_.tick_ + 1}).next();
     if (!later) return later.error();
-    if (!*later) current_.ended_.set(static_cast<std::size_t>(topic));
+    if (!*later) current_.ended_.set(index_of(topic));
   }
   return {};
 }

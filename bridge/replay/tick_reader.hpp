@@ -22,9 +22,9 @@ class RecordedTick {
   /// Topics without a sample of this tick or a later one, in a recording that was cut off or whose
   /// run was aborted. In any other one a topic that is not present was lost.
   const runtime::TopicSet& ended() const { return ended_; }
-  bool has(domain::Topic topic) const { return present_[static_cast<std::size_t>(topic)]; }
+  bool has(domain::Topic topic) const { return present_[index_of(topic)]; }
   /// The serialised sample of a topic that is present.
-  std::string_view cdr(domain::Topic topic) const { return cdr_[static_cast<std::size_t>(topic)]; }
+  std::string_view cdr(domain::Topic topic) const { return cdr_[index_of(topic)]; }
 
  private:
   friend class TickReader;
@@ -60,7 +60,7 @@ class TickReader {
   runtime::TopicSet may_end_;
   SampleStream stream_;
   bool started_ = false;
-  std::optional<RecordedSample> ahead_;
+  std::optional<SampleView> ahead_;
   RecordedTick current_;
 };
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "convert/codec.hpp"
 #include "line/user_data.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 
@@ -19,7 +19,7 @@ core::Result<TopicPublisher> TopicPublisher::create(Participant& participant,
   TopicPublisher publisher;
   publisher.topics_ = topics;
   for (Topic topic : domain::kAllTopics) {
-    const auto index = static_cast<std::size_t>(topic);
+    const auto index = index_of(topic);
     if (!topics[index]) continue;
     const runtime::GraphStage* stage = graph.writer_of(topic);
     CLEW_CHECK(stage != nullptr, std::string(domain::topic_name(topic)) + " has no writer");
@@ -38,7 +38,7 @@ core::Result<TopicPublisher> TopicPublisher::create(Participant& participant,
 
 core::Result<bool> TopicPublisher::write(const RecordedTick& recorded) {
   for (Topic topic : domain::kAllTopics) {
-    const auto index = static_cast<std::size_t>(topic);
+    const auto index = index_of(topic);
     if (!topics_[index] || written_[index] || !recorded.has(topic)) continue;
     const WriteStatus status = writers_[index]->write(recorded.cdr(topic));
     if (status == WriteStatus::kWouldBlock) return false;

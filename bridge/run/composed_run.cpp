@@ -63,11 +63,10 @@ class Bookkeeper : public runtime::SampleObserver {
 
   void on_output(runtime::Topic topic, const domain::Messages& messages) override {
     domain::visit_topic(topic, [&](auto constant) {
-      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
-      const auto& message = std::get<kIndex>(messages);
+      const auto& message = std::get<constant.kIndex>(messages);
       std::string_view cdr;
       if (account_.wants_bytes() || recording_ != nullptr) {
-        cdr = std::get<kIndex>(codecs_).encode(message);
+        cdr = std::get<constant.kIndex>(codecs_).encode(message);
       }
       account_.add(message, cdr);
       if (recording_ == nullptr) return;

@@ -25,7 +25,7 @@ void append(std::string& spool, const SpoolHeader& header) {
 
 void SampleAccount::add_bytes(domain::Topic topic, const domain::TickStamp& stamp,
                               std::string_view cdr) {
-  const auto index = static_cast<std::size_t>(topic);
+  const auto index = index_of(topic);
   written_[index] = true;
   if (hash_) chains_[index].add(stamp.tick, stamp.sequence, cdr);
   if (!spool_) return;
@@ -43,7 +43,7 @@ void SampleAccount::spool_state(const SpooledState& state) {
 std::map<std::string, core::Hash128> SampleAccount::chains() const {
   std::map<std::string, core::Hash128> chains;
   for (domain::Topic topic : domain::kAllTopics) {
-    const auto index = static_cast<std::size_t>(topic);
+    const auto index = index_of(topic);
     if (hash_ && written_[index]) {
       chains[std::string(domain::topic_name(topic))] = chains_[index].value();
     }

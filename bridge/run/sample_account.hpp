@@ -7,26 +7,13 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <tuple>
 
-#include "convert/codec.hpp"
 #include "core/hash128.hpp"
 #include "run/run_statistics.hpp"
+#include "wire/codec.hpp"
+#include "wire/sample.hpp"
 
 namespace clew::bridge {
-
-/// A codec for each topic, indexed by domain::Topic.
-using Codecs = std::tuple<Codec<domain::Command>, Codec<domain::Event>, Codec<domain::Guidance>,
-                          Codec<domain::Landmark>, Codec<domain::Odometry>, Codec<domain::Scan>,
-                          Codec<domain::State>, Codec<domain::Target>>;
-
-/// One serialised sample on its way to a recording.
-struct SpooledSample {
-  domain::Topic topic = domain::Topic::kState;
-  std::uint64_t tick = 0;
-  std::uint64_t sequence = 0;
-  std::string_view cdr;
-};
 
 /// A component's state before it steps `tick`, on its way to a black box.
 struct SpooledState {
@@ -78,7 +65,7 @@ class SampleAccount {
 
 /// Who takes what is in a spool.
 struct SpoolVisitor {
-  std::function<void(const SpooledSample&)> on_sample;
+  std::function<void(const SampleView&)> on_sample;
   std::function<void(const SpooledState&)> on_state;
 };
 

@@ -11,7 +11,7 @@ class SampleSink {
  public:
   virtual ~SampleSink() = default;
   /// Takes a sample. After an error it is given no more.
-  virtual core::Result<void> add(const SpooledSample& sample) = 0;
+  virtual core::Result<void> add(const SampleView& sample) = 0;
 
   /// Whether it wants the components' states, too: at every multiple of kTicksPerCheckpoint but 0.
   virtual bool wants_states() const { return false; }

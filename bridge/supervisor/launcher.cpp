@@ -8,9 +8,9 @@
 #include <cstring>
 #include <utility>
 
-#include "convert/codec.hpp"
 #include "run/limits.hpp"
 #include "vendors/third_party_environment.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -33,7 +33,7 @@ std::string for_shell(const std::string& word) {
 std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const GraphStage& stage) {
   std::vector<ExpectedEndpoint> expected;
   for (Topic topic : domain::kAllTopics) {
-    const auto index = static_cast<std::size_t>(topic);
+    const auto index = index_of(topic);
     const std::string name(domain::topic_name(topic));
     if (stage.ports.outputs[index]) {
       for (const GraphStage* reader : graph.readers_of(topic)) {

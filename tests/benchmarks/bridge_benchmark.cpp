@@ -7,7 +7,7 @@
 #include <mutex>
 #include <string>
 
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 #include "echo_process.hpp"
 #include "recording_listeners.hpp"
 #include "test_domain.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 #include "core/check.hpp"
 
 namespace clew::fuzz {

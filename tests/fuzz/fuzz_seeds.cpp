@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 #include "core/check.hpp"
 #include "random_messages.hpp"
 #include "recording/mcap_writer.hpp"

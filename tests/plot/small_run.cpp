@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 #include "recording/run_recorder.hpp"
 
 namespace clew::plot_test {

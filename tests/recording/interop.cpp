@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "random_messages.hpp"
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 #include "message_json.hpp"
 #include "recording/mcap_reader.hpp"
 #include "recording/run_recorder.hpp"

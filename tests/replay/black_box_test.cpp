@@ -42,7 +42,7 @@ struct Sample {
 /// Keeps all that a run gives to a black box, to give it again in another order.
 class Tape : public SampleSink {
  public:
-  core::Result<void> add(const SpooledSample& sample) override {
+  core::Result<void> add(const SampleView& sample) override {
     samples.push_back({sample.topic, sample.tick, sample.sequence, std::string(sample.cdr)});
     return {};
   }

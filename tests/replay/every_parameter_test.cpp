@@ -28,11 +28,11 @@ using domain::Topic;
 
 constexpr std::uint64_t kTicks = 150;
 
+/// Messages of one topic, by tick.
+template <typename Message>
+using OneTopic = std::vector<Message>;
 /// All messages of a recording, by topic and tick.
-using AllMessages = std::tuple<std::vector<domain::Command>, std::vector<domain::Event>,
-                               std::vector<domain::Guidance>, std::vector<domain::Landmark>,
-                               std::vector<domain::Odometry>, std::vector<domain::Scan>,
-                               std::vector<domain::State>, std::vector<domain::Target>>;
+using AllMessages = domain::PerTopic<OneTopic>;
 
 template <typename Visit>
 void for_each_topic(Visit visit) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 #include "recording/run_recording.hpp"
 #include "runtime/run_plan.hpp"
 

@@ -19,7 +19,7 @@ RecordingDraft RecordingDraft::read(const std::string& path) {
   draft.description = recording.description();
   SampleStream stream = recording.samples();
   for (auto sample = stream.next(); sample.ok() && *sample; sample = stream.next()) {
-    const RecordedSample& found = **sample;
+    const SampleView& found = **sample;
     draft.samples.push_back({found.topic, found.tick, found.sequence, std::string(found.cdr)});
   }
   return draft;

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 #include "core/hash128.hpp"
 #include "stages/all.hpp"
 

@@ -4,7 +4,7 @@
 #include <dds/dds.h>
 #include <gtest/gtest.h>
 
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 #include "cyclonedds/configuration.hpp"
 #include "edge_messages.hpp"
 #include "generated_types.hpp"

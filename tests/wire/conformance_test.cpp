@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "all_messages.hpp"
-#include "convert/cdr_writer.hpp"
-#include "convert/codec.hpp"
 #include "edge_messages.hpp"
 #include "generated_types.hpp"
 #include "message_equality.hpp"
 #include "random_messages.hpp"
+#include "wire/cdr_writer.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {

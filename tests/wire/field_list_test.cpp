@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "wire/field_list.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,11 +10,10 @@
 #include <string>
 
 #include "all_messages.hpp"
-#include "convert/codec.hpp"
-#include "convert/message_fields.hpp"
 #include "domain/topics.hpp"
 #include "message_json.hpp"
 #include "random_messages.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {

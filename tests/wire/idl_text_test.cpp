@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "convert/codec.hpp"
 #include "core/math.hpp"
 #include "domain/message_fields.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string>
 
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {

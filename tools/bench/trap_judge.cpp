@@ -13,7 +13,7 @@ constexpr double kLeastCircle_m = 1.0;
 
 }  // namespace
 
-core::Result<void> TrapJudge::add(const bridge::SpooledSample& sample) {
+core::Result<void> TrapJudge::add(const bridge::SampleView& sample) {
   if (sample.topic == domain::Topic::kState) {
     CLEW_RETURN_IF_ERROR(states_.decode(sample.cdr, state_));
     add(state_);

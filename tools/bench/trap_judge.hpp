@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 #include "run/sample_sink.hpp"
 #include "terrain/trap_map.hpp"
 
@@ -42,7 +42,7 @@ class TrapJudge : public bridge::SampleSink {
             std::vector<DetectorScore> detectors)
       : traps_(traps), robot_radius_m_(robot_radius_m), scores_(std::move(detectors)) {}
 
-  core::Result<void> add(const bridge::SpooledSample& sample) override;
+  core::Result<void> add(const bridge::SampleView& sample) override;
 
   /// One tick: where the robot is, then what was said. For tests without a run.
   void add(const domain::State& state);

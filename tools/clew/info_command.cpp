@@ -9,7 +9,7 @@
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/stage_text.hpp"
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"

@@ -2,7 +2,7 @@
 #include "clew/training_groups.hpp"
 
 #include "control/infrared_expert.hpp"
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 #include "core/random.hpp"
 #include "replay/recorded_plan.hpp"
 #include "replay/tick_reader.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "clew/version.hpp"
 
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::tools {
 

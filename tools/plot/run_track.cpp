@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 #include "recording/run_recording.hpp"
 #include "runtime/run_plan.hpp"
 
@@ -18,7 +18,7 @@ using domain::Topic;
 /// Decodes samples into what a track needs, tick by tick.
 class TrackReader {
  public:
-  core::Result<void> add(const bridge::RecordedSample& sample) {
+  core::Result<void> add(const bridge::SampleView& sample) {
     switch (sample.topic) {
       case Topic::kState:
         return decode(sample, states_, state_);
@@ -55,7 +55,7 @@ class TrackReader {
 
  private:
   template <typename Message>
-  static core::Result<void> decode(const bridge::RecordedSample& sample,
+  static core::Result<void> decode(const bridge::SampleView& sample,
                                    bridge::Codec<Message>& codec, std::optional<Message>& message) {
     const auto decoded = codec.decode(sample.cdr, message.emplace());
     if (decoded) return {};

@@ -50,6 +50,9 @@ class Codec {
   std::vector<char> buffer_;  ///< as long as the longest message, once there was one
 };
 
+/// A codec of each topic, indexed by domain::Topic.
+using Codecs = domain::PerTopic<Codec>;
+
 /// 32 hexadecimal digits that change with any file in idl/; also in the generated C header
 /// `clew/idl_fingerprint.h` for components that do not link clew.
 std::string_view idl_fingerprint();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "convert/message_fields.hpp"
+#include "wire/field_list.hpp"
 
 #include <fmt/format.h>
 

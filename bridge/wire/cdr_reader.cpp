@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "convert/cdr_reader.hpp"
+#include "wire/cdr_reader.hpp"
 
 #include <fmt/format.h>
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "convert/cdr_writer.hpp"
 #include "domain/field_check.hpp"
+#include "wire/cdr_writer.hpp"
 
 namespace clew::bridge {
 

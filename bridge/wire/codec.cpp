@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "convert/codec.hpp"
+#include "wire/codec.hpp"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 
 #include "clew/idl_fingerprint.h"
 #include "clew/idl_texts.hpp"
-#include "convert/cdr_reader.hpp"
-#include "convert/cdr_writer.hpp"
 #include "core/check.hpp"
 #include "domain/reset.hpp"
+#include "wire/cdr_reader.hpp"
+#include "wire/cdr_writer.hpp"
 
 namespace clew::bridge {
 namespace {
