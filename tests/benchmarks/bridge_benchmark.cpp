@@ -7,10 +7,10 @@
 #include <mutex>
 #include <string>
 
-#include "wire/codec.hpp"
 #include "echo_process.hpp"
 #include "recording_listeners.hpp"
 #include "test_domain.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {

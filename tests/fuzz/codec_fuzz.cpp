@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "wire/codec.hpp"
 #include "core/check.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::fuzz {
 namespace {

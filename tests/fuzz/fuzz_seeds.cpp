@@ -5,11 +5,11 @@
 #include <fstream>
 #include <string>
 
-#include "wire/codec.hpp"
 #include "core/check.hpp"
 #include "random_messages.hpp"
 #include "recording/mcap_writer.hpp"
 #include "recording/run_recorder.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::fuzz {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "wire/codec.hpp"
 #include "recording/run_recorder.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::plot_test {
 namespace {

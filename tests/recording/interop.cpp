@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "random_messages.hpp"
-#include "wire/codec.hpp"
 #include "message_json.hpp"
+#include "random_messages.hpp"
 #include "recording/mcap_reader.hpp"
 #include "recording/run_recorder.hpp"
 #include "recording/run_recording.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::recording_test {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "wire/codec.hpp"
 #include "recording/run_recording.hpp"
 #include "runtime/run_plan.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::replay_test {
 

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "wire/codec.hpp"
 #include "core/hash128.hpp"
 #include "stages/all.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::stages {
 namespace {

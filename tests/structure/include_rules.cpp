@@ -36,8 +36,8 @@ const std::map<std::string, Folders> kLayers = {
      {"core", "domain", "runtime", "wire", "recording", "dds", "vendors", "run", "line",
       "component", "recorder"}},
     {"bridge/replay",
-     {"core", "domain", "world", "runtime", "stages", "wire", "recording", "dds", "vendors",
-      "run", "line", "component", "recorder", "supervisor"}},
+     {"core", "domain", "world", "runtime", "stages", "wire", "recording", "dds", "vendors", "run",
+      "line", "component", "recorder", "supervisor"}},
 };
 
 /// Beginnings of the libraries' headers, and the folder that wraps the library.

@@ -4,7 +4,6 @@
 #include <dds/dds.h>
 #include <gtest/gtest.h>
 
-#include "wire/codec.hpp"
 #include "cyclonedds/configuration.hpp"
 #include "edge_messages.hpp"
 #include "generated_types.hpp"
@@ -13,6 +12,7 @@
 #include "recording_listeners.hpp"
 #include "test_domain.hpp"
 #include "vendors/participant_factory.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "wire/codec.hpp"
 #include "run/sample_sink.hpp"
 #include "terrain/trap_map.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bench {
 

@@ -9,10 +9,10 @@
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/stage_text.hpp"
-#include "wire/codec.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::tools {
 namespace {

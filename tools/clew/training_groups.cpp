@@ -2,13 +2,13 @@
 #include "clew/training_groups.hpp"
 
 #include "control/infrared_expert.hpp"
-#include "wire/codec.hpp"
 #include "core/random.hpp"
 #include "replay/recorded_plan.hpp"
 #include "replay/tick_reader.hpp"
 #include "runtime/run_plan.hpp"
 #include "sense/infrared.hpp"
 #include "stages/all.hpp"
+#include "wire/codec.hpp"
 #include "world/world.hpp"
 
 namespace clew::tools {

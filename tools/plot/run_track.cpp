@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "wire/codec.hpp"
 #include "recording/run_recording.hpp"
 #include "runtime/run_plan.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::plot {
 namespace {
@@ -55,8 +55,8 @@ class TrackReader {
 
  private:
   template <typename Message>
-  static core::Result<void> decode(const bridge::SampleView& sample,
-                                   bridge::Codec<Message>& codec, std::optional<Message>& message) {
+  static core::Result<void> decode(const bridge::SampleView& sample, bridge::Codec<Message>& codec,
+                                   std::optional<Message>& message) {
     const auto decoded = codec.decode(sample.cdr, message.emplace());
     if (decoded) return {};
     return core::Error{"tick " + std::to_string(sample.tick) + " of " +
