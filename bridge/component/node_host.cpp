@@ -4,9 +4,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "domain/scan_check.hpp"
 #include "line/user_data.hpp"
 #include "run/limits.hpp"
+#include "scan/scan_check.hpp"
 
 namespace clew::bridge {
 
@@ -35,7 +35,7 @@ class NodeHost::Input : public SampleListener {
     }
     auto decoded = codec_.decode(cdr, message_);
     if constexpr (std::is_same_v<Message, domain::Scan>) {
-      if (decoded.ok()) decoded = domain::check_arrangement(message_, host_.scan_layout_);
+      if (decoded.ok()) decoded = scan::check_arrangement(message_, host_.scan_layout_);
     }
     const std::lock_guard<std::mutex> lock(host_.mutex_);
     if (!decoded.ok()) {

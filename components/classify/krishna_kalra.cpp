@@ -15,7 +15,7 @@ bool contains(const std::vector<std::string>& words, const char* word) {
 
 core::Result<std::unique_ptr<KrishnaKalra>> KrishnaKalra::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
-  CLEW_RETURN_IF_ERROR(world::SevenCones::check(setup.scan, "classify krishna_kalra"));
+  CLEW_RETURN_IF_ERROR(scan::SevenCones::check(setup.scan, "classify krishna_kalra"));
   if (parameters.nearness.near_full_ratio >= parameters.nearness.near_none_ratio) {
     return core::Error{"near_none_ratio must be more than near_full_ratio", {}, 0, 0};
   }

@@ -14,7 +14,7 @@
 #include "classify/spatial_classes.hpp"
 #include "core/result.hpp"
 #include "domain/setup.hpp"
-#include "world/seven_cones.hpp"
+#include "scan/seven_cones.hpp"
 
 namespace clew::classify {
 
@@ -97,7 +97,7 @@ class KrishnaKalra final : public Classifier {
   std::optional<Som> som_;
   bool art_runs_;
   RunLengths art_bounds_;
-  world::SevenCones eyes_{std::numeric_limits<double>::infinity()};
+  scan::SevenCones eyes_{std::numeric_limits<double>::infinity()};
   ClassSequence sequence_;
   FuzzyArt art_;
   bool presented_ = false;

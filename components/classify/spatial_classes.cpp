@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/membership.hpp"
+#include "core/fuzzy.hpp"
 
 namespace clew::classify {
 

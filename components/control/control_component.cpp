@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "control/virtual_obstacles.hpp"
+#include "control/scan_overlay.hpp"
 
 namespace clew::control {
 
@@ -35,7 +35,7 @@ void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
 
   seen_ = inputs.get<domain::Scan>();
   if (guidance != nullptr) {
-    apply_virtual_obstacles(*guidance, odometry.pose_odom_robot, radius_m_, seen_);
+    overlay_virtual_obstacles(*guidance, odometry.pose_odom_robot, radius_m_, seen_);
   }
   if (guidance != nullptr && guidance->has_override) {
     motion = guidance->override_motion;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "control/registry.hpp"
 
-#include "control/fuzzy_behaviourist.hpp"
-#include "control/infrared_expert.hpp"
-#include "control/krishna_kalra_fuzzy.hpp"
-#include "control/nearest_virtual_target.hpp"
-#include "control/neuro_fuzzy.hpp"
-#include "control/polar_neural_map.hpp"
+#include "control/attraction/krishna_kalra_fuzzy.hpp"
+#include "control/behaviourist/fuzzy_behaviourist.hpp"
+#include "control/gaps/nearest_virtual_target.hpp"
+#include "control/infrared/infrared_expert.hpp"
+#include "control/infrared/neuro_fuzzy.hpp"
+#include "control/polar/polar_neural_map.hpp"
 
 namespace clew::control {
 

@@ -139,6 +139,12 @@ class ParameterReader {
   const ParameterValues& values_;
 };
 
+/// Of what has none.
+struct NoParameters {};
+
+template <typename Visitor>
+void visit_parameters(Visitor&, NoParameters&) {}
+
 /// The declarations of a struct of parameters.
 template <typename Parameters>
 std::vector<ParameterInfo> describe_parameters() {

@@ -25,7 +25,7 @@ constexpr std::array<Step, 8> kSteps = {{{1, 0, 1.0F},
 
 }  // namespace
 
-void AStar::begin(const CostGrid& costs) {
+void AStar::begin(const Costmap& costs) {
   ++search_;
   if (nodes_.size() < costs.cost.size()) nodes_.resize(costs.cost.size());
   open_.clear();
@@ -42,12 +42,12 @@ void AStar::offer(std::uint32_t cell, std::uint32_t before, float cost_m, float 
   });
 }
 
-const std::vector<Vec2>& AStar::find(const CostGrid& costs, const Vec2& from, const Vec2& to,
+const std::vector<Vec2>& AStar::find(const Costmap& costs, const Vec2& from, const Vec2& to,
                                      double goal_radius_m) {
   begin(costs);
   const Grid& grid = costs.grid;
   const auto start = grid.cell_at(from);
-  if (!start || costs.cost[grid.index(*start)] == CostGrid::kBlocked) return way_;
+  if (!start || costs.cost[grid.index(*start)] == Costmap::kBlocked) return way_;
   const auto cell_m = static_cast<float>(grid.cell_m);
   // Distances in cells, from the target's place.
   const Vec2 goal = (to - grid.corner) / grid.cell_m - Vec2(0.5, 0.5);
@@ -80,7 +80,7 @@ const std::vector<Vec2>& AStar::find(const CostGrid& costs, const Vec2& from, co
       const Cell next{cell.column + step.columns, cell.row + step.rows};
       if (!grid.contains(next)) continue;
       const auto index = static_cast<std::uint32_t>(grid.index(next));
-      if (costs.cost[index] == CostGrid::kBlocked) continue;
+      if (costs.cost[index] == Costmap::kBlocked) continue;
       const float way_m =
           cost_m + 0.5F * cell_m * step.length * (costs.cost[here] + costs.cost[index]);
       offer(index, here, way_m, way_m + still_m(next));

@@ -4,16 +4,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "map/way_search.hpp"
+#include "map/path_search.hpp"
 
 namespace clew::map {
 
 /// A* (Hart, Nilsson & Raphael 1968) over eight neighbours, with the straight distance as estimate
 /// and a binary heap. A step between two cells costs its length times the mean of their costs. Ties
 /// go to the cell of the lesser index, so that equal grids give equal ways.
-class AStar final : public WaySearch {
+class AStar final : public PathSearch {
  public:
-  const std::vector<Vec2>& find(const CostGrid& costs, const Vec2& from, const Vec2& to,
+  const std::vector<Vec2>& find(const Costmap& costs, const Vec2& from, const Vec2& to,
                                 double goal_radius_m) override;
 
  private:
@@ -28,7 +28,7 @@ class AStar final : public WaySearch {
     bool closed = false;
   };
 
-  void begin(const CostGrid& costs);
+  void begin(const Costmap& costs);
   void offer(std::uint32_t cell, std::uint32_t before, float cost_m, float estimate_m);
   void trace(const Grid& grid, std::uint32_t last);
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "map/straight_way.hpp"
+#include "map/line_of_sight.hpp"
 
 namespace clew::plan {
 
@@ -16,15 +16,15 @@ void KnownMap::measure_once() {
   if (!room_.empty()) return;
   const map::RoomMap measured = measure(needs_.radius_m + needs_.margin_m);
   grid_ = measured.grid;
-  room_.assign(grid_.size(), map::Room::kNone);
-  const auto mark = [&](double room_m, map::Room room) {
+  room_.assign(grid_.size(), map::Clearance::kNone);
+  const auto mark = [&](double room_m, map::Clearance room) {
     measured.passable(room_m, passable_);
     for (std::size_t i = 0; i < room_.size(); ++i) {
       if (passable_[i] != 0) room_[i] = room;
     }
   };
-  mark(needs_.radius_m, map::Room::kNarrow);
-  mark(needs_.radius_m + needs_.margin_m, map::Room::kOpen);
+  mark(needs_.radius_m, map::Clearance::kNarrow);
+  mark(needs_.radius_m + needs_.margin_m, map::Clearance::kOpen);
 }
 
 RoomView KnownMap::read(const core::Vec2&, const core::Vec2&) {
@@ -32,13 +32,13 @@ RoomView KnownMap::read(const core::Vec2&, const core::Vec2&) {
   return {grid_, room_};
 }
 
-bool KnownMap::straight_way(const core::Vec2& from, const core::Vec2& to, map::Room least) {
+bool KnownMap::line_of_sight(const core::Vec2& from, const core::Vec2& to, map::Clearance least) {
   measure_once();
   if (passable_room_ != least) {
     for (std::size_t i = 0; i < room_.size(); ++i) passable_[i] = room_[i] >= least ? 1 : 0;
     passable_room_ = least;
   }
-  return map::straight_way(grid_, passable_, from, to);
+  return map::line_of_sight(grid_, passable_, from, to);
 }
 
 Result<std::unique_ptr<WorldMap>> WorldMap::create(std::shared_ptr<const world::World> world,

@@ -27,7 +27,7 @@ class KnownMap : public MapSource {
   void see(const domain::Odometry&, const domain::Scan&) override {}
   bool changes() const override { return false; }
   RoomView read(const core::Vec2& from, const core::Vec2& to) override;
-  bool straight_way(const core::Vec2& from, const core::Vec2& to, map::Room least) override;
+  bool line_of_sight(const core::Vec2& from, const core::Vec2& to, map::Clearance least) override;
   void save(core::StateWriter&) const override {}
   void load(core::StateReader&) override {}
 
@@ -42,9 +42,9 @@ class KnownMap : public MapSource {
 
   RoomNeeds needs_;
   map::Grid grid_;
-  std::vector<map::Room> room_;
+  std::vector<map::Clearance> room_;
   std::vector<std::uint8_t> passable_;  // with passable_room_
-  std::optional<map::Room> passable_room_;
+  std::optional<map::Clearance> passable_room_;
 };
 
 /// The obstacles of a world that do not move; room is exact at the middles of its cells.

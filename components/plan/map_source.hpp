@@ -5,14 +5,14 @@
 
 #include "core/archive.hpp"
 #include "domain/messages.hpp"
-#include "map/clearance.hpp"
+#include "map/costmap.hpp"
 
 namespace clew::plan {
 
 /// What keeps the robot's centre out of the cells of a grid.
 struct RoomView {
   const map::Grid& grid;
-  const std::vector<map::Room>& room;  ///< by Grid::index
+  const std::vector<map::Clearance>& room;  ///< by Grid::index
 };
 
 /// The map that a planner goes by, in the odometry frame.
@@ -29,7 +29,8 @@ class MapSource {
   virtual RoomView read(const core::Vec2& from, const core::Vec2& to) = 0;
   /// Whether a straight line leads over nothing but places with at least this room, but for both
   /// ends.
-  virtual bool straight_way(const core::Vec2& from, const core::Vec2& to, map::Room least) = 0;
+  virtual bool line_of_sight(const core::Vec2& from, const core::Vec2& to,
+                             map::Clearance least) = 0;
 
   virtual void save(core::StateWriter& writer) const = 0;
   virtual void load(core::StateReader& reader) = 0;

@@ -73,8 +73,8 @@ void NeuralMapPlanner::plan(const Situation& situation) {
   const RoomView view =
       situation.map.read(situation.odometry.pose_odom_robot.position(), situation.target);
   std::size_t tried_units = 0;
-  for (const map::Room least :
-       {map::Room::kOpen, map::Room::kNarrow, map::Room::kSuspected, map::Room::kTouching}) {
+  for (const map::Clearance least : {map::Clearance::kOpen, map::Clearance::kNarrow,
+                                     map::Clearance::kSuspected, map::Clearance::kTouching}) {
     const std::size_t units = find_passable(view, least);
     if (units == tried_units) continue;
     tried_units = units;
@@ -103,7 +103,7 @@ bool NeuralMapPlanner::make_path(const Situation& situation) {
 }
 
 /// Makes passable_ tell which units have at least this room, and counts them.
-std::size_t NeuralMapPlanner::find_passable(const RoomView& view, map::Room least) {
+std::size_t NeuralMapPlanner::find_passable(const RoomView& view, map::Clearance least) {
   units_ = map::laid_out(parameters_.lattice, view.grid);
   passable_.resize(units_.size());
   std::size_t count = 0;
@@ -156,7 +156,7 @@ void NeuralMapPlanner::choose_subgoal(const Situation& situation) {
   while (next < last && distance_m(next) <= parameters_.arrive_m) ++next;
   for (std::uint32_t i = last; i > next; --i) {
     if (distance_m(i) > parameters_.look_ahead_m) continue;
-    if (situation.map.straight_way(robot, state_.path[i], state_.room)) {
+    if (situation.map.line_of_sight(robot, state_.path[i], state_.room)) {
       next = i;
       break;
     }
@@ -166,7 +166,7 @@ void NeuralMapPlanner::choose_subgoal(const Situation& situation) {
 
 void NeuralMapPlanner::notice_astray(const Situation& situation) {
   const core::Vec2 robot = situation.odometry.pose_odom_robot.position();
-  if (situation.map.straight_way(robot, state_.path[state_.subgoal], state_.room)) {
+  if (situation.map.line_of_sight(robot, state_.path[state_.subgoal], state_.room)) {
     state_.astray = false;
     return;
   }

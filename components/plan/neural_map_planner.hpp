@@ -36,9 +36,9 @@ class NeuralMapPlanner final : public Planner {
   };
 
   struct State {
-    std::vector<core::Vec2> path;       ///< from where it was made to the target's place
-    std::uint32_t subgoal = 0;          ///< index in the path
-    map::Room room = map::Room::kOpen;  ///< that all of the path has
+    std::vector<core::Vec2> path;                 ///< from where it was made to the target's place
+    std::uint32_t subgoal = 0;                    ///< index in the path
+    map::Clearance room = map::Clearance::kOpen;  ///< that all of the path has
     bool planned = false;
     std::uint64_t planned_tick = 0;
     bool astray = false;             ///< no straight line leads to the subgoal
@@ -62,7 +62,7 @@ class NeuralMapPlanner final : public Planner {
 
   void plan(const Situation& situation);
   bool make_path(const Situation& situation);
-  std::size_t find_passable(const RoomView& view, map::Room least);
+  std::size_t find_passable(const RoomView& view, map::Clearance least);
   bool is_old(const Situation& situation) const;
   std::vector<map::Cell> target_units(const Situation& situation) const;
   std::optional<map::Cell> nearest_unit(const core::Vec2& place) const;

@@ -9,11 +9,11 @@ constexpr double kAround_m = 1.0;
 // Free parts of beams end this far before what returned.
 constexpr double kClearMargin_m = 0.01;
 
-map::Passage passage_of(const SeenSource::Parameters& p, const RoomNeeds& needs) {
-  map::Passage passage = map::passage_of(needs.radius_m, p.hit_spread_m, 0.5 * p.cell_m);
+map::Inflation inflation_of(const SeenSource::Parameters& p, const RoomNeeds& needs) {
+  map::Inflation inflation = map::inflation_of(needs.radius_m, p.hit_spread_m, 0.5 * p.cell_m);
   // Half way from touching to comfortable, a cell is open.
-  passage.comfortable_m = 2.0 * (needs.radius_m + needs.margin_m) - passage.touching_m;
-  return passage;
+  inflation.comfortable_m = 2.0 * (needs.radius_m + needs.margin_m) - inflation.touching_m;
+  return inflation;
 }
 
 }  // namespace
@@ -21,26 +21,26 @@ map::Passage passage_of(const SeenSource::Parameters& p, const RoomNeeds& needs)
 SeenSource::SeenSource(const Parameters& parameters, const RoomNeeds& needs)
     : evidence_({parameters.hit_spread_m, kClearMargin_m}, needs.radius_m),
       seen_(0.5 * parameters.cell_m, parameters.capacity_tiles),
-      passage_(passage_of(parameters, needs)),
-      clearance_(passage_, seen_.cell_m()) {}
+      inflation_(inflation_of(parameters, needs)),
+      clearance_(inflation_, seen_.cell_m()) {}
 
 RoomView SeenSource::read(const core::Vec2& from, const core::Vec2& to) {
-  const map::CostGrid& costs = clearance_.update(seen_, from, to, kAround_m);
-  return {costs.grid, costs.room};
+  const map::Costmap& costs = clearance_.update(seen_, from, to, kAround_m);
+  return {costs.grid, costs.clearance};
 }
 
-bool SeenSource::straight_way(const core::Vec2& from, const core::Vec2& to, map::Room least) {
+bool SeenSource::line_of_sight(const core::Vec2& from, const core::Vec2& to, map::Clearance least) {
   if (is_near(map::Mark::kHit, from, to, room_of(least))) return false;
-  if (least <= map::Room::kSuspected) return true;
+  if (least <= map::Clearance::kSuspected) return true;
   return !is_near(map::Mark::kSuspected, from, to, room_of(least));
 }
 
 /// How near a hit may be where there is this room, in metres.
-double SeenSource::room_of(map::Room least) const {
-  const double room_m = least == map::Room::kOpen
-                            ? 0.5 * (passage_.touching_m + passage_.comfortable_m)
-                        : least == map::Room::kTouching ? passage_.impossible_m
-                                                        : passage_.touching_m;
+double SeenSource::room_of(map::Clearance least) const {
+  const double room_m = least == map::Clearance::kOpen
+                            ? 0.5 * (inflation_.touching_m + inflation_.comfortable_m)
+                        : least == map::Clearance::kTouching ? inflation_.impossible_m
+                                                             : inflation_.touching_m;
   return room_m - seen_.cell_m();
 }
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "map/clearance.hpp"
+#include "map/costmap.hpp"
 #include "map/scan_evidence.hpp"
 #include "map/seen_map.hpp"
 #include "plan/known_map.hpp"
@@ -29,18 +29,18 @@ class SeenSource final : public MapSource {
   bool changes() const override { return true; }
   RoomView read(const core::Vec2& from, const core::Vec2& to) override;
   /// Measured on the marks themselves, a cell short of `least`, which holds at middles of cells.
-  bool straight_way(const core::Vec2& from, const core::Vec2& to, map::Room least) override;
+  bool line_of_sight(const core::Vec2& from, const core::Vec2& to, map::Clearance least) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override { reader(seen_.state()); }
 
  private:
   bool is_near(map::Mark mark, const core::Vec2& from, const core::Vec2& to, double room_m) const;
-  double room_of(map::Room least) const;
+  double room_of(map::Clearance least) const;
 
   map::ScanEvidence evidence_;
   map::SeenMap seen_;
-  map::Passage passage_;
-  map::Clearance clearance_;
+  map::Inflation inflation_;
+  map::CostmapBuilder clearance_;
 };
 
 }  // namespace clew::plan

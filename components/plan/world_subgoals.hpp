@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/parameters.hpp"
 #include "core/result.hpp"
 #include "domain/setup.hpp"
 #include "plan/planner.hpp"
@@ -16,7 +17,7 @@ namespace clew::plan {
 /// it is the mission's target from the start.
 class WorldSubgoals final : public Planner {
  public:
-  struct Parameters {};
+  using Parameters = core::NoParameters;
   struct State {
     std::uint32_t next = 0;  ///< of the world's subgoals; those before have been reached
   };
@@ -33,9 +34,6 @@ class WorldSubgoals final : public Planner {
  private:
   State state_;
 };
-
-template <typename Visitor>
-void visit_parameters(Visitor&, WorldSubgoals::Parameters&) {}
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, WorldSubgoals::State& s) {

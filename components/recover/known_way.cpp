@@ -13,26 +13,26 @@ constexpr double kMargin_m = 1.0;
 constexpr double kRefused_m = 0.06;
 constexpr std::size_t kMostRefused = 4096;
 
-map::Passage passage_of(const KnownWayParameters& p, const SurroundingsParameters& seen,
-                        double radius_m) {
-  map::Passage passage = map::passage_of(radius_m, seen.hit_spread_m, seen.cell_m);
-  passage.comfortable_m = radius_m + p.comfortable_m;
-  passage.narrow_cost = p.narrow_cost;
-  passage.known_cost = p.known_cost;
-  passage.suspected_cost = p.suspected_cost;
-  return passage;
+map::Inflation inflation_of(const KnownWayParameters& p, const SurroundingsParameters& seen,
+                            double radius_m) {
+  map::Inflation inflation = map::inflation_of(radius_m, seen.hit_spread_m, seen.cell_m);
+  inflation.comfortable_m = radius_m + p.comfortable_m;
+  inflation.narrow_cost = p.narrow_cost;
+  inflation.known_cost = p.known_cost;
+  inflation.suspected_cost = p.suspected_cost;
+  return inflation;
 }
 
 /// What going straight costs; infinite through what is blocked, except where the way begins.
-double straight_cost_m(const map::CostGrid& costs, const core::Vec2& from, const core::Vec2& to) {
+double straight_cost_m(const map::Costmap& costs, const core::Vec2& from, const core::Vec2& to) {
   const double length_m = core::length(to - from);
   const auto pieces = static_cast<int>(std::ceil(length_m / (0.5 * costs.grid.cell_m)));
   double sum = 0.0;
   for (int i = 0; i < pieces; ++i) {
     const core::Vec2 place = from + (i + 0.5) / pieces * (to - from);
     const auto cell = costs.grid.cell_at(place);
-    const float cost = cell ? costs.cost[costs.grid.index(*cell)] : map::CostGrid::kBlocked;
-    if (cost == map::CostGrid::kBlocked) return HUGE_VAL;
+    const float cost = cell ? costs.cost[costs.grid.index(*cell)] : map::Costmap::kBlocked;
+    if (cost == map::Costmap::kBlocked) return HUGE_VAL;
     sum += cost;
   }
   return pieces == 0 ? 0.0 : sum * length_m / pieces;
@@ -41,15 +41,15 @@ double straight_cost_m(const map::CostGrid& costs, const core::Vec2& from, const
 }  // namespace
 
 KnownWay::KnownWay(const KnownWayParameters& parameters, const domain::BehaviourSetup& setup,
-                   std::unique_ptr<map::WaySearch> search)
+                   std::unique_ptr<map::PathSearch> search)
     : parameters_(parameters),
       radius_m_(setup.robot.radius_m),
       replan_ticks_(parameters.replan_s / setup.tick_s),
       search_(std::move(search)) {}
 
 void KnownWay::make_clearance(const SurroundingsParameters& surroundings) {
-  passage_ = passage_of(parameters_, surroundings, radius_m_);
-  clearance_.emplace(passage_, surroundings.cell_m);
+  inflation_ = inflation_of(parameters_, surroundings, radius_m_);
+  clearance_.emplace(inflation_, surroundings.cell_m);
 }
 
 bool KnownWay::keep_up(const Situation& situation) {
@@ -67,7 +67,7 @@ void KnownWay::plan(const Situation& situation) {
   const core::Vec2 from = situation.pose().position();
   const Surroundings& surroundings = *situation.surroundings;
   if (!clearance_) make_clearance(surroundings.parameters());
-  map::CostGrid& costs =
+  map::Costmap& costs =
       clearance_->update(surroundings.map(), from, situation.target_odom, kMargin_m);
   close_refused(costs);
   open_own_place(costs, from);
@@ -82,7 +82,7 @@ void KnownWay::refuse(const core::Vec2& place_odom) {
   if (state_.refused_odom.size() < kMostRefused) state_.refused_odom.push_back(place_odom);
 }
 
-void KnownWay::close_refused(map::CostGrid& costs) const {
+void KnownWay::close_refused(map::Costmap& costs) const {
   const map::Grid& grid = costs.grid;
   const auto reach = static_cast<std::int32_t>(std::ceil(kRefused_m / grid.cell_m));
   for (const core::Vec2& place : state_.refused_odom) {
@@ -92,23 +92,23 @@ void KnownWay::close_refused(map::CostGrid& costs) const {
       for (std::int32_t columns = -reach; columns <= reach; ++columns) {
         const map::Cell cell{middle->column + columns, middle->row + rows};
         if (!grid.contains(cell) || core::length(grid.centre(cell) - place) > kRefused_m) continue;
-        costs.cost[grid.index(cell)] = map::CostGrid::kBlocked;
-        costs.room[grid.index(cell)] = map::Room::kNone;
+        costs.cost[grid.index(cell)] = map::Costmap::kBlocked;
+        costs.clearance[grid.index(cell)] = map::Clearance::kNone;
       }
     }
   }
 }
 
 /// Where the robot stands it can be, whatever is believed.
-void KnownWay::open_own_place(map::CostGrid& costs, const core::Vec2& place) {
+void KnownWay::open_own_place(map::Costmap& costs, const core::Vec2& place) {
   const auto cell = costs.grid.cell_at(place);
-  if (!cell || costs.room[costs.grid.index(*cell)] != map::Room::kNone) return;
-  costs.room[costs.grid.index(*cell)] = map::Room::kTouching;
-  costs.cost[costs.grid.index(*cell)] = static_cast<float>(passage_.touching_cost);
+  if (!cell || costs.clearance[costs.grid.index(*cell)] != map::Clearance::kNone) return;
+  costs.clearance[costs.grid.index(*cell)] = map::Clearance::kTouching;
+  costs.cost[costs.grid.index(*cell)] = static_cast<float>(inflation_.touching_cost);
 }
 
 /// Keeps of a way from cell to cell the corners that going straight between does not cost more.
-void KnownWay::pull_tight(const map::CostGrid& costs, const std::vector<core::Vec2>& way,
+void KnownWay::pull_tight(const map::Costmap& costs, const std::vector<core::Vec2>& way,
                           const core::Vec2& from) {
   state_.corners_odom.push_back(from);
   core::Vec2 corner = from;
@@ -117,7 +117,7 @@ void KnownWay::pull_tight(const map::CostGrid& costs, const std::vector<core::Ve
     const core::Vec2 before = i == 1 ? from : way[i - 1];
     // A diagonal may brush a cell that is blocked: the search has allowed it.
     const double step_m = std::min(straight_cost_m(costs, before, way[i]),
-                                   passage_.touching_cost * core::length(way[i] - before));
+                                   inflation_.touching_cost * core::length(way[i] - before));
     if (i > 1 && straight_cost_m(costs, corner, way[i]) > 1.001 * (along_m + step_m)) {
       corner = way[i - 1];
       state_.corners_odom.push_back(corner);
@@ -133,7 +133,7 @@ void KnownWay::pull_tight(const map::CostGrid& costs, const std::vector<core::Ve
 /// robot the guard, which takes a cone's return to be at its near end, does not let it in there.
 void KnownWay::centre_corners(const map::SeenMap& seen, double cell_m) {
   constexpr int kPlaces = 2;  // to each side
-  const double reach_m = passage_.comfortable_m + cell_m;
+  const double reach_m = inflation_.comfortable_m + cell_m;
   for (std::size_t i = 1; i + 1 < state_.corners_odom.size(); ++i) {
     const core::Vec2 corner = state_.corners_odom[i];
     const core::Vec2 reach(reach_m, reach_m);
@@ -141,7 +141,7 @@ void KnownWay::centre_corners(const map::SeenMap& seen, double cell_m) {
     seen.for_each(map::Mark::kHit, corner - reach, corner + reach,
                   [&](const core::Vec2& place) { hits_odom_.push_back(place); });
     const auto room_m = [&](const core::Vec2& place) {
-      double least_m = passage_.comfortable_m;
+      double least_m = inflation_.comfortable_m;
       for (const core::Vec2& hit : hits_odom_) {
         least_m = std::min(least_m, core::length(hit - place));
       }

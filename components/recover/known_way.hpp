@@ -8,8 +8,8 @@
 
 #include "core/archive.hpp"
 #include "domain/setup.hpp"
-#include "map/clearance.hpp"
-#include "map/way_search.hpp"
+#include "map/costmap.hpp"
+#include "map/path_search.hpp"
 #include "recover/situation.hpp"
 
 namespace clew::recover {
@@ -56,7 +56,7 @@ class KnownWay {
   };
 
   KnownWay(const KnownWayParameters& parameters, const domain::BehaviourSetup& setup,
-           std::unique_ptr<map::WaySearch> search);
+           std::unique_ptr<map::PathSearch> search);
 
   /// Seeks a way if there is none yet, the last one is old, or something seen since lies on it.
   /// True if it sought.
@@ -83,19 +83,19 @@ class KnownWay {
 
  private:
   void make_clearance(const SurroundingsParameters& surroundings);
-  void close_refused(map::CostGrid& costs) const;
-  void open_own_place(map::CostGrid& costs, const core::Vec2& place);
+  void close_refused(map::Costmap& costs) const;
+  void open_own_place(map::Costmap& costs, const core::Vec2& place);
   bool is_cut(const Situation& situation) const;
-  void pull_tight(const map::CostGrid& costs, const std::vector<core::Vec2>& way,
+  void pull_tight(const map::Costmap& costs, const std::vector<core::Vec2>& way,
                   const core::Vec2& from);
   void centre_corners(const map::SeenMap& seen, double cell_m);
 
   KnownWayParameters parameters_;
   double radius_m_;
   double replan_ticks_;
-  map::Passage passage_;
-  std::optional<map::Clearance> clearance_;  // made with the first way that is sought
-  std::unique_ptr<map::WaySearch> search_;
+  map::Inflation inflation_;
+  std::optional<map::CostmapBuilder> clearance_;  // made with the first way that is sought
+  std::unique_ptr<map::PathSearch> search_;
   std::vector<core::Vec2> hits_odom_;  // memory to work in
   State state_;
 };

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "recover/escape.hpp"
-#include "recover/immediate_memory.hpp"
-#include "recover/trap_detector.hpp"
+#include "recover/detectors/trap_detector.hpp"
+#include "recover/escapes/escape.hpp"
+#include "recover/escapes/immediate_memory.hpp"
 #include "runtime/component.hpp"
 #include "runtime/stage.hpp"
 

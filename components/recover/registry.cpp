@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recover/registry.hpp"
 
-#include "recover/fixed_sequence.hpp"
-#include "recover/heading_reversal.hpp"
-#include "recover/known_detour.hpp"
-#include "recover/landmark_revisit.hpp"
-#include "recover/local_minimum_planner.hpp"
-#include "recover/no_connecting_path.hpp"
-#include "recover/no_progress.hpp"
-#include "recover/no_recovery.hpp"
-#include "recover/no_safe_region.hpp"
-#include "recover/obstacle_following.hpp"
-#include "recover/oscillation.hpp"
-#include "recover/position_revisit.hpp"
-#include "recover/remembered_map.hpp"
-#include "recover/virtual_obstacle.hpp"
+#include "recover/detectors/heading_reversal.hpp"
+#include "recover/detectors/landmark_revisit.hpp"
+#include "recover/detectors/map_detour.hpp"
+#include "recover/detectors/no_connecting_path.hpp"
+#include "recover/detectors/no_progress.hpp"
+#include "recover/detectors/no_safe_region.hpp"
+#include "recover/detectors/none.hpp"
+#include "recover/detectors/oscillation.hpp"
+#include "recover/detectors/position_revisit.hpp"
+#include "recover/escapes/box_filling.hpp"
+#include "recover/escapes/fixed_sequence.hpp"
+#include "recover/escapes/following/obstacle_following.hpp"
+#include "recover/escapes/local_minimum_planner.hpp"
+#include "recover/escapes/map_following.hpp"
+#include "recover/escapes/none.hpp"
 
 namespace clew::recover {
 
@@ -41,7 +42,7 @@ const runtime::Registry<TrapDetector>& detectors() {
           "no_progress", "nowhere else for a while (Nav2's SimpleProgressChecker)"),
       runtime::registration<TrapDetector, Oscillation>("oscillation",
                                                        "to and fro between the same two places"),
-      runtime::registration<TrapDetector, KnownDetour>(
+      runtime::registration<TrapDetector, MapDetour>(
           "known_detour", "on all that was seen, every way to the target first leads away from it"),
       runtime::registration<TrapDetector, NoDetector>("none", "never says trap"),
   };
@@ -56,7 +57,7 @@ const runtime::Registry<Escape>& escapes() {
           "4.3)"),
       runtime::registration<Escape, LocalMinimumPlanner>(
           "local_minimum_planner", "a stack of virtual targets (Nakhaeinia et al. 2015)"),
-      runtime::registration<Escape, VirtualObstacleEscape>(
+      runtime::registration<Escape, BoxFilling>(
           "virtual_obstacle",
           "fills the trap with virtual obstacles, and a stack of goals (Pin & Bender 1996)"),
       runtime::registration<Escape, FixedSequence>(

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "recover/escape.hpp"
-#include "recover/trap_detector.hpp"
+#include "recover/detectors/trap_detector.hpp"
+#include "recover/escapes/escape.hpp"
 #include "runtime/registry.hpp"
 
 namespace clew::recover {

@@ -44,8 +44,8 @@ class TrapJudgeInAU : public testing::Test {
   }
   const DetectorScore& score(std::size_t index = 0) const { return judge_.scores()[index]; }
 
-  terrain::ClearanceGrid grid_{u_world(), 0.0};
-  terrain::TrapMap map_{grid_, kRadius_m, 0.3};
+  world_analysis::ClearanceGrid grid_{u_world(), 0.0};
+  world_analysis::TrapMap map_{grid_, kRadius_m, 0.3};
   TrapJudge judge_{&map_, kRadius_m, {{"revisit", false, 0, 0, 0, {}, {}}}};
   core::Vec2 position_{5.0, 1.0};
   double travel_m_ = 0.0;

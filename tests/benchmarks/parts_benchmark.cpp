@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "control/fuzzy_behaviourist.hpp"
-#include "control/nearest_virtual_target.hpp"
-#include "control/neuro_fuzzy.hpp"
-#include "control/polar_neural_map.hpp"
+#include "control/behaviourist/fuzzy_behaviourist.hpp"
+#include "control/gaps/nearest_virtual_target.hpp"
+#include "control/infrared/neuro_fuzzy.hpp"
+#include "control/polar/polar_neural_map.hpp"
 #include "sense/infrared.hpp"
 #include "sense/laser.hpp"
 #include "sense/sonar_ring.hpp"

@@ -8,9 +8,9 @@
 #include <cstdint>
 
 #include "core/random.hpp"
-#include "recover/no_safe_region.hpp"
-#include "recover/position_memory.hpp"
-#include "recover/position_revisit.hpp"
+#include "recover/detectors/no_safe_region.hpp"
+#include "recover/detectors/position_memory.hpp"
+#include "recover/detectors/position_revisit.hpp"
 
 namespace clew::recover {
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "recover/remembered_map.hpp"
+#include "recover/escapes/map_following.hpp"
 #include "sense/laser.hpp"
 
 namespace clew::recover {

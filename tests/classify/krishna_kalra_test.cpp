@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/angle.hpp"
-#include "data_files.hpp"
+#include "tests/source_files.hpp"
 
 namespace clew::classify {
 namespace {

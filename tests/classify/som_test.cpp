@@ -5,10 +5,13 @@
 
 #include <cmath>
 
-#include "data_files.hpp"
+#include "tests/source_files.hpp"
 
 namespace clew::classify {
 namespace {
+
+using tests::file_of;
+using tests::with;
 
 core::Resource shipped() { return file_of("configs/rulebases/krishna_kalra_som.yaml"); }
 

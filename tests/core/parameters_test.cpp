@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/membership.hpp"
+#include "core/fuzzy.hpp"
 #include "core/resources.hpp"
 
 namespace clew::core {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
-#include "map/straight_way.hpp"
+#include "map/line_of_sight.hpp"
 #include "random_map.hpp"
 
 namespace clew::map {
@@ -79,7 +79,7 @@ TEST(StraightWay, IsBlockedByAnyCellOnTheLine) {
       sampled_free = sampled_free && map.passable[map.grid.index(cell)] != 0;
     }
 
-    const bool free = straight_way(map.grid, map.passable, from, to);
+    const bool free = line_of_sight(map.grid, map.passable, from, to);
 
     EXPECT_TRUE(!free || sampled_free) << seed;
     if (!free && sampled_free) {
@@ -100,10 +100,10 @@ TEST(StraightWay, IsBlockedByAnyCellOnTheLine) {
 TEST(StraightWay, EndsAtTheGrid) {
   const RandomMap map = random_map(1, 10, 10, 0.0, 0);
 
-  EXPECT_TRUE(straight_way(map.grid, map.passable, {0.5, 0.5}, {9.5, 9.5}));
-  EXPECT_TRUE(straight_way(map.grid, map.passable, {0.5, 0.5}, {0.5, 0.5}));
-  EXPECT_FALSE(straight_way(map.grid, map.passable, {0.5, 0.5}, {10.5, 0.5}));
-  EXPECT_FALSE(straight_way(map.grid, map.passable, {-0.5, 0.5}, {5.0, 0.5}));
+  EXPECT_TRUE(line_of_sight(map.grid, map.passable, {0.5, 0.5}, {9.5, 9.5}));
+  EXPECT_TRUE(line_of_sight(map.grid, map.passable, {0.5, 0.5}, {0.5, 0.5}));
+  EXPECT_FALSE(line_of_sight(map.grid, map.passable, {0.5, 0.5}, {10.5, 0.5}));
+  EXPECT_FALSE(line_of_sight(map.grid, map.passable, {-0.5, 0.5}, {5.0, 0.5}));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace clew::plan {
 namespace {
 
 using core::Vec2;
-using map::Room;
+using map::Clearance;
 
 constexpr RoomNeeds kNeeds{0.15, 0.1};
 
@@ -28,7 +28,7 @@ SeenSource source_that_saw(double range_m, std::size_t capacity_tiles = 4096) {
   return source;
 }
 
-Room room_at(SeenSource& source, const Vec2& place) {
+Clearance room_at(SeenSource& source, const Vec2& place) {
   const RoomView view = source.read(Vec2::Zero(), Vec2(3.0, 0.0));
   return view.room[view.grid.index(*view.grid.cell_at(place))];
 }
@@ -36,8 +36,8 @@ Room room_at(SeenSource& source, const Vec2& place) {
 TEST(SeenSource, TakesTheUnknownForFree) {
   SeenSource source({}, kNeeds);
 
-  EXPECT_EQ(room_at(source, {2.0, 0.5}), Room::kOpen);
-  EXPECT_TRUE(source.straight_way({0.0, 0.0}, {3.0, 0.0}, Room::kOpen));
+  EXPECT_EQ(room_at(source, {2.0, 0.5}), Clearance::kOpen);
+  EXPECT_TRUE(source.line_of_sight({0.0, 0.0}, {3.0, 0.0}, Clearance::kOpen));
   EXPECT_TRUE(source.changes());
 }
 
@@ -46,21 +46,21 @@ TEST(SeenSource, TellsTheRoomBesideWhatItHasSeen) {
   SeenSource source = source_that_saw(1.35);
 
   // A hit lies up to 0.018 m from the middle of its cell, and a place up to 0.035 m from its.
-  EXPECT_EQ(room_at(source, {1.5, 0.0}), Room::kNone);
-  EXPECT_EQ(room_at(source, {1.5, 0.12}), Room::kTouching);
-  EXPECT_EQ(room_at(source, {1.5, 0.20}), Room::kNarrow);
-  EXPECT_EQ(room_at(source, {1.5, 0.31}), Room::kOpen);
+  EXPECT_EQ(room_at(source, {1.5, 0.0}), Clearance::kNone);
+  EXPECT_EQ(room_at(source, {1.5, 0.12}), Clearance::kTouching);
+  EXPECT_EQ(room_at(source, {1.5, 0.20}), Clearance::kNarrow);
+  EXPECT_EQ(room_at(source, {1.5, 0.31}), Clearance::kOpen);
 }
 
 TEST(SeenSource, HasAStraightWayOnlyWithTheRoomThatIsAskedFor) {
   SeenSource source = source_that_saw(1.35);
 
   // 0.18 m beside the hit: enough for the robot, and not for the margin beside it.
-  EXPECT_FALSE(source.straight_way({0.0, 0.18}, {3.0, 0.18}, Room::kOpen));
-  EXPECT_TRUE(source.straight_way({0.0, 0.18}, {3.0, 0.18}, Room::kNarrow));
-  EXPECT_FALSE(source.straight_way({0.0, 0.05}, {3.0, 0.05}, Room::kTouching));
+  EXPECT_FALSE(source.line_of_sight({0.0, 0.18}, {3.0, 0.18}, Clearance::kOpen));
+  EXPECT_TRUE(source.line_of_sight({0.0, 0.18}, {3.0, 0.18}, Clearance::kNarrow));
+  EXPECT_FALSE(source.line_of_sight({0.0, 0.05}, {3.0, 0.05}, Clearance::kTouching));
   // What is before or behind a line does not bar it.
-  EXPECT_TRUE(source.straight_way({0.0, 0.0}, {1.3, 0.0}, Room::kOpen));
+  EXPECT_TRUE(source.line_of_sight({0.0, 0.0}, {1.3, 0.0}, Clearance::kOpen));
 }
 
 TEST(SeenSource, BelievesTheNewestEvidence) {
@@ -70,14 +70,14 @@ TEST(SeenSource, BelievesTheNewestEvidence) {
 
   source.see({}, farther);
 
-  EXPECT_EQ(room_at(source, {1.5, 0.0}), Room::kOpen);
+  EXPECT_EQ(room_at(source, {1.5, 0.0}), Clearance::kOpen);
 }
 
 TEST(SeenSource, KeepsToItsCapacity) {
   // Tiles of 64 cells of 0.025 m: the hit at x = 2.5 lies in another than the robot.
   SeenSource source = source_that_saw(2.35, 1);
 
-  EXPECT_EQ(room_at(source, {2.5, 0.0}), Room::kOpen);
+  EXPECT_EQ(room_at(source, {2.5, 0.0}), Clearance::kOpen);
 }
 
 TEST(SeenSource, RemembersAfterLoading) {
@@ -90,7 +90,7 @@ TEST(SeenSource, RemembersAfterLoading) {
   restored.load(reader);
 
   ASSERT_TRUE(reader.complete());
-  EXPECT_EQ(room_at(restored, {1.5, 0.0}), Room::kNone);
+  EXPECT_EQ(room_at(restored, {1.5, 0.0}), Clearance::kNone);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "map/astar.hpp"
-#include "map/neural_way.hpp"
+#include "map/neural_path.hpp"
 
 namespace clew::recover {
 namespace {
@@ -45,8 +45,8 @@ TEST(KnownWay, LeadsThroughANarrowGapInItsMiddle) {
   for (const bool neural : {false, true}) {
     BeforeAGap scene;
     scene.surroundings.see(scene.odometry, scene.scan);
-    std::unique_ptr<map::WaySearch> search = std::make_unique<map::AStar>();
-    if (neural) search = std::make_unique<map::NeuralWay>(map::NeuralMap::create({}).value());
+    std::unique_ptr<map::PathSearch> search = std::make_unique<map::AStar>();
+    if (neural) search = std::make_unique<map::NeuralPath>(map::NeuralMap::create({}).value());
     domain::BehaviourSetup setup;
     setup.robot.radius_m = 0.15;
     KnownWay way({}, setup, std::move(search));

@@ -3,12 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "data_files.hpp"
-#include "recover/no_recovery.hpp"
-#include "scene.hpp"
+#include "tests/recover/scene.hpp"
+#include "tests/source_files.hpp"
 
 namespace clew::recover {
 namespace {
+
+using tests::rule_base;
 
 using domain::EventKind;
 using domain::GuidanceMode;
@@ -383,17 +384,6 @@ TEST_F(RecoverComponentTest, GoesOnAsBeforeAfterSaveAndLoad) {
 
   EXPECT_TRUE(reader.complete());
   EXPECT_EQ(step().override_motion.turn_rad, 0.2);
-}
-
-TEST(NoRecovery, NeverSaysTrapAndEndsAtOnce) {
-  NoDetector detector;
-  NoEscape escape;
-  const Scene scene;
-  domain::Guidance guidance;
-
-  EXPECT_FALSE(detector.observe(scene.situation()).has_value());
-  EXPECT_EQ(escape.step(scene.situation(), guidance), EscapeStatus::kEnded);
-  EXPECT_FALSE(guidance.has_override);
 }
 
 }  // namespace

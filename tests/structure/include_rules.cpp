@@ -10,6 +10,8 @@ namespace {
 
 using Folders = std::set<std::string>;
 
+/// The stages that are the world, or may know it.
+const Folders kKnowTheWorld = {"sense", "drive", "plan"};
 const Folders kStages = {"sense", "classify", "recover", "control", "drive", "plan"};
 
 /// What each folder may include of the project besides itself.
@@ -17,6 +19,7 @@ const std::map<std::string, Folders> kLayers = {
     {"components/core", {}},
     {"components/domain", {"core"}},
     {"components/world", {"core", "domain"}},
+    {"components/scan", {"core", "domain"}},
     {"components/map", {"core", "domain"}},
     {"components/runtime", {"core", "domain", "world"}},
     {"components/stages",
@@ -30,7 +33,8 @@ const std::map<std::string, Folders> kLayers = {
     {"bridge/vendors", {"core", "dds", "fastdds", "cyclonedds"}},
     {"bridge/run", {"core", "domain", "runtime", "wire", "recording"}},
     {"bridge/line", {"core", "domain", "runtime", "dds", "run"}},
-    {"bridge/component", {"core", "domain", "runtime", "wire", "dds", "vendors", "run", "line"}},
+    {"bridge/component",
+     {"core", "domain", "scan", "runtime", "wire", "dds", "vendors", "run", "line"}},
     {"bridge/recorder", {"core", "domain", "runtime", "wire", "recording", "run", "line"}},
     {"bridge/supervisor",
      {"core", "domain", "runtime", "wire", "recording", "dds", "vendors", "run", "line",
@@ -94,7 +98,8 @@ std::optional<Folders> allowed_folders(const SourceFile& file) {
   const std::string name = folder.substr(folder.find('/') + 1);
   Folders allowed;
   if (first_folder(folder) == "components" && kStages.count(name) > 0) {
-    allowed = {"core", "domain", "world", "map"};
+    allowed = {"core", "domain", "scan", "map"};
+    if (kKnowTheWorld.count(name) > 0) allowed.insert("world");
     if (ties_to_runtime(file)) allowed.insert("runtime");
   } else if (const auto layer = kLayers.find(folder); layer != kLayers.end()) {
     allowed = layer->second;

@@ -73,9 +73,24 @@ TEST(LayerRule, RuntimeKnowsNoStage) {
 }
 
 TEST(LayerRule, BehavioursKnowNeitherTheRuntimeNorAnotherStage) {
-  EXPECT_TRUE(layers("components/control/a.cpp", "#include \"world/world.hpp\"").empty());
+  EXPECT_TRUE(layers("components/control/a.cpp", "#include \"domain/topics.hpp\"").empty());
   EXPECT_FALSE(layers("components/control/a.cpp", "#include \"runtime/node.hpp\"").empty());
   EXPECT_FALSE(layers("components/control/a.cpp", "#include \"sense/cones.hpp\"").empty());
+}
+
+TEST(LayerRule, OnlySenseDriveAndPlanMayKnowTheTruth) {
+  const std::string world = "#include \"world/world.hpp\"";
+
+  for (const char* stage : {"sense", "drive", "plan"}) {
+    EXPECT_TRUE(layers(std::string("components/") + stage + "/a.cpp", world).empty()) << stage;
+  }
+  for (const char* stage :
+       {"classify", "recover", "recover/detectors", "control", "control/polar"}) {
+    for (const char* file : {"/a.cpp", "/a_component.cpp", "/registry.cpp", "/stage.cpp"}) {
+      const std::string path = std::string("components/") + stage + file;
+      EXPECT_FALSE(layers(path, world).empty()) << path;
+    }
+  }
 }
 
 TEST(LayerRule, ComponentRegistryAndStageKnowTheRuntime) {

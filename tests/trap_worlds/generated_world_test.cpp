@@ -8,8 +8,8 @@
 #include <set>
 
 #include "core/geometry.hpp"
-#include "terrain/trap_map.hpp"
 #include "world/world.hpp"
+#include "world_analysis/trap_map.hpp"
 
 namespace clew::trap_worlds {
 namespace {
@@ -36,7 +36,7 @@ world::World parsed(const GeneratedWorld& generated) {
 /// shares nothing with the lattice that the generator computes on.
 std::optional<double> flood_length_m(const world::World& world) {
   constexpr double kStep_m = 0.08;
-  const double time_s = terrain::settled_time_s(world).value_or(0.0);
+  const double time_s = world_analysis::settled_time_s(world).value_or(0.0);
   using Cell = std::pair<int, int>;
   std::map<Cell, double> lengths_m;
   std::set<Cell> done;
@@ -148,8 +148,8 @@ TEST_P(EveryFamily, HasTheTrapsThatItClaims) {
   for (int number = 0; number < kCount; ++number) {
     const auto world = parsed(generate_world({&GetParam(), 4, number, kCount}));
     SCOPED_TRACE(world.name());
-    const terrain::ClearanceGrid grid(world, *terrain::settled_time_s(world));
-    const terrain::TrapMap map(grid, kRadius_m, kLeastTrapDepth_m);
+    const world_analysis::ClearanceGrid grid(world, *world_analysis::settled_time_s(world));
+    const world_analysis::TrapMap map(grid, kRadius_m, kLeastTrapDepth_m);
 
     if (GetParam().traps != TrapClaim::kAny) {
       EXPECT_EQ(map.traps().empty(), GetParam().traps == TrapClaim::kNone);

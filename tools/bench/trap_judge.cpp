@@ -6,7 +6,7 @@
 namespace clew::bench {
 namespace {
 
-/// A minimum on the lattice is so much off at most (terrain/README.md), and so must the robot be
+/// A minimum on the lattice is so much off at most (world_analysis/README.md), and so must the robot be
 /// nearer to the target to have left for good.
 constexpr double kSurelyNearer_m = 0.1;
 constexpr double kLeastCircle_m = 1.0;
@@ -41,7 +41,7 @@ void TrapJudge::begin_capture(const domain::State& state) {
   ++captures_;
   captured_at_s_ = state.stamp.sim_time_s;
   captured_at_m_ = state.path_length_m;
-  held_below_m_ = terrain::Trap::kNoWayOut;
+  held_below_m_ = world_analysis::Trap::kNoWayOut;
   has_noticed_.assign(scores_.size(), false);
 }
 

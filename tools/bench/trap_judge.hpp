@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "run/sample_sink.hpp"
-#include "terrain/trap_map.hpp"
 #include "wire/codec.hpp"
+#include "world_analysis/trap_map.hpp"
 
 namespace clew::bench {
 
@@ -38,7 +38,7 @@ class TrapJudge : public bridge::SampleSink {
  public:
   /// `traps` may be null: then there is no truth, and alarms are counted and not judged.
   /// `detectors` are those of the graph, so that one without any alarm has a score as well.
-  TrapJudge(const terrain::TrapMap* traps, double robot_radius_m,
+  TrapJudge(const world_analysis::TrapMap* traps, double robot_radius_m,
             std::vector<DetectorScore> detectors)
       : traps_(traps), robot_radius_m_(robot_radius_m), scores_(std::move(detectors)) {}
 
@@ -63,7 +63,7 @@ class TrapJudge : public bridge::SampleSink {
     double travel_m = 0.0;
   };
 
-  const terrain::TrapMap* traps_;
+  const world_analysis::TrapMap* traps_;
   double robot_radius_m_;
   std::vector<DetectorScore> scores_;
   std::vector<bool> has_noticed_ = std::vector<bool>(scores_.size());  ///< the present capture

@@ -62,12 +62,12 @@ Result<runtime::RunPlan> WorldBench::prepare(const Variant& variant, std::uint64
   return runtime::prepare_run(variant.graph, overrides, source_, stages_);
 }
 
-const terrain::TrapMap* WorldBench::traps(const runtime::RunPlan& run) {
+const world_analysis::TrapMap* WorldBench::traps(const runtime::RunPlan& run) {
   if (!grid_) {
     surveyed_ = run.setup.world;
-    const auto settled_s = terrain::settled_time_s(*surveyed_);
+    const auto settled_s = world_analysis::settled_time_s(*surveyed_);
     if (!settled_s) return nullptr;
-    grid_ = std::make_unique<terrain::ClearanceGrid>(*surveyed_, *settled_s);
+    grid_ = std::make_unique<world_analysis::ClearanceGrid>(*surveyed_, *settled_s);
   }
   // Minima shallower than the robot is wide are none.
   const double radius_m = run.setup.behaviour.robot.radius_m;

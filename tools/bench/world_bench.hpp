@@ -10,8 +10,8 @@
 #include "bench/bench_plan.hpp"
 #include "bench/trap_judge.hpp"
 #include "runtime/run_plan.hpp"
-#include "terrain/clearance_grid.hpp"
-#include "terrain/trap_map.hpp"
+#include "world_analysis/clearance_grid.hpp"
+#include "world_analysis/trap_map.hpp"
 
 namespace clew::bench {
 
@@ -36,15 +36,15 @@ class WorldBench {
  private:
   core::Result<runtime::RunPlan> prepare(const Variant& variant, std::uint64_t seed) const;
   /// The traps for a robot of this radius; none where something moves for ever.
-  const terrain::TrapMap* traps(const runtime::RunPlan& run);
+  const world_analysis::TrapMap* traps(const runtime::RunPlan& run);
 
   const BenchPlan& plan_;
   const BenchWorld& world_;
   WorldSource source_;
   const std::vector<runtime::StageInfo>& stages_;
   std::shared_ptr<const world::World> surveyed_;  ///< what the grid refers to
-  std::unique_ptr<terrain::ClearanceGrid> grid_;
-  std::map<double, terrain::TrapMap> traps_by_radius_;
+  std::unique_ptr<world_analysis::ClearanceGrid> grid_;
+  std::map<double, world_analysis::TrapMap> traps_by_radius_;
 };
 
 }  // namespace clew::bench

@@ -5,9 +5,9 @@
 
 #include "clew/exit_status.hpp"
 #include "clew/train_commands.hpp"
-#include "clew/training_groups.hpp"
 #include "files/whole_file.hpp"
 #include "plot/line_chart.hpp"
+#include "train/training_groups.hpp"
 
 namespace clew::tools {
 namespace {
@@ -28,8 +28,8 @@ struct Trained {
   std::string curves;
 };
 
-plot::LineChart chart_of(const control::NeuroFuzzyTraining& training,
-                         const control::TestErrors& errors) {
+plot::LineChart chart_of(const train::NeuroFuzzyTraining& training,
+                         const train::TestErrors& errors) {
   plot::LineChart chart{"Training of the neuro-fuzzy controller",
                         "iteration",
                         "root mean squared error of the wheels' speeds, m/s",
@@ -37,7 +37,7 @@ plot::LineChart chart_of(const control::NeuroFuzzyTraining& training,
                         {}};
   plot::ChartLine train{"training groups", {}};
   plot::ChartLine test{"test groups", {}};
-  for (const control::LearningPoint& point : training.curve) {
+  for (const train::LearningPoint& point : training.curve) {
     const auto iteration = static_cast<double>(point.iteration);
     train.points.push_back({iteration, point.train_mps});
     test.points.push_back({iteration, point.test_mps});
@@ -60,22 +60,22 @@ Result<Trained> train(const TrainNeuroFuzzyOptions& options) {
   const auto path = runtime::ConfigPath::from_environment();
   const auto file = path.find("training", options.recipe);
   if (!file.ok()) return file.error();
-  const auto recipe = control::NeuroFuzzyRecipe::parse(*file);
+  const auto recipe = train::NeuroFuzzyRecipe::parse(*file);
   if (!recipe.ok()) return recipe.error();
   const auto rules = path.find("rulebases", recipe->start);
   if (!rules.ok()) return rules.error();
   const auto start = control::NeuroFuzzyNets::parse(*rules);
   if (!start.ok()) return start.error();
-  const auto shown = options.recording.empty() ? groups_of_expert(*recipe, path)
-                                               : groups_of_recording(*recipe, options.recording);
+  const auto shown = options.recording.empty()
+                         ? train::groups_of_expert(*recipe, path)
+                         : train::groups_of_recording(*recipe, options.recording);
   if (!shown.ok()) return shown.error();
-  const auto groups = control::draw_groups(*recipe, shown->groups);
+  const auto groups = train::draw_groups(*recipe, shown->groups);
   if (!groups.ok()) return Error{groups.error().message, options.recording, 0, 0};
-  const auto training = control::train_neuro_fuzzy(*recipe, *start, *groups);
-  const auto errors = control::compare(training, *start, *groups);
-  return Trained{
-      control::trained_file(*recipe, training, errors, command_of(options), shown->origin),
-      plot::draw(chart_of(training, errors))};
+  const auto training = train::train_neuro_fuzzy(*recipe, *start, *groups);
+  const auto errors = train::compare(training, *start, *groups);
+  return Trained{train::trained_file(*recipe, training, errors, command_of(options), shown->origin),
+                 plot::draw(chart_of(training, errors))};
 }
 
 int train_neuro_fuzzy_command(const TrainNeuroFuzzyOptions& options) {

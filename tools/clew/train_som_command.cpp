@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "classify/som_training.hpp"
 #include "clew/exit_status.hpp"
-#include "clew/scaled_world.hpp"
 #include "clew/train_commands.hpp"
 #include "files/whole_file.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
+#include "train/scaled_world.hpp"
+#include "train/som_training.hpp"
 #include "world/world.hpp"
 
 namespace clew::tools {
@@ -52,17 +52,17 @@ class LandmarkSource : public runtime::ConfigSource {
   Resource world_;
 };
 
-Result<classify::LandmarkRun> run_past(const std::string& world_name, const Resource& file,
-                                       double scale, const runtime::ConfigPath& path) {
+Result<train::LandmarkRun> run_past(const std::string& world_name, const Resource& file,
+                                    double scale, const runtime::ConfigPath& path) {
   const auto world = world::World::parse(file.text, file.file);
   if (!world.ok()) return world.error();
-  const LandmarkSource source(path, {file.file, scaled_world_yaml(*world, scale)});
+  const LandmarkSource source(path, {file.file, train::scaled_world_yaml(*world, scale)});
   const auto plan = runtime::prepare_run("training", {}, source, stages::all());
   if (!plan.ok()) return plan.error();
   auto nodes = runtime::make_nodes(*plan);
   if (!nodes.ok()) return nodes.error();
   runtime::ComposedExecutor executor(std::move(nodes).value(), nullptr);
-  classify::LandmarkRun run{world_name, scale, {}};
+  train::LandmarkRun run{world_name, scale, {}};
   do {
     executor.step();
     run.classes.push_back(std::get<domain::Landmark>(executor.messages()).spatial_class);
@@ -74,9 +74,9 @@ Result<std::string> train(const TrainSomOptions& options) {
   const auto path = runtime::ConfigPath::from_environment();
   const auto file = path.find("training", options.recipe);
   if (!file.ok()) return file.error();
-  const auto recipe = classify::SomRecipe::parse(*file);
+  const auto recipe = train::SomRecipe::parse(*file);
   if (!recipe.ok()) return recipe.error();
-  std::vector<classify::LandmarkRun> runs;
+  std::vector<train::LandmarkRun> runs;
   for (const std::string& name : recipe->worlds) {
     const auto world = path.find("worlds", name);
     if (!world.ok()) return world.error();
@@ -88,7 +88,7 @@ Result<std::string> train(const TrainSomOptions& options) {
   }
   std::string command = "clew train som";
   if (options.recipe != kDefaultSomRecipe) command += " --recipe " + options.recipe;
-  return classify::train_som(*recipe, runs, command);
+  return train::train_som(*recipe, runs, command);
 }
 
 int train_som_command(const TrainSomOptions& options) {

@@ -107,7 +107,8 @@ std::optional<Scene> scene_of(const core::Resource& file) {
   const plan::RoomView room = (*source)->read(world->start().position(), world->target());
   Scene scene;
   scene.task.grid = room.grid;
-  for (const map::Room cell : room.room) scene.task.passable.push_back(cell == map::Room::kOpen);
+  for (const map::Clearance cell : room.room)
+    scene.task.passable.push_back(cell == map::Clearance::kOpen);
   scene.task.start = *room.grid.cell_at(world->start().position());
   scene.task.target = *room.grid.cell_at(world->target());
   for (const Cell& end : {scene.task.start, scene.task.target}) {

@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "core/hash128.hpp"
-#include "terrain/clearance_grid.hpp"
-#include "terrain/reachability.hpp"
-#include "terrain/shortest_path.hpp"
-#include "terrain/trap_map.hpp"
+#include "world_analysis/clearance_grid.hpp"
+#include "world_analysis/reachability.hpp"
+#include "world_analysis/shortest_path.hpp"
+#include "world_analysis/trap_map.hpp"
 
 namespace clew::trap_worlds {
 namespace {
@@ -21,7 +21,7 @@ constexpr double kMargin_m = 0.02;
 
 /// What is computed of a draft.
 struct Findings {
-  terrain::Solvable solvable = terrain::Solvable::kUndecided;
+  world_analysis::Solvable solvable = world_analysis::Solvable::kUndecided;
   std::optional<double> shortest_path_m;
   double deepest_trap_m = 0.0;
   bool straight_way_hits_trap = false;
@@ -34,7 +34,7 @@ double depth_ranges(const WorldOrder& order) {
 }
 
 /// Whether the straight way from start to target, as far as it is free, ends in a trap.
-bool ends_in_trap(const terrain::ClearanceGrid& grid, const terrain::TrapMap& traps,
+bool ends_in_trap(const world_analysis::ClearanceGrid& grid, const world_analysis::TrapMap& traps,
                   double radius_m) {
   const world::World& world = grid.world();
   const Vec2 start = world.start().position();
@@ -43,25 +43,26 @@ bool ends_in_trap(const terrain::ClearanceGrid& grid, const terrain::TrapMap& tr
 }
 
 Findings find_out(const world::World& world, double radius_m) {
-  const auto settled_s = terrain::settled_time_s(world);
+  const auto settled_s = world_analysis::settled_time_s(world);
   CLEW_CHECK(settled_s.has_value(), "a generated world that never comes to rest: " + world.name());
-  const terrain::ClearanceGrid grid(world, *settled_s);
-  const terrain::TrapMap traps(grid, radius_m, kLeastTrapDepth_m);
+  const world_analysis::ClearanceGrid grid(world, *settled_s);
+  const world_analysis::TrapMap traps(grid, radius_m, kLeastTrapDepth_m);
   Findings findings;
-  findings.solvable = terrain::is_solvable(grid, radius_m, kMargin_m);
-  for (const terrain::Trap& trap : traps.traps()) {
+  findings.solvable = world_analysis::is_solvable(grid, radius_m, kMargin_m);
+  for (const world_analysis::Trap& trap : traps.traps()) {
     findings.deepest_trap_m = std::max(findings.deepest_trap_m, trap.depth_m);
   }
   findings.straight_way_hits_trap = ends_in_trap(grid, traps, radius_m);
-  if (findings.solvable == terrain::Solvable::kYes && world.moving().empty()) {
-    const auto path = terrain::shortest_path(grid, radius_m);
+  if (findings.solvable == world_analysis::Solvable::kYes && world.moving().empty()) {
+    const auto path = world_analysis::shortest_path(grid, radius_m);
     if (path) findings.shortest_path_m = path->length_m;
   }
   return findings;
 }
 
 bool is_as_claimed(const Family& family, const WorldDraft& draft, const Findings& findings) {
-  const auto wanted = family.solvable ? terrain::Solvable::kYes : terrain::Solvable::kNo;
+  const auto wanted =
+      family.solvable ? world_analysis::Solvable::kYes : world_analysis::Solvable::kNo;
   if (findings.solvable != wanted) return false;
   if (family.solvable && draft.moving.empty() && !findings.shortest_path_m) return false;
   switch (family.traps) {
@@ -77,7 +78,7 @@ bool is_as_claimed(const Family& family, const WorldDraft& draft, const Findings
 
 std::string trap_text(double deepest_m) {
   if (deepest_m == 0.0) return "no trap";
-  if (deepest_m == terrain::Trap::kNoWayOut) return "a trap without a way out";
+  if (deepest_m == world_analysis::Trap::kNoWayOut) return "a trap without a way out";
   return fmt::format("deepest trap {:.2f} m", deepest_m);
 }
 

@@ -29,17 +29,18 @@ struct GeneratedWorld {
 inline constexpr double kLeastDepth_ranges = 0.3;
 inline constexpr double kMostDepth_ranges = 4.0;
 
-/// Minima shallower than the robot is wide are no traps; see terrain::Trap.
+/// Minima shallower than the robot is wide are no traps; see world_analysis::Trap.
 inline constexpr double kLeastTrapDepth_m = 0.3;
 
 /// The name that the world of an order will have.
 std::string world_name(const WorldOrder& order);
 
 /// Draws a world of a family and computes what its file states: whether it is solvable
-/// (terrain::is_solvable, with 0.02 m to spare; with moving obstacles, as they come to rest), the
-/// shortest path (terrain::shortest_path; null with moving obstacles) and, in `about`, the deepest
-/// trap. What does not come out as the family claims is drawn again with other dice, so no claim is
-/// believed. An order of which nothing comes out in 200 draws is a mistake of the family.
+/// (world_analysis::is_solvable, with 0.02 m to spare; with moving obstacles, as they come to
+/// rest), the shortest path (world_analysis::shortest_path; null with moving obstacles) and, in
+/// `about`, the deepest trap. What does not come out as the family claims is drawn again with other
+/// dice, so no claim is believed. An order of which nothing comes out in 200 draws is a mistake of
+/// the family.
 GeneratedWorld generate_world(const WorldOrder& order);
 
 }  // namespace clew::trap_worlds

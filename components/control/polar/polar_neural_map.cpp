@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "control/polar/polar_neural_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "control/polar/polar_picture.hpp"
+#include "core/angle.hpp"
+
+namespace clew::control {
+namespace {
+
+constexpr double kAtRest_radps = 1e-6;
+
+/// Whether a scan tells what is ahead of and beside the robot: beams at most 30 degrees apart, over
+/// 90 degrees on each side.
+bool shows_surroundings(const domain::ScanLayout& scan) {
+  if (scan.beam_count < 2) return false;
+  constexpr double kMostApartRad = core::radians(30.1);
+  constexpr double kLeastSideRad = core::radians(89.9);
+  const double half_width_rad = 0.5 * scan.beam_width_rad;
+  return std::fabs(scan.bearing_step_rad) <= kMostApartRad &&
+         scan.leftmost_rad() + half_width_rad >= kLeastSideRad &&
+         scan.rightmost_rad() - half_width_rad <= -kLeastSideRad;
+}
+
+/// A place of the world in the frame of a pose.
+core::Vec2 seen_from(const core::Pose2& pose, const core::Vec2& place) {
+  const core::Vec2 ahead = core::direction(pose.heading_rad);
+  const core::Vec2 offset = place - pose.position();
+  return {ahead.x() * offset.x() + ahead.y() * offset.y(),
+          ahead.x() * offset.y() - ahead.y() * offset.x()};
+}
+
+/// The reverse.
+core::Vec2 placed_from(const core::Pose2& pose, const core::Vec2& seen) {
+  const core::Vec2 ahead = core::direction(pose.heading_rad);
+  return pose.position() + core::Vec2(ahead.x() * seen.x() - ahead.y() * seen.y(),
+                                      ahead.y() * seen.x() + ahead.x() * seen.y());
+}
+
+PolarLattice lattice_of(const PolarNeuralMapParameters& p) {
+  return {static_cast<std::size_t>(p.rings), static_cast<std::size_t>(p.sectors), p.scope_m};
+}
+
+}  // namespace
+
+core::Result<std::unique_ptr<PolarNeuralMap>> PolarNeuralMap::create(
+    const Parameters& parameters, const domain::BehaviourSetup& setup) {
+  const domain::ScanLayout& scan = setup.scan;
+  if (!shows_surroundings(scan)) {
+    return core::Error{
+        fmt::format("polar_neural_map needs beams that are at most 30 degrees apart, over 90 "
+                    "degrees on each side or more; '{}' gives {} beams of {:.4g} degrees, {:.4g} "
+                    "degrees apart from {:.4g} on",
+                    scan.sensor, scan.beam_count, core::degrees(scan.beam_width_rad),
+                    core::degrees(std::fabs(scan.bearing_step_rad)),
+                    core::degrees(scan.bearing_first_rad)),
+        {},
+        0,
+        0};
+  }
+  return std::make_unique<PolarNeuralMap>(parameters, setup);
+}
+
+PolarNeuralMap::PolarNeuralMap(const Parameters& parameters, const domain::BehaviourSetup& setup)
+    : parameters_(parameters),
+      radius_m_(setup.robot.radius_m),
+      prediction_(setup.tick_s),
+      memory_(static_cast<std::size_t>(parameters.memory_scans), setup.scan.beam_count,
+              setup.robot.radius_m),
+      landscape_(lattice_of(parameters), parameters.gain_ratio),
+      window_(parameters.window, setup.limits, setup.robot.radius_m) {
+  returns_.reserve(setup.scan.beam_count * static_cast<std::size_t>(parameters.memory_scans));
+  seen_.reserve(setup.scan.beam_count * 3);
+}
+
+domain::Motion PolarNeuralMap::step(const domain::Odometry& odometry, const domain::Scan& scan,
+                                    const core::Vec2& target_odom) {
+  const core::Pose2& pose = odometry.pose_odom_robot;
+  if (!prediction_.observe(odometry.stamp.sim_time_s)) memory_.forget();
+  memory_.add(pose, scan);
+  pose_odom_robot_ = pose;
+  pose_odom_map_ = map_pose(odometry, target_odom);
+  const core::Vec2 target_map = seen_from(pose_odom_map_, target_odom);
+  draw_map(target_map);
+  DynamicWindow::Goal goal = turn_on_the_spot(odometry, target_odom);
+  subgoal_odom_ = pose.position();
+  if (const auto subgoal = landscape_.subgoal()) {
+    const DynamicWindow::Goal on_map = goal_on_map(*subgoal, target_map);
+    subgoal_odom_ = placed_from(pose_odom_map_, on_map.place);
+    goal.place = seen_from(pose, subgoal_odom_);
+    goal.heading_rad =
+        core::wrap_angle_rad(on_map.heading_rad + pose_odom_map_.heading_rad - pose.heading_rad);
+  }
+  look_around(pose, prediction_.cycle_s(), scan);
+  const WindowCell& chosen = window_.choose(odometry.speed_mps, odometry.turn_rate_radps,
+                                            prediction_.cycle_s(), goal, seen_, returns_);
+  domain::Motion motion;
+  motion.kind = domain::CommandKind::kVelocities;
+  motion.speed_mps = chosen.speed_mps;
+  motion.turn_rate_radps = chosen.turn_rate_radps;
+  return motion;
+}
+
+/// Where the robot will be at the end of the cycle, looking toward the target.
+core::Pose2 PolarNeuralMap::map_pose(const domain::Odometry& odometry,
+                                     const core::Vec2& target_odom) const {
+  core::Pose2 pose = odometry.pose_odom_robot;
+  if (parameters_.predict) {
+    pose = prediction_.predict(pose, odometry.speed_mps, odometry.turn_rate_radps);
+  }
+  pose.heading_rad = core::wrap_angle_rad(pose.heading_rad + core::bearing_rad(pose, target_odom));
+  return pose;
+}
+
+/// With less and less room where activation does not reach the robot, and at last with nothing but
+/// the present scan.
+void PolarNeuralMap::draw_map(const core::Vec2& target_map) {
+  memory_.returns_seen_from(pose_odom_map_, parameters_.scope_m, returns_);
+  for (const double share : {1.0, 0.5, 0.0}) {
+    if (spread_activation(radius_m_ + share * parameters_.clearance_m, target_map)) return;
+  }
+  memory_.newest_seen_from(pose_odom_map_, parameters_.scope_m, returns_);
+  spread_activation(radius_m_, target_map);
+}
+
+/// Whether it reaches the robot.
+bool PolarNeuralMap::spread_activation(double reach_m, const core::Vec2& target_map) {
+  landscape_.clear();
+  for (const core::Vec2& place : returns_) landscape_.obstruct(place, reach_m);
+  landscape_.set_target(target_map);
+  landscape_.settle(static_cast<int>(parameters_.most_patterns));
+  return landscape_.subgoal().has_value();
+}
+
+/// The subgoal as a configuration in the map's frame.
+DynamicWindow::Goal PolarNeuralMap::goal_on_map(const PolarUnit& subgoal,
+                                                const core::Vec2& target_map) const {
+  if (subgoal == landscape_.target()) {
+    const double distance_m = core::length(target_map);
+    const double share = distance_m > parameters_.scope_m ? parameters_.scope_m / distance_m : 1.0;
+    return {share * target_map, core::atan2(target_map.y(), target_map.x())};
+  }
+  const PolarLattice& lattice = landscape_.lattice();
+  return {lattice.place(subgoal), lattice.bearing_rad(subgoal.sector)};
+}
+
+DynamicWindow::Goal PolarNeuralMap::turn_on_the_spot(const domain::Odometry& odometry,
+                                                     const core::Vec2& target_odom) const {
+  const double side = std::fabs(odometry.turn_rate_radps) > kAtRest_radps
+                          ? odometry.turn_rate_radps
+                          : core::bearing_rad(odometry.pose_odom_robot, target_odom);
+  return {core::Vec2::Zero(), side < 0.0 ? -0.5 * core::kPi : 0.5 * core::kPi};
+}
+
+/// What the window heeds: the beams of the present scan, and the returns of all.
+void PolarNeuralMap::look_around(const core::Pose2& pose, double cycle_s,
+                                 const domain::Scan& scan) {
+  const double reach_m = window_.reach_m(cycle_s);
+  memory_.returns_seen_from(pose, reach_m, returns_);
+  memory_.newest_seen_from(pose, reach_m, seen_);
+  if (scan.beam_width_rad == 0.0) return;
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+    const double distance_m = radius_m_ + scan.ranges_m[i];
+    if (scan.ranges_m[i] >= scan.range_max_m || distance_m > reach_m) continue;
+    for (const double end : {-0.5, 0.5}) {
+      seen_.push_back(distance_m *
+                      core::direction(scan.bearing_rad(i) + end * scan.beam_width_rad));
+    }
+  }
+}
+
+domain::Picture PolarNeuralMap::picture() const {
+  domain::Picture picture;
+  if (prediction_.state().times_s.empty()) return picture;
+  draw_landscape(landscape_, pose_odom_map_, picture);
+  domain::PictureLayer remembered{
+      "remembered returns", domain::PictureLayer::Kind::kPoints, {}, {}};
+  std::vector<core::Vec2> returns;
+  memory_.returns_seen_from(pose_odom_map_, parameters_.scope_m, returns);
+  for (const core::Vec2& place : returns) {
+    remembered.places_odom.push_back(placed_from(pose_odom_map_, place));
+  }
+  picture.layers.push_back(std::move(remembered));
+  draw_window(window_, pose_odom_robot_, prediction_.cycle_s(), picture);
+  if (landscape_.subgoal()) {
+    picture.layers.push_back({"subgoal", domain::PictureLayer::Kind::kGoal, {}, {subgoal_odom_}});
+  }
+  return picture;
+}
+
+void PolarNeuralMap::save(core::StateWriter& writer) const {
+  PosePrediction::State prediction = prediction_.state();
+  ScanMemory::State memory = memory_.state();
+  writer(prediction, memory);
+}
+
+void PolarNeuralMap::load(core::StateReader& reader) {
+  reader(prediction_.state(), memory_.state());
+}
+
+}  // namespace clew::control

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "map/grid.hpp"
+#include "map/seen_map.hpp"
+
+namespace clew::map {
+
+/// What keeps a robot's centre out of a cell, as far as is known; the first is the worst.
+enum class Clearance : std::uint8_t {
+  kNone,       ///< certainly inside an obstacle
+  kTouching,   ///< believed to touch one
+  kSuspected,  ///< touches a suspected one
+  kNarrow,     ///< with less room than is comfortable
+  kOpen
+};
+
+/// How dear the cells of a grid are to go through: the length of a way counts that many times.
+struct Costmap {
+  static constexpr float kBlocked = 0.0F;  ///< nobody can be there
+
+  Grid grid;
+  std::vector<float> cost;           ///< by Grid::index; >= 1, or kBlocked where there is no room
+  std::vector<Clearance> clearance;  ///< the same
+};
+
+/// What of a robot's surroundings costs how much.
+struct Inflation {
+  /// A centre this near to a hit is certainly inside an obstacle, whatever the rounding of places
+  /// to cells and of arcs to their middles.
+  double impossible_m = 0.08;
+  double touching_m = 0.15;     ///< a centre this near is believed to touch
+  double comfortable_m = 0.25;  ///< from here on, room does not matter
+  double touching_cost = 40.0;
+  double suspected_cost = 8.0;  ///< nearer than touching_m to a suspected obstacle
+  double known_cost = 1.0;      ///< factor where it was seen free
+  double narrow_cost = 2.0;     ///< just not touching; falls to 1 where it is comfortable
+};
+
+/// A centre this much nearer than the robot's radius is not believed to touch.
+inline constexpr double kTouching_m = 0.01;
+
+/// How near is impossible and how near touches, for a robot of `radius_m` on a map with cells of
+/// `seen_cell_m` whose hits stand for `hit_spread_m` of arc. The rest as by default.
+Inflation inflation_of(double radius_m, double hit_spread_m, double seen_cell_m);
+
+/// Tells of each cell of a grid what it costs to have the robot's centre there, as far as is known:
+/// unknown counts as free.
+class CostmapBuilder {
+ public:
+  /// Planning cells have twice the side of the map's.
+  CostmapBuilder(const Inflation& inflation, double seen_cell_m);
+
+  /// Computes the costs over all that was seen, and `margin_m` around it and around both places.
+  Costmap& update(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m);
+
+ private:
+  struct Offset {
+    std::int32_t columns = 0;
+    std::int32_t rows = 0;
+    std::uint8_t steps = 0;
+  };
+  using Offsets = std::vector<Offset>;
+
+  void make_known_dear(const SeenMap& seen);
+  void lay_grid(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m);
+
+  double cell_m_;
+  float known_cost_;
+  std::uint8_t impossible_steps_;
+  std::uint8_t touching_steps_;
+  std::uint8_t narrow_steps_;
+  std::array<Offsets, 4> around_;  // of the four quarters of a cell
+  std::array<float, 256> hit_cost_{};
+  std::array<float, 256> suspected_cost_{};
+  std::vector<std::uint8_t> hit_steps_;
+  std::vector<std::uint8_t> suspected_steps_;
+  Costmap costs_;
+};
+
+}  // namespace clew::map

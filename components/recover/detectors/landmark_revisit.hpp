@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "core/angle.hpp"
+#include "core/bounded_vector.hpp"
+#include "core/result.hpp"
+#include "domain/setup.hpp"
+#include "recover/detectors/trap_detector.hpp"
+
+namespace clew::recover {
+
+struct LandmarkRevisitParameters {
+  double match_radius_m = 0.3;
+  double loop_length_m = 1.0;
+  std::int64_t earlier_visits = 1;
+  double heading_tolerance_rad = core::radians(180.0);
+  std::int64_t capacity = 64;
+};
+
+template <typename Visitor>
+void visit_parameters(Visitor& visit, LandmarkRevisitParameters& p) {
+  visit.number("match_radius_m", p.match_radius_m, "m", {0.0, 10.0},
+               "positions this close are the same place");
+  visit.number("loop_length_m", p.loop_length_m, "m", {0.0, 100.0},
+               "least travel between two visits");
+  visit.integer("earlier_visits", p.earlier_visits, "1", {1, 6},
+                "visits to the same place that prove a loop, besides this one");
+  visit.angle("heading_tolerance_deg", p.heading_tolerance_rad, {0.0, 180.0},
+              "visits count with headings this close; 180 is any");
+  visit.integer("capacity", p.capacity, "1", {1, 4096},
+                "neurons and categories remembered; 49 and 15 in the paper");
+}
+
+/// The distant memory of Krishna & Kalra 2000, section 4.3: each neuron and category keeps the last
+/// six positions at which it won. One that wins near one of them again, after travel enough to be a
+/// loop, has seen the same landmark, and not another of its kind: the robot goes round in a trap.
+///
+/// A category that ART has made anew has no past. The end of an escape empties all queues.
+class LandmarkRevisit final : public TrapDetector {
+ public:
+  using Parameters = LandmarkRevisitParameters;
+  static constexpr std::size_t kQueueLength = 6;
+
+  struct Visit {
+    std::uint64_t tick = 0;
+    core::Vec2 position_odom = core::Vec2::Zero();
+    double heading_rad = 0.0;
+    double travel_m = 0.0;
+  };
+  using Queue = core::BoundedVector<Visit, kQueueLength>;  // oldest first
+  struct State {
+    std::map<std::pair<domain::Network, std::uint32_t>, Queue> queues;
+  };
+
+  static core::Result<std::unique_ptr<LandmarkRevisit>> create(const Parameters& parameters,
+                                                               const domain::BehaviourSetup& setup);
+  explicit LandmarkRevisit(const Parameters& parameters) : parameters_(parameters) {}
+
+  std::optional<TrapEvidence> observe(const Situation& situation) override;
+  void start_afresh() override { state_.queues.clear(); }
+  void save(core::StateWriter& writer) const override;
+  void load(core::StateReader& reader) override;
+
+ private:
+  std::optional<TrapEvidence> visit(const Situation& situation,
+                                    const domain::Recognition& recognition);
+  const Visit* find_loop(const Queue& queue, const Visit& now) const;
+
+  Parameters parameters_;
+  State state_;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, LandmarkRevisit::Visit& v) {
+  visit(v.tick, v.position_odom, v.heading_rad, v.travel_m);
+}
+template <typename Visitor>
+void visit_fields(Visitor& visit, LandmarkRevisit::State& s) {
+  visit(s.queues);
+}
+
+}  // namespace clew::recover

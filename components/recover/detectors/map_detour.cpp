@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recover/detectors/map_detour.hpp"
+
+#include "map/astar.hpp"
+
+namespace clew::recover {
+
+core::Result<std::unique_ptr<MapDetour>> MapDetour::create(const Parameters& parameters,
+                                                           const domain::BehaviourSetup& setup) {
+  return std::make_unique<MapDetour>(parameters, setup);
+}
+
+MapDetour::MapDetour(const Parameters& parameters, const domain::BehaviourSetup& setup)
+    : parameters_(parameters),
+      tick_s_(setup.tick_s),
+      way_(parameters.way, setup, std::make_unique<map::AStar>()) {}
+
+std::optional<TrapEvidence> MapDetour::observe(const Situation& situation) {
+  TrapEvidence evidence;
+  if (!gets_on(situation)) {
+    evidence.text = "comes no nearer to the target";
+    return evidence;
+  }
+  // While an escape leads to targets of its own, nobody asks.
+  if (situation.pursued_odom != situation.target_odom) return std::nullopt;
+  if (!way_.keep_up(situation)) return std::nullopt;
+  if (way_.has_way() && way_.rise_m(situation) <= parameters_.rise_m) return std::nullopt;
+  evidence.text = "every way known leads away from the target first";
+  return evidence;
+}
+
+bool MapDetour::gets_on(const Situation& situation) {
+  state_.tick = situation.tick;
+  const double distance_m = situation.target_distance_m();
+  if (distance_m <= state_.least_m - parameters_.nearer_m) {
+    state_.least_m = distance_m;
+    state_.progress_tick = situation.tick;
+  }
+  return static_cast<double>(situation.tick - state_.progress_tick) * tick_s_ <
+         parameters_.patience_s;
+}
+
+void MapDetour::start_afresh() {
+  way_.forget_way();
+  state_.least_m = std::numeric_limits<double>::infinity();
+  state_.progress_tick = state_.tick;
+}
+
+void MapDetour::save(core::StateWriter& writer) const {
+  State state = state_;
+  writer(state);
+  way_.save(writer);
+}
+
+void MapDetour::load(core::StateReader& reader) {
+  reader(state_);
+  way_.load(reader);
+}
+
+}  // namespace clew::recover

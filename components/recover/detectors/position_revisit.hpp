@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "core/angle.hpp"
+#include "core/result.hpp"
+#include "domain/setup.hpp"
+#include "recover/detectors/position_memory.hpp"
+#include "recover/detectors/trap_detector.hpp"
+
+namespace clew::recover {
+
+struct PositionRevisitParameters {
+  double grid_m = 0.5;
+  double spacing_m = 0.1;
+  double loop_length_m = 1.0;
+  double place_full_m = 0.1;
+  double place_none_m = 0.4;
+  double place_drift_ratio = 0.005;
+  double direction_full_rad = core::radians(15.0);
+  double direction_none_rad = core::radians(45.0);
+  double direction_drift_radpm = 0.002;
+  double threshold = 0.5;
+  std::int64_t recognitions = 3;
+  std::int64_t capacity = 16384;
+};
+
+template <typename Visitor>
+void visit_parameters(Visitor& visit, PositionRevisitParameters& p) {
+  visit.number("grid_m", p.grid_m, "m", {0.1, 10.0}, "width of a cell of the position memory");
+  visit.number("spacing_m", p.spacing_m, "m", {0.01, 10.0},
+               "positions this far apart are remembered and compared");
+  visit.number("loop_length_m", p.loop_length_m, "m", {0.0, 1000.0},
+               "least travel between two visits that count");
+  visit.number("place_full_m", p.place_full_m, "m", {0.0, 10.0},
+               "same place: fully up to this distance");
+  visit.number("place_none_m", p.place_none_m, "m", {0.01, 10.0},
+               "same place: not at all from this distance on");
+  visit.number("place_drift_ratio", p.place_drift_ratio, "1", {0.0, 1.0},
+               "both distances grow by this share of the path between, at most to a cell's width");
+  visit.angle("direction_full_deg", p.direction_full_rad, {0.0, 180.0},
+              "same direction: fully up to this angle");
+  visit.angle("direction_none_deg", p.direction_none_rad, {0.1, 360.0},
+              "same direction: not at all from this angle on");
+  visit.number("direction_drift_radpm", p.direction_drift_radpm, "rad/m", {0.0, 1.0},
+               "both angles grow by this for a metre of the path between");
+  visit.number("threshold", p.threshold, "1", {0.01, 1.0},
+               "a position is recognised from this degree on");
+  visit.integer("recognitions", p.recognitions, "1", {1, 1000},
+                "recognitions in a row that make a limit cycle");
+  visit.integer("capacity", p.capacity, "1", {2, 1048576}, "cells remembered");
+}
+
+/// A limit cycle as Pin & Bender 1996 recognise it: the robot is again and again where it was
+/// before, with the same direction of motion.
+///
+/// Each position that is `spacing_m` from the last one is compared with the earlier ones around, by
+/// two fuzzy rules: *same place* falls from 1 at place_full to 0 at place_none, *same direction*
+/// from direction_full to direction_none; both widen with the path L between the two visits, as
+/// odometry's uncertainty does:
+///
+///     place = falling(|p - p'|, full + k L, none + k L)
+///     direction = falling(|h - h'|, full + c L, none + c L)
+///     recognised = min(place, direction) >= threshold
+///
+/// `recognitions` positions in a row that are recognised make a limit cycle; the evidence is the
+/// best earlier visit of the last one. A visit less than loop_length before is no earlier visit but
+/// the same one.
+///
+/// Readings of ours: the paper gives no memberships, and says only that *several instances* are
+/// noted. Cells are wider than *place_none* so that the nine cells around hold all candidates; the
+/// drift widens it to a cell's width at most.
+class PositionRevisit final : public TrapDetector {
+ public:
+  using Parameters = PositionRevisitParameters;
+
+  struct State {
+    bool begun = false;
+    core::Vec2 last_odom = core::Vec2::Zero();  ///< position remembered last
+    std::int64_t in_a_row = 0;
+  };
+
+  /// Refuses a grid that is narrower than *same place* is wide, and memberships that do not fall.
+  static core::Result<std::unique_ptr<PositionRevisit>> create(const Parameters& parameters,
+                                                               const domain::BehaviourSetup& setup);
+  explicit PositionRevisit(const Parameters& parameters);
+
+  std::optional<TrapEvidence> observe(const Situation& situation) override;
+  void start_afresh() override;
+  void save(core::StateWriter& writer) const override;
+  void load(core::StateReader& reader) override;
+
+ private:
+  double recognition(const PositionMemory::Visit& now, const PositionMemory::Visit& earlier) const;
+  std::optional<PositionMemory::Visit> recognised(const PositionMemory::Visit& now) const;
+
+  Parameters parameters_;
+  PositionMemory memory_;
+  State state_;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, PositionRevisit::State& s) {
+  visit(s.begun, s.last_odom, s.in_a_row);
+}
+
+}  // namespace clew::recover

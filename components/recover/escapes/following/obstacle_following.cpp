@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recover/escapes/following/obstacle_following.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clew::recover {
+namespace {
+
+// A bearing beyond this is behind the robot.
+constexpr double kBehind_rad = core::radians(90.0);
+
+double nearest_bearing_rad(const domain::Scan& scan) {
+  const auto nearest = std::min_element(scan.ranges_m.begin(), scan.ranges_m.end());
+  return scan.bearing_rad(static_cast<std::size_t>(nearest - scan.ranges_m.begin()));
+}
+
+/// The side of the nearest obstacle; one straight ahead is taken to be on the target's side.
+Side obstacle_side(const Situation& situation) {
+  const double bearing_rad = nearest_bearing_rad(situation.scan);
+  const bool ahead = std::fabs(bearing_rad) < 0.5 * situation.scan.beam_width_rad;
+  return side_of(ahead ? situation.target_bearing_rad() : bearing_rad);
+}
+
+}  // namespace
+
+core::Result<std::unique_ptr<ObstacleFollowing>> ObstacleFollowing::create(
+    const Parameters& parameters, const domain::BehaviourSetup& setup) {
+  CLEW_RETURN_IF_ERROR(scan::SevenCones::check(setup.scan, "obstacle_following"));
+  const auto resource = setup.resources.find("rulebases", parameters.rules);
+  if (!resource.ok()) return resource.error();
+  const auto rules = WallRules::parse(*resource);
+  if (!rules.ok()) return rules.error();
+  return std::make_unique<ObstacleFollowing>(parameters, *rules);
+}
+
+ObstacleFollowing::ObstacleFollowing(const Parameters& parameters, const WallRules& rules)
+    : parameters_(parameters),
+      follower_(rules),
+      close_follower_(rules.scaled(parameters.close_share)),
+      eyes_(parameters.range_m),
+      circuit_(parameters.same_place_m) {}
+
+/// The situation as seven cones see it.
+Situation ObstacleFollowing::as_seen(const Situation& situation) {
+  return {situation.tick,           situation.odometry,    eyes_.see(situation.scan),
+          situation.landmark,       situation.target_odom, situation.pursued_odom,
+          situation.target_radius_m};
+}
+
+void ObstacleFollowing::begin(const Situation& all, const TrapEvidence&) {
+  const Situation situation = as_seen(all);
+  const double last_leave_m = state_.last_leave_m;
+  state_ = {};
+  state_.last_leave_m = last_leave_m;
+  state_.wall = obstacle_side(situation);
+  state_.in_view_travel_m = situation.odometry.travel_m;
+  const bool same_side = side_of(situation.target_bearing_rad()) == state_.wall;
+  if (same_side || !follower_.sees_obstacle(situation.scan)) {
+    enter(Phase::kSeek, situation);  // cases i and ii
+  } else {
+    begin_turning_about(situation);  // cases iii and iv
+  }
+}
+
+EscapeStatus ObstacleFollowing::step(const Situation& all, domain::Guidance& guidance) {
+  const Situation situation = as_seen(all);
+  EscapeStatus status = EscapeStatus::kActive;
+  if (state_.phase == Phase::kSeek) status = seek(situation);
+  if (state_.phase == Phase::kFollow) status = follow(situation, guidance);
+  if (state_.phase == Phase::kTurnAbout) turn_about(situation, guidance);
+  if (state_.phase == Phase::kSeek) guidance.why = "step 1";
+  return status;
+}
+
+void ObstacleFollowing::enter(Phase phase, const Situation& situation) {
+  state_.phase = phase;
+  state_.phase_travel_m = situation.odometry.travel_m;
+}
+
+/// Turns toward the obstacle, until it is abeam on the other side.
+void ObstacleFollowing::begin_turning_about(const Situation& situation) {
+  const double off_ahead_rad =
+      std::max(0.0, sign(state_.wall) * nearest_bearing_rad(situation.scan));
+  state_.turn_left_rad = sign(state_.wall) * (0.5 * core::kPi + off_ahead_rad);
+  state_.wall = opposite(state_.wall);
+  enter(Phase::kTurnAbout, situation);
+}
+
+void ObstacleFollowing::begin_following(const Situation& situation) {
+  enter(Phase::kFollow, situation);
+  state_.wall_travel_m = situation.odometry.travel_m;
+  circuit_.begin(situation.pose(), situation.odometry.travel_m, situation.target_odom);
+  if (state_.separated) return;  // the second circuit leaves by the same distance
+  state_.followed = true;
+  boundary_.hit(situation);
+  state_.leave_below_m = std::min(state_.last_leave_m, situation.target_distance_m()) -
+                         parameters_.nearer_ratio * situation.scan.range_max_m;
+}
+
+/// Step 1: the controller is in charge.
+EscapeStatus ObstacleFollowing::seek(const Situation& situation) {
+  const double travel_m = situation.odometry.travel_m;
+  const bool ends = state_.followed && parameters_.leave != LeavingRule::kPaper;
+  if (!follower_.sees_obstacle(situation.scan)) {
+    const bool open = travel_m - state_.in_view_travel_m > parameters_.open_m;
+    return ends && open ? EscapeStatus::kEnded : EscapeStatus::kActive;
+  }
+  state_.in_view_travel_m = travel_m;
+
+  const double target_rad = situation.target_bearing_rad();
+  const Side obstacle = obstacle_side(situation);
+  const double sought_m = travel_m - state_.phase_travel_m;
+  if (side_of(target_rad) == obstacle) state_.wall = obstacle;
+  const bool swapped = side_of(target_rad) != obstacle && obstacle == state_.wall &&
+                       std::fabs(target_rad) > kBehind_rad;
+  if (swapped || (!state_.followed && sought_m > parameters_.first_seek_m)) {
+    state_.wall = obstacle;
+    begin_following(situation);
+  } else if (ends && sought_m > parameters_.seek_m) {
+    return EscapeStatus::kEnded;
+  }
+  return EscapeStatus::kActive;
+}
+
+void ObstacleFollowing::turn_about(const Situation& situation, domain::Guidance& guidance) {
+  const double turn_rad =
+      std::clamp(state_.turn_left_rad, -parameters_.turn_step_rad, parameters_.turn_step_rad);
+  state_.turn_left_rad -= turn_rad;
+  guidance.has_override = true;
+  guidance.override_motion.kind = domain::CommandKind::kTurnAndStep;
+  guidance.override_motion.turn_rad = turn_rad;
+  guidance.why = "turn about";
+  if (state_.turn_left_rad == 0.0) begin_following(situation);
+}
+
+/// Steps 2 to 4.
+EscapeStatus ObstacleFollowing::follow(const Situation& situation, domain::Guidance& guidance) {
+  const double travel_m = situation.odometry.travel_m;
+  if (!follower().at_break(situation.scan, state_.wall)) state_.wall_travel_m = travel_m;
+  if (travel_m - state_.wall_travel_m > parameters_.lost_wall_m) {
+    guidance.why = "no wall to follow";
+    return EscapeStatus::kFailed;
+  }
+  const bool clear = way_is_clear(situation);
+  if (may_leave(situation, clear)) {
+    state_.separated = false;
+    state_.last_leave_m = situation.target_distance_m();
+    boundary_.leave();
+    state_.in_view_travel_m = travel_m;
+    enter(Phase::kSeek, situation);
+    return EscapeStatus::kActive;
+  }
+  const auto result =
+      circuit_.add(situation.pose(), travel_m, situation.target_odom, clear, state_.wall);
+  if (result) {
+    const EscapeStatus status = come_round(*result, situation, guidance);
+    if (status != EscapeStatus::kActive || state_.phase != Phase::kFollow) return status;
+  }
+  guidance.has_override = true;
+  guidance.override_motion = follower().follow(situation.scan, state_.wall);
+  guidance.why = state_.wall == Side::kLeft ? "wall on left" : "wall on right";
+  return EscapeStatus::kActive;
+}
+
+/// A circuit has closed.
+EscapeStatus ObstacleFollowing::come_round(LoopResult result, const Situation& situation,
+                                           domain::Guidance& guidance) {
+  if (result == LoopResult::kSeparates) {
+    if (state_.separated) {
+      guidance.why = "a wall all round, on both sides";
+      return EscapeStatus::kUnreachable;
+    }
+    state_.separated = true;
+    begin_turning_about(situation);
+    return EscapeStatus::kActive;
+  }
+  if (state_.came_round || !std::isfinite(circuit_.nearest_clear_m())) {
+    guidance.why = "came round without a place to leave";
+    return EscapeStatus::kFailed;
+  }
+  state_.came_round = true;
+  state_.leave_below_m = circuit_.nearest_clear_m() + parameters_.same_place_m;
+  circuit_.begin(situation.pose(), situation.odometry.travel_m, situation.target_odom);
+  return EscapeStatus::kActive;
+}
+
+/// The least reading around the target's direction; 0 if that is not in view.
+double ObstacleFollowing::free_toward_target_m(const Situation& situation) const {
+  const domain::Scan& scan = situation.scan;
+  const double target_rad = situation.target_bearing_rad();
+  double free_m = scan.range_max_m;
+  bool seen = false;
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+    const double off_rad = std::fabs(core::wrap_angle_rad(scan.bearing_rad(i) - target_rad));
+    if (off_rad > 1.5 * scan.beam_width_rad) continue;
+    if (off_rad <= 0.5 * scan.beam_width_rad) seen = true;
+    free_m = std::min(free_m, scan.ranges_m[i]);
+  }
+  return seen ? free_m : 0.0;
+}
+
+/// Whether the way toward the target is clear, as far as that or clear_ratio.
+bool ObstacleFollowing::way_is_clear(const Situation& situation) const {
+  return free_toward_target_m(situation) >=
+         std::min(parameters_.clear_ratio * situation.scan.range_max_m,
+                  situation.target_distance_m());
+}
+
+bool ObstacleFollowing::may_leave(const Situation& situation, bool clear) const {
+  if (parameters_.leave == LeavingRule::kPaper) {
+    return follower().at_break(situation.scan, state_.wall) &&
+           side_of(situation.target_bearing_rad()) == state_.wall;
+  }
+  if (parameters_.leave == LeavingRule::kNearer || state_.came_round) {
+    return clear && situation.target_distance_m() < state_.leave_below_m;
+  }
+  return boundary_.may_leave(parameters_.leave, situation, free_toward_target_m(situation), clear,
+                             parameters_.nearer_ratio * situation.scan.range_max_m);
+}
+
+void ObstacleFollowing::save(core::StateWriter& writer) const {
+  State state = state_;
+  state.circuit = circuit_.state();
+  state.boundary = boundary_.state();
+  writer(state);
+}
+
+void ObstacleFollowing::load(core::StateReader& reader) {
+  reader(state_);
+  circuit_.state() = state_.circuit;
+  boundary_.state() = state_.boundary;
+}
+
+}  // namespace clew::recover

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recover/escapes/map_following.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle.hpp"
+#include "map/astar.hpp"
+#include "map/neural_path.hpp"
+
+namespace clew::recover {
+namespace {
+
+// A corner is passed by the robot itself as closely as this.
+constexpr double kAtCorner_m = 0.02;
+// A step off what the bumpers feel, so that it does not hold the robot.
+constexpr double kOffContact_m = 0.02;
+// What holds a robot is this far ahead of its centre.
+constexpr double kAhead_m = 0.05;
+
+}  // namespace
+
+MapFollowing::MapFollowing(const Parameters& parameters, const domain::BehaviourSetup& setup,
+                           std::unique_ptr<map::PathSearch> search)
+    : parameters_(parameters),
+      tick_s_(setup.tick_s),
+      limits_(setup.limits),
+      way_(parameters.way, setup, std::move(search)) {}
+
+void MapFollowing::begin(const Situation& situation, const TrapEvidence&) {
+  way_.forget_way();
+  state_.least_length_m = std::numeric_limits<double>::infinity();
+  state_.progress_tick = situation.tick;
+}
+
+EscapeStatus MapFollowing::step(const Situation& situation, domain::Guidance& guidance) {
+  const bool planned = way_.keep_up(situation);
+  if (!way_.has_way()) {
+    if (++state_.proofs < parameters_.proofs) {
+      way_.forget_all();
+      guidance.why = "looks again at what closes every way";
+      return EscapeStatus::kLooksAgain;
+    }
+    guidance.why = "what was seen closes every way";
+    return EscapeStatus::kUnreachable;
+  }
+  const double distance_m = situation.target_distance_m();
+  if (distance_m <= state_.ended_at_m - parameters_.nearer_m &&
+      way_.rise_m(situation) <= parameters_.leave_rise_m) {
+    state_.ended_at_m = distance_m;
+    return EscapeStatus::kEnded;
+  }
+  const bool led = !gets_on(situation, planned);
+  const core::Vec2 corner_odom =
+      way_.next_corner(situation, led ? kAtCorner_m : parameters_.close_m);
+  guidance.target_x_m = corner_odom.x();
+  guidance.target_y_m = corner_odom.y();
+  guidance.target_is_virtual = true;
+  guidance.why = "on the way";
+  if (led) {
+    guidance.has_override = true;
+    guidance.override_motion = motion_to(situation, corner_odom);
+    note_where_held(situation, corner_odom);
+  }
+  return EscapeStatus::kActive;
+}
+
+/// A robot that is led and stays where it is, is held by what it cannot pass.
+void MapFollowing::note_where_held(const Situation& situation, const core::Vec2& corner_odom) {
+  const core::Vec2 here = situation.pose().position();
+  if (core::length(here - state_.held_odom) > parameters_.held_within_m) {
+    state_.held_odom = here;
+    state_.held_tick = situation.tick;
+  }
+  if (static_cast<double>(situation.tick - state_.held_tick) * tick_s_ < parameters_.held_s) return;
+  const core::Vec2 ahead = corner_odom - here;
+  const double distance_m = core::length(ahead);
+  if (distance_m > 0.0) {
+    way_.refuse(here + std::min(distance_m, kAhead_m) / distance_m * ahead);
+    way_.forget_way();
+  }
+  state_.held_tick = situation.tick;
+}
+
+/// Whether the controller brings the robot on along the way.
+bool MapFollowing::gets_on(const Situation& situation, bool planned) {
+  const double length_m = way_.length_m(situation);
+  if (planned || length_m < state_.least_length_m - parameters_.shorter_m) {
+    state_.least_length_m = length_m;
+    state_.progress_tick = situation.tick;
+  }
+  const auto still = static_cast<double>(situation.tick - state_.progress_tick);
+  return still * tick_s_ < parameters_.patience_s;
+}
+
+domain::Motion MapFollowing::motion_to(const Situation& situation,
+                                       const core::Vec2& place_odom) const {
+  domain::Motion motion;
+  if (!situation.odometry.contact_bearings_rad.empty()) {
+    core::Vec2 away = core::Vec2::Zero();
+    for (const double bearing_rad : situation.odometry.contact_bearings_rad) {
+      away -= core::direction(bearing_rad);
+    }
+    motion.kind = domain::CommandKind::kTurnAndStep;
+    motion.turn_rad = core::atan2(away.y(), away.x());
+    motion.step_m = kOffContact_m;
+    return motion;
+  }
+  motion.kind = domain::CommandKind::kTurnAndStep;
+  motion.turn_rad = core::bearing_rad(situation.pose(), place_odom);
+  if (std::fabs(motion.turn_rad) > parameters_.turn_first_rad) return motion;
+  // More than a drive can turn in a tick would slow its step down.
+  const double most_rad = limits_.turn_rate_radps * tick_s_;
+  motion.turn_rad = std::clamp(motion.turn_rad, -most_rad, most_rad);
+  motion.step_m =
+      std::min(core::distance_m(situation.pose(), place_odom), limits_.speed_mps * tick_s_);
+  return motion;
+}
+
+void MapFollowing::save(core::StateWriter& writer) const {
+  State state = state_;
+  writer(state);
+  way_.save(writer);
+}
+
+void MapFollowing::load(core::StateReader& reader) {
+  reader(state_);
+  way_.load(reader);
+}
+
+core::Result<std::unique_ptr<RememberedMap>> RememberedMap::create(
+    const Parameters& parameters, const domain::BehaviourSetup& setup) {
+  auto landscape = map::NeuralMap::create({});
+  if (!landscape.ok()) return landscape.error();
+  return std::make_unique<RememberedMap>(
+      parameters, setup, std::make_unique<map::NeuralPath>(std::move(landscape).value()));
+}
+
+core::Result<std::unique_ptr<RememberedAStar>> RememberedAStar::create(
+    const Parameters& parameters, const domain::BehaviourSetup& setup) {
+  return std::make_unique<RememberedAStar>(parameters, setup, std::make_unique<map::AStar>());
+}
+
+}  // namespace clew::recover

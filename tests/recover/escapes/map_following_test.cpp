@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recover/escapes/map_following.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "map/astar.hpp"
+#include "recover/detectors/map_detour.hpp"
+#include "tests/recover/scene.hpp"
+
+namespace clew::recover {
+namespace {
+
+domain::BehaviourSetup setup() {
+  domain::BehaviourSetup setup;
+  setup.tick_s = 0.5;
+  setup.limits.speed_mps = 0.4;
+  return setup;
+}
+
+struct Answer {
+  EscapeStatus status = EscapeStatus::kActive;
+  domain::Guidance guidance;
+};
+
+/// What a robot has seen so far, as the component keeps it.
+class Memory {
+ public:
+  /// The scene, taken in.
+  Situation seen(Situation situation) {
+    surroundings_.see(situation.odometry, situation.scan);
+    situation.surroundings = &surroundings_;
+    return situation;
+  }
+  Answer step(Escape& escape, const Situation& situation) {
+    Answer answer;
+    answer.status = escape.step(seen(situation), answer.guidance);
+    if (answer.status == EscapeStatus::kLooksAgain) surroundings_.forget();
+    return answer;
+  }
+  Surroundings& surroundings() { return surroundings_; }
+
+ private:
+  Surroundings surroundings_{{}, setup().robot.radius_m};
+};
+
+/// At the origin, and a wall across at 0.4 m: the least distance of a straight wall in a cone is
+/// that on its inner border, 0.4 m / cos(border), less the robot's radius. The target is near
+/// behind the wall, so that the way round it leads away first.
+Scene before_a_wall() {
+  return Scene().at(0, 0, 0).target(0.65, 0).sees({0.354, 0.283, 0.254, 0.25, 0.254, 0.283, 0.354});
+}
+
+/// Escapes end only where the way does not lead away at all.
+MapFollowing::Parameters patient() {
+  MapFollowing::Parameters parameters;
+  parameters.leave_rise_m = 0.01;
+  return parameters;
+}
+
+/// Both searches, which share all but the search.
+class RememberedWayTest : public ::testing::TestWithParam<bool> {
+ protected:
+  std::unique_ptr<Escape> make(const MapFollowing::Parameters& parameters = patient()) const {
+    if (GetParam()) return RememberedMap::create(parameters, setup()).value();
+    return RememberedAStar::create(parameters, setup()).value();
+  }
+  Answer step(Escape& escape, const Scene& scene) {
+    return memory_.step(escape, scene.situation());
+  }
+
+  Memory memory_;
+};
+
+TEST_P(RememberedWayTest, LeadsRoundTheWallThatItSaw) {
+  const auto escape = make();
+  escape->begin(before_a_wall().situation(), {});
+
+  const Answer answer = step(*escape, before_a_wall());
+
+  // Sideways, and not so near to the wall at x = 0.4 that a robot of 0.15 m would touch it.
+  EXPECT_EQ(answer.status, EscapeStatus::kActive);
+  ASSERT_TRUE(answer.guidance.target_is_virtual);
+  EXPECT_GT(std::fabs(answer.guidance.target_y_m), 0.1);
+  EXPECT_LT(answer.guidance.target_x_m, 0.26);
+}
+
+TEST_P(RememberedWayTest, TurnsOnTheSpotBeforeItStepsToTheSide) {
+  const auto escape = make();
+  escape->begin(before_a_wall().situation(), {});
+  const Answer answer = step(*escape, before_a_wall());
+  const core::Vec2 corner(answer.guidance.target_x_m, answer.guidance.target_y_m);
+  const double bearing_rad = core::atan2(corner.y(), corner.x());
+  ASSERT_GT(std::fabs(bearing_rad), core::radians(30.0));
+
+  ASSERT_TRUE(answer.guidance.has_override);
+  EXPECT_DOUBLE_EQ(answer.guidance.override_motion.turn_rad, bearing_rad);
+  EXPECT_EQ(answer.guidance.override_motion.step_m, 0.0);
+
+  // Now it looks there, and sees nothing: 0.4 m/s for 0.5 s, or to the corner.
+  const Answer next = step(*escape, Scene().at(0, 0, core::degrees(bearing_rad)).target(0.65, 0));
+
+  ASSERT_TRUE(next.guidance.has_override);
+  EXPECT_NEAR(next.guidance.override_motion.turn_rad, 0.0, 1e-9);
+  EXPECT_NEAR(next.guidance.override_motion.step_m, std::min(0.2, core::length(corner)), 1e-9);
+}
+
+TEST_P(RememberedWayTest, LeavesTheMotionToTheControllerAsLongAsThatGetsOn) {
+  MapFollowing::Parameters parameters = patient();
+  parameters.patience_s = 2.0;
+  parameters.way.replan_s = 60.0;
+  parameters.held_s = 100.0;
+  const auto escape = make(parameters);
+  escape->begin(before_a_wall().situation(), {});
+
+  // Stands still from tick 0 on: 2 s are 4 ticks of 0.5 s.
+  for (std::uint64_t tick = 0; tick < 4; ++tick) {
+    EXPECT_FALSE(step(*escape, before_a_wall().tick(tick)).guidance.has_override) << tick;
+  }
+  EXPECT_TRUE(step(*escape, before_a_wall().tick(4)).guidance.has_override);
+}
+
+TEST_P(RememberedWayTest, EndsWhereTheWayDoesNotLeadAway) {
+  const auto escape = make();
+  escape->begin(before_a_wall().situation(), {});
+  step(*escape, before_a_wall());
+
+  // Past the wall's known end and behind it.
+  const Answer answer = step(*escape, Scene().at(0.6, 1.0, -90).target(0.65, 0).tick(10));
+
+  EXPECT_EQ(answer.status, EscapeStatus::kEnded);
+}
+
+TEST_P(RememberedWayTest, EndsASecondTimeOnlyNearerToTheTarget) {
+  const auto escape = make();
+  const auto open_at = [](double x_m) { return Scene().at(x_m, 0, 0).target(5, 0); };
+  escape->begin(open_at(1.0).situation(), {});
+  EXPECT_EQ(step(*escape, open_at(1.0)).status, EscapeStatus::kEnded);
+
+  escape->begin(open_at(1.0).situation(), {});
+
+  EXPECT_EQ(step(*escape, open_at(1.1).tick(1)).status, EscapeStatus::kActive);
+  EXPECT_EQ(step(*escape, open_at(1.3).tick(9)).status, EscapeStatus::kEnded);  // by 0.2 m and more
+}
+
+/// Held from all sides: bumpers every 45 degrees, so that neighbouring contacts are 0.12 m apart.
+class Held : public Scene {
+ public:
+  Held() {
+    at(0, 0, 0).target(5, 0);
+    odometry_ = Scene::situation().odometry;
+    odometry_.blocked = true;
+    for (int i = 0; i < 8; ++i) {
+      odometry_.contact_bearings_rad.push_back(core::wrap_angle_rad(core::radians(45.0 * i)));
+    }
+  }
+  Situation situation(std::uint64_t tick) const {
+    return {tick, odometry_, scan(), nullptr, target(), target(), 0.2};
+  }
+
+ private:
+  domain::Odometry odometry_;
+};
+
+TEST_P(RememberedWayTest, IsUnreachableOnlyWhenTheProofHoldsTwice) {
+  const auto escape = make();
+  const Held held;
+  escape->begin(held.situation(0), {});
+
+  EXPECT_EQ(memory_.step(*escape, held.situation(0)).status, EscapeStatus::kLooksAgain);
+  const Answer answer = memory_.step(*escape, held.situation(1));
+  EXPECT_EQ(answer.status, EscapeStatus::kUnreachable);
+  EXPECT_FALSE(answer.guidance.why.empty());
+}
+
+TEST_P(RememberedWayTest, TakesAPlaceThatItDoesNotGetToForClosed) {
+  MapFollowing::Parameters parameters = patient();
+  parameters.held_s = 2.0;
+  const auto escape = make(parameters);
+  const auto blocked_at = [](std::uint64_t tick) { return before_a_wall().tick(tick); };
+  escape->begin(blocked_at(0).situation(), {});
+  const Answer first = step(*escape, blocked_at(0));
+
+  for (std::uint64_t tick = 1; tick < 5; ++tick) step(*escape, blocked_at(tick));
+  const Answer later = step(*escape, blocked_at(6));
+
+  // It has not moved for 2 s and more: the way begins in another direction.
+  const core::Vec2 before(first.guidance.target_x_m, first.guidance.target_y_m);
+  const core::Vec2 now(later.guidance.target_x_m, later.guidance.target_y_m);
+  EXPECT_GT(core::length(now - before), 0.03);
+}
+
+TEST_P(RememberedWayTest, GoesOnTheSameAfterSavingAndLoading) {
+  const auto escape = make();
+  escape->begin(before_a_wall().situation(), {});
+  step(*escape, before_a_wall());
+  core::StateWriter writer;
+  escape->save(writer);
+  const auto loaded = make();
+
+  core::StateReader reader(writer.bytes());
+  loaded->load(reader);
+
+  EXPECT_TRUE(reader.complete());
+  const Scene next = before_a_wall().at(0, 0.1, 90).tick(3);
+  const Answer a = step(*escape, next);
+  const Answer b = step(*loaded, next);
+  EXPECT_EQ(a.guidance.target_x_m, b.guidance.target_x_m);
+  EXPECT_EQ(a.guidance.target_y_m, b.guidance.target_y_m);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RememberedWayTest, ::testing::Values(true, false),
+                         [](const auto& test) { return test.param ? "Map" : "AStar"; });
+
+TEST(MapDetour, IsQuietWhereTheWayKnownIsStraight) {
+  MapDetour detector({}, setup());
+  Memory memory;
+
+  for (std::uint64_t tick = 0; tick < 20; ++tick) {
+    const Scene scene = Scene().at(0.2 * static_cast<double>(tick), 0, 0).target(5, 0).tick(tick);
+    EXPECT_FALSE(detector.observe(memory.seen(scene.situation())).has_value());
+  }
+}
+
+TEST(MapDetour, NoticesThatEveryWayLeadsAwayFirst) {
+  MapDetourParameters parameters;
+  parameters.rise_m = 0.05;
+  MapDetour detector(parameters, setup());
+  Memory memory;
+  // Right before the wall, 5 m from the target: round its known end, at (0.2, 0.6) and farther, are
+  // sqrt(4.8^2 + 0.6^2) = 4.84 m; seen wider it is more than 5.05 m.
+  bool noticed = false;
+
+  for (int i = -6; i <= 6 && !noticed; ++i) {
+    const Scene scene = before_a_wall().at(0, 0.25 * i, 0).tick(static_cast<std::uint64_t>(i + 6));
+    noticed = detector.observe(memory.seen(scene.situation())).has_value();
+  }
+
+  EXPECT_TRUE(noticed);
+}
+
+TEST(MapDetour, NoticesARobotThatDoesNotGetOn) {
+  MapDetourParameters parameters;
+  parameters.patience_s = 10.0;
+  MapDetour detector(parameters, setup());
+  Memory memory;
+
+  const auto trapped_at = [&](std::uint64_t tick) {
+    const Scene scene = Scene().at(0, 0, 0).target(5, 0).tick(tick);
+    return detector.observe(memory.seen(scene.situation())).has_value();
+  };
+  // 10 s are 20 ticks.
+  for (std::uint64_t tick = 0; tick < 20; ++tick) EXPECT_FALSE(trapped_at(tick)) << tick;
+  EXPECT_TRUE(trapped_at(20));
+}
+
+}  // namespace
+}  // namespace clew::recover
