@@ -83,17 +83,13 @@ void KrishnaKalra::present(std::uint64_t tick, domain::Landmark& landmark) {
 }
 
 void KrishnaKalra::save(core::StateWriter& writer) const {
-  State state{sequence_.state(), presented_, art_.state()};
-  writer(state);
+  writer(sequence_.state(), presented_, art_.state());
 }
 
 void KrishnaKalra::load(core::StateReader& reader) {
-  State state;
-  reader(state);
-  state.art.categories.resize(art_.state().categories.size());
-  sequence_.state() = state.sequence;
-  presented_ = state.presented;
-  art_.state() = std::move(state.art);
+  const std::size_t categories = art_.state().categories.size();
+  reader(sequence_.state(), presented_, art_.state());
+  art_.state().categories.resize(categories);  // also after a reader that ran short
 }
 
 }  // namespace clew::classify

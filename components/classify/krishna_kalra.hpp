@@ -71,12 +71,6 @@ class KrishnaKalra final : public Classifier {
  public:
   using Parameters = KrishnaKalraParameters;
 
-  struct State {
-    ClassSequence::State sequence;
-    bool presented = false;  ///< the vector that ends with the run that lasts
-    FuzzyArt::State art;
-  };
-
   /// Refuses sensors that leave one of the seven sectors without a beam, and a trained map that is
   /// not well formed.
   static core::Result<std::unique_ptr<KrishnaKalra>> create(const Parameters& parameters,
@@ -100,12 +94,7 @@ class KrishnaKalra final : public Classifier {
   scan::SevenCones eyes_{std::numeric_limits<double>::infinity()};
   ClassSequence sequence_;
   FuzzyArt art_;
-  bool presented_ = false;
+  bool presented_ = false;  // the vector that ends with the run that lasts
 };
-
-template <typename Visitor>
-void visit_fields(Visitor& visit, KrishnaKalra::State& s) {
-  visit(s.sequence, s.presented, s.art);
-}
 
 }  // namespace clew::classify

@@ -50,8 +50,7 @@ void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
 }
 
 void ControlComponent::save(core::StateWriter& writer) const {
-  StepGuard::State guard = guard_.state();
-  writer(guard);
+  writer(guard_.state());
   controller_->save(writer);
 }
 

@@ -32,7 +32,7 @@ namespace clew::core {
 class StateWriter {
  public:
   template <typename... Fields>
-  void operator()(Fields&... fields) {
+  void operator()(const Fields&... fields) {
     (put(fields), ...);
   }
   const std::string& bytes() const { return bytes_; }
@@ -40,74 +40,66 @@ class StateWriter {
 
  private:
   template <typename T>
-  void put(T& v) {
+  void put(const T& v) {
     if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
       char raw[sizeof(T)];
       std::memcpy(raw, &v, sizeof(T));
       bytes_.append(raw, sizeof(T));
     } else {
-      visit_fields(*this, v);
+      // It takes its struct by reference to serve the reader, too; a writer changes nothing in it.
+      visit_fields(*this, const_cast<T&>(v));
     }
   }
-  void put_size(std::size_t n) {
-    std::uint64_t size = n;
-    put(size);
-  }
+  void put_size(std::size_t n) { put(static_cast<std::uint64_t>(n)); }
   template <typename Range>
-  void put_range(Range& range) {
+  void put_range(const Range& range) {
     put_size(range.size());
-    for (auto& item : range) put_item(item);
+    for (const auto& item : range) put(item);
   }
-  template <typename T>
-  void put_item(const T& item) {
-    put(const_cast<T&>(
-        item));  // visit_fields takes its struct by reference to serve the reader too
-  }
-  void put(std::string& v) {
+  void put(const std::string& v) {
     put_size(v.size());
     bytes_ += v;
   }
   template <typename T>
-  void put(std::optional<T>& v) {
-    bool present = v.has_value();
-    put(present);
-    if (present) put(*v);
+  void put(const std::optional<T>& v) {
+    put(v.has_value());
+    if (v) put(*v);
   }
   template <typename A, typename B>
-  void put(std::pair<A, B>& v) {
-    put_item(v.first);
-    put_item(v.second);
+  void put(const std::pair<A, B>& v) {
+    put(v.first);
+    put(v.second);
   }
   template <typename T, std::size_t N>
-  void put(std::array<T, N>& v) {
-    for (T& item : v) put(item);
+  void put(const std::array<T, N>& v) {
+    for (const T& item : v) put(item);
   }
   template <typename T, std::size_t N>
-  void put(BoundedVector<T, N>& v) {
+  void put(const BoundedVector<T, N>& v) {
     put_range(v);
   }
-  void put(std::vector<bool>& v) {
+  void put(const std::vector<bool>& v) {
     put_size(v.size());
     for (bool item : v) put(item);
   }
   template <typename T>
-  void put(std::vector<T>& v) {
+  void put(const std::vector<T>& v) {
     put_range(v);
   }
   template <typename T>
-  void put(std::deque<T>& v) {
+  void put(const std::deque<T>& v) {
     put_range(v);
   }
   template <typename K, typename V>
-  void put(std::map<K, V>& v) {
+  void put(const std::map<K, V>& v) {
     put_range(v);
   }
   template <typename T>
-  void put(std::set<T>& v) {
+  void put(const std::set<T>& v) {
     put_range(v);
   }
   template <typename S, int R, int C>
-  void put(Eigen::Matrix<S, R, C>& v) {
+  void put(const Eigen::Matrix<S, R, C>& v) {
     static_assert(R > 0 && C > 0, "only fixed sizes");
     for (int i = 0; i < R * C; ++i) put(v.data()[i]);
   }

@@ -103,9 +103,7 @@ void DriveComponent::write_odometry(domain::Odometry& odometry) const {
 }
 
 void DriveComponent::save(core::StateWriter& writer) const {
-  Body::State body = body_.state();
-  DeadReckoning::State belief = reckoning_.state();
-  writer(body, belief);
+  writer(body_.state(), reckoning_.state());
 }
 
 void DriveComponent::load(core::StateReader& reader) { reader(body_.state(), reckoning_.state()); }

@@ -177,9 +177,6 @@ void NeuralMapPlanner::notice_astray(const Situation& situation) {
   if (astray_s >= parameters_.replan_s) plan(situation);
 }
 
-void NeuralMapPlanner::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
-}
+void NeuralMapPlanner::save(core::StateWriter& writer) const { writer(state_); }
 
 }  // namespace clew::plan

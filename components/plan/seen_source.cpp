@@ -61,9 +61,6 @@ bool SeenSource::is_near(map::Mark mark, const core::Vec2& from, const core::Vec
   return near;
 }
 
-void SeenSource::save(core::StateWriter& writer) const {
-  map::SeenMap::State seen = seen_.state();
-  writer(seen);
-}
+void SeenSource::save(core::StateWriter& writer) const { writer(seen_.state()); }
 
 }  // namespace clew::plan

@@ -14,9 +14,6 @@ Subgoal WorldSubgoals::step(const Situation& situation) {
   return {situation.subgoals[state_.next], radius_m};
 }
 
-void WorldSubgoals::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
-}
+void WorldSubgoals::save(core::StateWriter& writer) const { writer(state_); }
 
 }  // namespace clew::plan

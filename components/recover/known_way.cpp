@@ -225,10 +225,7 @@ double KnownWay::rise_m(const Situation& situation) const {
   return rise_m;
 }
 
-void KnownWay::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
-}
+void KnownWay::save(core::StateWriter& writer) const { writer(state_); }
 
 void KnownWay::load(core::StateReader& reader) { reader(state_); }
 

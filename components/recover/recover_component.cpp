@@ -220,8 +220,7 @@ void RecoverComponent::start_detectors_afresh() {
 }
 
 void RecoverComponent::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
+  writer(state_);
   if (parts_.surroundings) parts_.surroundings->save(writer);
   parts_.detector.behaviour->save(writer);
   for (const auto& shadow : parts_.shadows) shadow.behaviour->save(writer);

@@ -44,10 +44,7 @@ class Surroundings {
   const SurroundingsParameters& parameters() const { return parameters_; }
   const map::SeenMap& map() const { return map_; }
 
-  void save(core::StateWriter& writer) const {
-    map::SeenMap::State state = map_.state();
-    writer(state);
-  }
+  void save(core::StateWriter& writer) const { writer(map_.state()); }
   void load(core::StateReader& reader) { reader(map_.state()); }
 
  private:

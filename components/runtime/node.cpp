@@ -48,8 +48,7 @@ void Node::step(std::uint64_t tick, const TopicSet& present, domain::Messages& m
 
 std::string Node::save() const {
   core::StateWriter writer;
-  auto sequences = next_sequence_;
-  writer(sequences);
+  writer(next_sequence_);
   component_->save(writer);
   return writer.take();
 }

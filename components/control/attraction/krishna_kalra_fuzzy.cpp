@@ -107,10 +107,7 @@ double KrishnaKalraFuzzy::keep_side_behind(double difference_angle_rad) {
   return state_.target_on_right ? core::kPi : -core::kPi;
 }
 
-void KrishnaKalraFuzzy::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
-}
+void KrishnaKalraFuzzy::save(core::StateWriter& writer) const { writer(state_); }
 
 void KrishnaKalraFuzzy::load(core::StateReader& reader) { reader(state_); }
 

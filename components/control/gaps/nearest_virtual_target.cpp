@@ -129,10 +129,7 @@ domain::Motion NearestVirtualTarget::steer(double bearing_rad, const domain::Sca
   return motion;
 }
 
-void NearestVirtualTarget::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
-}
+void NearestVirtualTarget::save(core::StateWriter& writer) const { writer(state_); }
 
 void NearestVirtualTarget::load(core::StateReader& reader) { reader(state_); }
 

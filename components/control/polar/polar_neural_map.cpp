@@ -193,9 +193,7 @@ domain::Picture PolarNeuralMap::picture() const {
 }
 
 void PolarNeuralMap::save(core::StateWriter& writer) const {
-  PosePrediction::State prediction = prediction_.state();
-  ScanMemory::State memory = memory_.state();
-  writer(prediction, memory);
+  writer(prediction_.state(), memory_.state());
 }
 
 void PolarNeuralMap::load(core::StateReader& reader) {

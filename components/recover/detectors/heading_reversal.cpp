@@ -17,10 +17,7 @@ std::optional<TrapEvidence> HeadingReversal::observe(const Situation& situation)
                           " ticks"};
 }
 
-void HeadingReversal::save(core::StateWriter& writer) const {
-  HeadingWindow::State window = window_.state();
-  writer(window);
-}
+void HeadingReversal::save(core::StateWriter& writer) const { writer(window_.state()); }
 
 void HeadingReversal::load(core::StateReader& reader) { reader(window_.state()); }
 

@@ -78,10 +78,7 @@ const LandmarkRevisit::Visit* LandmarkRevisit::find_loop(const Queue& queue,
   return matches >= parameters_.earlier_visits ? newest : nullptr;
 }
 
-void LandmarkRevisit::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
-}
+void LandmarkRevisit::save(core::StateWriter& writer) const { writer(state_); }
 
 void LandmarkRevisit::load(core::StateReader& reader) { reader(state_); }
 

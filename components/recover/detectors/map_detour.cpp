@@ -47,8 +47,7 @@ void MapDetour::start_afresh() {
 }
 
 void MapDetour::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
+  writer(state_);
   way_.save(writer);
 }
 

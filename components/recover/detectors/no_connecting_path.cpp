@@ -164,10 +164,7 @@ bool NoConnectingPath::connects(const core::Vec2& from, const core::Vec2& to) co
   });
 }
 
-void NoConnectingPath::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
-}
+void NoConnectingPath::save(core::StateWriter& writer) const { writer(state_); }
 
 void NoConnectingPath::load(core::StateReader& reader) { reader(state_); }
 

@@ -36,10 +36,7 @@ bool NoProgress::progressed(const Situation& situation) const {
          before_m - parameters_.radius_m;
 }
 
-void NoProgress::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
-}
+void NoProgress::save(core::StateWriter& writer) const { writer(state_); }
 
 void NoProgress::load(core::StateReader& reader) { reader(state_); }
 

@@ -71,10 +71,7 @@ bool NoSafeRegion::surrounded(const Situation& situation) {
   return false;
 }
 
-void NoSafeRegion::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
-}
+void NoSafeRegion::save(core::StateWriter& writer) const { writer(state_); }
 
 void NoSafeRegion::load(core::StateReader& reader) { reader(state_); }
 

@@ -43,11 +43,7 @@ void Oscillation::start_afresh() {
   state_ = {};
 }
 
-void Oscillation::save(core::StateWriter& writer) const {
-  State state = state_;
-  HeadingWindow::State window = window_.state();
-  writer(state, window);
-}
+void Oscillation::save(core::StateWriter& writer) const { writer(state_, window_.state()); }
 
 void Oscillation::load(core::StateReader& reader) { reader(state_, window_.state()); }
 

@@ -101,10 +101,7 @@ void PositionMemory::Generation::index_all() {
 }
 
 void PositionMemory::save(core::StateWriter& writer) const {
-  for (const Generation& generation : generations_) {
-    std::vector<Cell> cells = generation.cells;
-    writer(cells);
-  }
+  for (const Generation& generation : generations_) writer(generation.cells);
 }
 
 void PositionMemory::load(core::StateReader& reader) {

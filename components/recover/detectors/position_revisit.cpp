@@ -93,8 +93,7 @@ void PositionRevisit::start_afresh() {
 }
 
 void PositionRevisit::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
+  writer(state_);
   memory_.save(writer);
 }
 

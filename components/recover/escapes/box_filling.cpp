@@ -109,10 +109,7 @@ void BoxFilling::watch_target(const Situation& situation) {
 }
 
 void BoxFilling::save(core::StateWriter& writer) const {
-  State state = state_;
-  std::deque<Trail::Point> points = trail_.points();
-  GoalStack::State stack = stack_.state();
-  writer(state, points, stack);
+  writer(state_, trail_.points(), stack_.state());
 }
 
 void BoxFilling::load(core::StateReader& reader) {

@@ -68,10 +68,7 @@ EscapeStatus FixedSequence::back_up(const Situation& situation, double elapsed_s
   return EscapeStatus::kActive;
 }
 
-void FixedSequence::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
-}
+void FixedSequence::save(core::StateWriter& writer) const { writer(state_); }
 
 void FixedSequence::load(core::StateReader& reader) { reader(state_); }
 

@@ -110,15 +110,8 @@ bool LocalMinimumPlanner::was_had(const core::Vec2& target_odom) const {
   });
 }
 
-void LocalMinimumPlanner::save(core::StateWriter& writer) const {
-  State state = state_;
-  state.stack = stack_.state();
-  writer(state);
-}
+void LocalMinimumPlanner::save(core::StateWriter& writer) const { writer(state_, stack_.state()); }
 
-void LocalMinimumPlanner::load(core::StateReader& reader) {
-  reader(state_);
-  stack_.state() = state_.stack;
-}
+void LocalMinimumPlanner::load(core::StateReader& reader) { reader(state_, stack_.state()); }
 
 }  // namespace clew::recover

@@ -59,7 +59,6 @@ class LocalMinimumPlanner final : public Escape {
 
   struct State {
     std::deque<core::Vec2> had_odom;  ///< virtual targets, the newest kRemembered, oldest first
-    GoalStack::State stack;
   };
 
   static core::Result<std::unique_ptr<LocalMinimumPlanner>> create(
@@ -87,7 +86,7 @@ class LocalMinimumPlanner final : public Escape {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, LocalMinimumPlanner::State& s) {
-  visit(s.had_odom, s.stack);
+  visit(s.had_odom);
 }
 
 }  // namespace clew::recover

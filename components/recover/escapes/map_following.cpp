@@ -118,8 +118,7 @@ domain::Motion MapFollowing::motion_to(const Situation& situation,
 }
 
 void MapFollowing::save(core::StateWriter& writer) const {
-  State state = state_;
-  writer(state);
+  writer(state_);
   way_.save(writer);
 }
 

@@ -39,7 +39,7 @@ ObstacleFollowing::ObstacleFollowing(const Parameters& parameters, const WallRul
       follower_(rules),
       close_follower_(rules.scaled(parameters.close_share)),
       eyes_(parameters.range_m),
-      circuit_(parameters.same_place_m) {}
+      loop_(parameters.same_place_m) {}
 
 /// The situation as seven cones see it.
 Situation ObstacleFollowing::as_seen(const Situation& situation) {
@@ -90,10 +90,10 @@ void ObstacleFollowing::begin_turning_about(const Situation& situation) {
 void ObstacleFollowing::begin_following(const Situation& situation) {
   enter(Phase::kFollow, situation);
   state_.wall_travel_m = situation.odometry.travel_m;
-  circuit_.begin(situation.pose(), situation.odometry.travel_m, situation.target_odom);
+  loop_.begin(situation.pose(), situation.odometry.travel_m, situation.target_odom);
   if (state_.separated) return;  // the second circuit leaves by the same distance
   state_.followed = true;
-  boundary_.hit(situation);
+  leaving_.hit(situation);
   state_.leave_below_m = std::min(state_.last_leave_m, situation.target_distance_m()) -
                          parameters_.nearer_ratio * situation.scan.range_max_m;
 }
@@ -146,13 +146,13 @@ EscapeStatus ObstacleFollowing::follow(const Situation& situation, domain::Guida
   if (may_leave(situation, clear)) {
     state_.separated = false;
     state_.last_leave_m = situation.target_distance_m();
-    boundary_.leave();
+    leaving_.leave();
     state_.in_view_travel_m = travel_m;
     enter(Phase::kSeek, situation);
     return EscapeStatus::kActive;
   }
   const auto result =
-      circuit_.add(situation.pose(), travel_m, situation.target_odom, clear, state_.wall);
+      loop_.add(situation.pose(), travel_m, situation.target_odom, clear, state_.wall);
   if (result) {
     const EscapeStatus status = come_round(*result, situation, guidance);
     if (status != EscapeStatus::kActive || state_.phase != Phase::kFollow) return status;
@@ -175,13 +175,13 @@ EscapeStatus ObstacleFollowing::come_round(LoopResult result, const Situation& s
     begin_turning_about(situation);
     return EscapeStatus::kActive;
   }
-  if (state_.came_round || !std::isfinite(circuit_.nearest_clear_m())) {
+  if (state_.came_round || !std::isfinite(loop_.nearest_clear_m())) {
     guidance.why = "came round without a place to leave";
     return EscapeStatus::kFailed;
   }
   state_.came_round = true;
-  state_.leave_below_m = circuit_.nearest_clear_m() + parameters_.same_place_m;
-  circuit_.begin(situation.pose(), situation.odometry.travel_m, situation.target_odom);
+  state_.leave_below_m = loop_.nearest_clear_m() + parameters_.same_place_m;
+  loop_.begin(situation.pose(), situation.odometry.travel_m, situation.target_odom);
   return EscapeStatus::kActive;
 }
 
@@ -215,21 +215,16 @@ bool ObstacleFollowing::may_leave(const Situation& situation, bool clear) const 
   if (parameters_.leave == LeavingRule::kNearer || state_.came_round) {
     return clear && situation.target_distance_m() < state_.leave_below_m;
   }
-  return boundary_.may_leave(parameters_.leave, situation, free_toward_target_m(situation), clear,
-                             parameters_.nearer_ratio * situation.scan.range_max_m);
+  return leaving_.may_leave(parameters_.leave, situation, free_toward_target_m(situation), clear,
+                            parameters_.nearer_ratio * situation.scan.range_max_m);
 }
 
 void ObstacleFollowing::save(core::StateWriter& writer) const {
-  State state = state_;
-  state.circuit = circuit_.state();
-  state.boundary = boundary_.state();
-  writer(state);
+  writer(state_, loop_.state(), leaving_.state());
 }
 
 void ObstacleFollowing::load(core::StateReader& reader) {
-  reader(state_);
-  circuit_.state() = state_.circuit;
-  boundary_.state() = state_.boundary;
+  reader(state_, loop_.state(), leaving_.state());
 }
 
 }  // namespace clew::recover

@@ -109,8 +109,6 @@ class ObstacleFollowing final : public Escape {
     double last_leave_m = std::numeric_limits<double>::infinity();  ///< distance to the target
     bool came_round = false;  ///< a circuit has closed that does not separate
     bool separated = false;   ///< a circuit on the other side has shown it
-    LoopClosure::State circuit;
-    LeavingRules::State boundary;
   };
 
   /// Refuses scans without a beam in each of seven cones, and a rule base that is not well formed.
@@ -119,7 +117,7 @@ class ObstacleFollowing final : public Escape {
 
   ObstacleFollowing(const Parameters& parameters, const WallRules& rules);
 
-  void watch(const Situation& situation) override { boundary_.watch(as_seen(situation)); }
+  void watch(const Situation& situation) override { leaving_.watch(as_seen(situation)); }
   void begin(const Situation& situation, const TrapEvidence& evidence) override;
   EscapeStatus step(const Situation& situation, domain::Guidance& guidance) override;
   void save(core::StateWriter& writer) const override;
@@ -146,16 +144,15 @@ class ObstacleFollowing final : public Escape {
   WallFollower follower_;
   WallFollower close_follower_;
   scan::SevenCones eyes_;
-  LoopClosure circuit_;
-  LeavingRules boundary_;
+  LoopClosure loop_;
+  LeavingRules leaving_;
   State state_;  // but for the circuit and the boundary, which keep their own
 };
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, ObstacleFollowing::State& s) {
   visit(s.phase, s.wall, s.followed, s.phase_travel_m, s.in_view_travel_m, s.wall_travel_m,
-        s.turn_left_rad, s.leave_below_m, s.last_leave_m, s.came_round, s.separated, s.circuit,
-        s.boundary);
+        s.turn_left_rad, s.leave_below_m, s.last_leave_m, s.came_round, s.separated);
 }
 
 }  // namespace clew::recover
