@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "domain/motion_conversion.hpp"
+
 namespace clew::control {
 namespace {
 
@@ -17,29 +19,16 @@ double free_before_point_m(double distance_m, double angle_rad, double rho_m) {
   return std::max(0.0, ahead_m - std::sqrt(rho_m * rho_m - beside_m * beside_m));
 }
 
-/// The turn and step that a motion makes in a tick; none of a motion that is none.
-domain::Motion turn_and_step_of(const domain::Motion& motion, double tick_s, double wheel_base_m) {
-  if (motion.kind == domain::CommandKind::kTurnAndStep) return motion;
-  domain::Motion made;
-  made.kind = domain::CommandKind::kTurnAndStep;
-  if (motion.kind == domain::CommandKind::kVelocities) {
-    made.turn_rad = motion.turn_rate_radps * tick_s;
-    made.step_m = motion.speed_mps * tick_s;
-  } else if (motion.kind == domain::CommandKind::kWheelSpeeds) {
-    made.turn_rad = (motion.right_mps - motion.left_mps) / wheel_base_m * tick_s;
-    made.step_m = 0.5 * (motion.left_mps + motion.right_mps) * tick_s;
-  }
-  return made;
-}
-
-/// A turn and step as velocities, unless that is what was asked for.
-domain::Motion in_kind_of(const domain::Motion& asked, const domain::Motion& limited,
-                          double tick_s) {
+/// What is left of a motion that was asked for, which is a turn and step: velocities, unless a turn
+/// and step was asked for.
+domain::Motion in_kind_of(const domain::Motion& asked, const domain::Motion& limited, double tick_s,
+                          double wheel_base_m) {
   if (asked.kind == domain::CommandKind::kTurnAndStep) return limited;
+  const domain::Velocities velocities = domain::to_velocities(limited, tick_s, wheel_base_m);
   domain::Motion motion;
   motion.kind = domain::CommandKind::kVelocities;
-  motion.turn_rate_radps = limited.turn_rad / tick_s;
-  motion.speed_mps = limited.step_m / tick_s;
+  motion.speed_mps = velocities.speed_mps;
+  motion.turn_rate_radps = velocities.turn_rate_radps;
   return motion;
 }
 
@@ -48,7 +37,8 @@ domain::Motion in_kind_of(const domain::Motion& asked, const domain::Motion& lim
 domain::Motion StepGuard::limit(const domain::Motion& motion, const domain::Odometry& odometry,
                                 const domain::Scan& scan) {
   keep_contacts(odometry);
-  const domain::Motion asked = turn_and_step_of(motion, tick_s_, 2.0 * radius_m_);
+  const double wheel_base_m = 2.0 * radius_m_;
+  const domain::Motion asked = domain::to_turn_and_step(motion, tick_s_, wheel_base_m);
   if (!parameters_.enabled || asked.step_m <= 0.0) return motion;
   const double most_rad = limits_.turn_rate_radps * tick_s_;
   const double turn_rad = std::clamp(asked.turn_rad, -most_rad, most_rad);
@@ -58,14 +48,15 @@ domain::Motion StepGuard::limit(const domain::Motion& motion, const domain::Odom
   if (free < wanted_m) limited.step_m = std::min(asked.step_m, step_that_stops_within_m(free));
   if (limited.step_m >= std::min(asked.step_m, parameters_.least_step_m)) {
     state_.turning_side = 0;
-    return limited.step_m < asked.step_m ? in_kind_of(motion, limited, tick_s_) : motion;
+    return limited.step_m < asked.step_m ? in_kind_of(motion, limited, tick_s_, wheel_base_m)
+                                         : motion;
   }
   if (state_.turning_side == 0) {
     state_.turning_side = nearest_bearing_rad(odometry, scan) > 0.0 ? -1 : 1;
   }
   limited.step_m = 0.0;
   limited.turn_rad = state_.turning_side * parameters_.turn_away_rad;
-  return in_kind_of(motion, limited, tick_s_);
+  return in_kind_of(motion, limited, tick_s_, wheel_base_m);
 }
 
 /// The way of a tick and of braking after it.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drive/velocities.hpp"
+#include "drive/arc.hpp"
 
 namespace clew::drive {
 
@@ -21,7 +21,8 @@ domain::MotionLimits Differential::limits() const {
 }
 
 Legs Differential::legs(const domain::Motion& motion, const Velocities&) const {
-  const Velocities asked = to_velocities(motion, parameters_.tick_s, parameters_.wheel_base_m);
+  const Velocities asked =
+      domain::to_velocities(motion, parameters_.tick_s, parameters_.wheel_base_m);
   // The faster wheel of eq. 1 turned around: |v| + |omega| L / 2.
   const double wheel_mps = std::fabs(asked.speed_mps) +
                            0.5 * std::fabs(asked.turn_rate_radps) * parameters_.wheel_base_m;

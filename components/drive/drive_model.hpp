@@ -3,6 +3,7 @@
 
 #include "core/bounded_vector.hpp"
 #include "domain/messages.hpp"
+#include "domain/motion_conversion.hpp"
 #include "domain/setup.hpp"
 
 namespace clew::drive {
@@ -18,11 +19,7 @@ struct Leg {
 /// The motion of one tick, in order.
 using Legs = core::BoundedVector<Leg, 16>;
 
-/// How a robot moves: along its heading, and about itself, counter-clockwise positive.
-struct Velocities {
-  double speed_mps = 0.0;
-  double turn_rate_radps = 0.0;
-};
+using domain::Velocities;
 
 /// The kinematics of a drive: what a command becomes when nothing is in the way. It has no memory.
 class DriveModel {

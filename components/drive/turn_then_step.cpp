@@ -4,34 +4,7 @@
 #include <algorithm>
 
 namespace clew::drive {
-namespace {
-
-using domain::CommandKind;
 using domain::Motion;
-
-/// Any command as the turn and step that it asks of one tick.
-Motion to_turn_and_step(const Motion& motion, double tick_s, double wheel_base_m) {
-  Motion converted;
-  converted.kind = CommandKind::kTurnAndStep;
-  switch (motion.kind) {
-    case CommandKind::kTurnAndStep:
-      return motion;
-    case CommandKind::kVelocities:
-      converted.turn_rad = motion.turn_rate_radps * tick_s;
-      converted.step_m = motion.speed_mps * tick_s;
-      break;
-    case CommandKind::kWheelSpeeds:
-      converted.turn_rad = (motion.right_mps - motion.left_mps) / wheel_base_m * tick_s;
-      converted.step_m = 0.5 * (motion.left_mps + motion.right_mps) * tick_s;
-      break;
-    case CommandKind::kStop:
-    case CommandKind::kGiveUp:
-      break;
-  }
-  return converted;
-}
-
-}  // namespace
 
 core::Result<std::unique_ptr<TurnThenStep>> TurnThenStep::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
@@ -46,7 +19,7 @@ domain::MotionLimits TurnThenStep::limits() const {
 }
 
 Legs TurnThenStep::legs(const Motion& motion, const Velocities&) const {
-  const Motion asked = to_turn_and_step(motion, parameters_.tick_s, wheel_base_m_);
+  const Motion asked = domain::to_turn_and_step(motion, parameters_.tick_s, wheel_base_m_);
   Legs legs;
   legs.push_back({std::clamp(asked.turn_rad, -parameters_.max_turn_rad, parameters_.max_turn_rad),
                   std::clamp(asked.step_m, 0.0, parameters_.max_step_m), parameters_.tick_s, 0.0});

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drive/velocities.hpp"
+#include "drive/arc.hpp"
 
 namespace clew::drive {
 
@@ -23,7 +23,7 @@ Legs Unicycle::legs(const domain::Motion& motion, const Velocities& before) cons
   if (motion.kind == domain::CommandKind::kStop || motion.kind == domain::CommandKind::kGiveUp) {
     return arc_of({}, p.tick_s);
   }
-  const Velocities asked = to_velocities(motion, p.tick_s, wheel_base_m_);
+  const Velocities asked = domain::to_velocities(motion, p.tick_s, wheel_base_m_);
   const double excess = std::max({1.0, std::fabs(asked.speed_mps) / p.max_speed_mps,
                                   std::fabs(asked.turn_rate_radps) / p.max_turn_rate_radps});
   const double speed_change = p.max_acceleration_mps2 * p.tick_s;

@@ -3,6 +3,7 @@
 
 #include "control/infrared/infrared_expert.hpp"
 #include "core/random.hpp"
+#include "domain/motion_conversion.hpp"
 #include "replay/recorded_plan.hpp"
 #include "replay/tick_reader.hpp"
 #include "runtime/run_plan.hpp"
@@ -55,22 +56,10 @@ Result<void> ask_expert(const world::World& world, std::uint64_t places, const c
 /// A command as wheel speeds: eq. 1 of Wang, Yang & Meng turned around.
 control::WheelSpeeds wheel_speeds(const domain::Motion& motion, double tick_s,
                                   double wheel_base_m) {
-  const auto of_velocities = [&](double speed_mps, double turn_rate_radps) {
-    const double difference_mps = 0.5 * wheel_base_m * turn_rate_radps;
-    return control::WheelSpeeds{speed_mps - difference_mps, speed_mps + difference_mps};
-  };
-  switch (motion.kind) {
-    case domain::CommandKind::kWheelSpeeds:
-      return {motion.left_mps, motion.right_mps};
-    case domain::CommandKind::kVelocities:
-      return of_velocities(motion.speed_mps, motion.turn_rate_radps);
-    case domain::CommandKind::kTurnAndStep:
-      return of_velocities(motion.step_m / tick_s, motion.turn_rad / tick_s);
-    case domain::CommandKind::kStop:
-    case domain::CommandKind::kGiveUp:
-      break;
-  }
-  return {};
+  if (motion.kind == domain::CommandKind::kWheelSpeeds) return {motion.left_mps, motion.right_mps};
+  const domain::Velocities velocities = domain::to_velocities(motion, tick_s, wheel_base_m);
+  const double difference_mps = 0.5 * wheel_base_m * velocities.turn_rate_radps;
+  return {velocities.speed_mps - difference_mps, velocities.speed_mps + difference_mps};
 }
 
 Result<void> check_topics(const bridge::RunRecording& recording) {
