@@ -5,7 +5,6 @@
 
 namespace clew::drive {
 
-using domain::Outcome;
 using domain::Topic;
 
 std::vector<runtime::PortInfo> DriveComponent::ports() {
@@ -20,32 +19,26 @@ DriveComponent::DriveComponent(std::unique_ptr<DriveModel> model, const SafetyPa
                                const DriftParameters& drift, const runtime::RunSetup& setup)
     : model_(std::move(model)),
       world_(setup.world),
-      max_ticks_(setup.max_ticks),
       seed_(setup.seed),
       robot_index_(setup.robot_index),
       drifts_(drift.any()),
+      referee_({world_->target(), world_->target_radius_m(), setup.max_ticks}),
       body_(world_->start(), setup.behaviour.robot.radius_m, safety),
       reckoning_(world_->start(), drift) {}
 
 void DriveComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto* command = inputs.find<domain::Command>();
   const bool late = inputs.tick() > 0 && command == nullptr;
-  if (inputs.tick() > 0) {
-    // Without a command the robot rests: that is what a late one means.
-    move(command != nullptr ? command->motion : domain::Motion{}, inputs.tick() - 1);
-  }
+  // Without a command the robot rests: that is what a late one means.
+  const domain::Motion motion = command != nullptr ? command->motion : domain::Motion{};
+  if (inputs.tick() > 0) move(motion, inputs.tick() - 1);
 
   auto& state = outputs.get<domain::State>();
   write_state(state);
   state.command_late = late;
-  state.outcome = judge(inputs.tick(),
-                        command != nullptr && command->motion.kind == domain::CommandKind::kGiveUp);
+  state.outcome = referee_.judge(inputs.tick(), state.pose_world_robot, state.collisions, motion);
   write_odometry(outputs.get<domain::Odometry>());
-  if (auto* target = outputs.find<domain::Target>()) {
-    target->x_m = world_->target().x();
-    target->y_m = world_->target().y();
-    target->radius_m = world_->target_radius_m();
-  }
+  if (auto* target = outputs.find<domain::Target>()) referee_.announce(*target);
 }
 
 /// Applies the motion during `tick`.
@@ -61,16 +54,6 @@ void DriveComponent::move(const domain::Motion& motion, std::uint64_t tick) {
       {before.pose_world_robot, after.pose_world_robot, after.path_length_m - before.path_length_m,
        after.turn_rate_radps * model_->tick_s(), after.speed_mps < 0.0, model_->tick_s()},
       core::Random({seed_, robot_index_, kRandomComponent, tick}));
-}
-
-Outcome DriveComponent::judge(std::uint64_t tick, bool gave_up) const {
-  const Body::State& body = body_.state();
-  if (body.collisions > 0) return Outcome::kCollided;
-  if (core::distance_m(body.pose_world_robot, world_->target()) <= world_->target_radius_m()) {
-    return Outcome::kReached;
-  }
-  if (gave_up) return Outcome::kUnreachable;
-  return tick >= max_ticks_ ? Outcome::kTimeout : Outcome::kRunning;
 }
 
 void DriveComponent::write_state(domain::State& state) const {

@@ -9,6 +9,7 @@
 #include "drive/body.hpp"
 #include "drive/dead_reckoning.hpp"
 #include "drive/drive_model.hpp"
+#include "drive/referee.hpp"
 #include "runtime/component.hpp"
 #include "runtime/stage.hpp"
 
@@ -24,7 +25,7 @@ void visit_parameters(Visitor& visit, SafetyParameters& p) {
 inline constexpr std::uint32_t kRandomComponent = 2;
 
 /// The simulated robot: applies the command of the tick before, and tells the truth, what the robot
-/// itself knows of it, and the mission's target. Judges how the run ends.
+/// itself knows of it, and what its referee says of the mission.
 class DriveComponent final : public runtime::Component {
  public:
   static std::vector<runtime::PortInfo> ports();
@@ -38,16 +39,15 @@ class DriveComponent final : public runtime::Component {
 
  private:
   void move(const domain::Motion& motion, std::uint64_t tick);
-  domain::Outcome judge(std::uint64_t tick, bool gave_up) const;
   void write_state(domain::State& state) const;
   void write_odometry(domain::Odometry& odometry) const;
 
   std::unique_ptr<DriveModel> model_;
   std::shared_ptr<const world::World> world_;
-  std::uint64_t max_ticks_;
   std::uint64_t seed_;
   std::uint32_t robot_index_;
   bool drifts_;
+  Referee referee_;
   Body body_;
   DeadReckoning reckoning_;  // in use if it drifts
 };

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drive/referee.hpp"
+
+#include <gtest/gtest.h>
+
+namespace clew::drive {
+namespace {
+
+using domain::CommandKind;
+using domain::Outcome;
+
+constexpr std::uint64_t kMaxTicks = 100;
+const Mission kMission{{3.0, 4.0}, 0.5, kMaxTicks};
+
+// From here the target is 5 m away.
+const core::Pose2 kFar{0.0, 0.0, 0.0};
+// From here 0.5 m: just arrived.
+const core::Pose2 kArrived{3.0, 3.5, 1.0};
+
+domain::Motion commanded(CommandKind kind = CommandKind::kTurnAndStep) {
+  domain::Motion motion;
+  motion.kind = kind;
+  return motion;
+}
+
+TEST(Referee, LetsARobotGoOnThatIsOnItsWay) {
+  EXPECT_EQ(Referee(kMission).judge(5, kFar, 0, commanded()), Outcome::kRunning);
+}
+
+TEST(Referee, CallsTheTargetReachedFromItsRadiusOn) {
+  const core::Pose2 short_of_it{3.0, 3.499, 1.0};
+
+  EXPECT_EQ(Referee(kMission).judge(5, kArrived, 0, commanded()), Outcome::kReached);
+  EXPECT_EQ(Referee(kMission).judge(5, short_of_it, 0, commanded()), Outcome::kRunning);
+}
+
+TEST(Referee, EndsTheRunAtItsLastTick) {
+  EXPECT_EQ(Referee(kMission).judge(kMaxTicks - 1, kFar, 0, commanded()), Outcome::kRunning);
+  EXPECT_EQ(Referee(kMission).judge(kMaxTicks, kFar, 0, commanded()), Outcome::kTimeout);
+}
+
+TEST(Referee, TakesTheRobotsWordThatTheTargetIsUnreachable) {
+  EXPECT_EQ(Referee(kMission).judge(5, kFar, 0, commanded(CommandKind::kGiveUp)),
+            Outcome::kUnreachable);
+}
+
+TEST(Referee, LetsARobotRestThatIsLateOrStops) {
+  EXPECT_EQ(Referee(kMission).judge(5, kFar, 0, commanded(CommandKind::kStop)), Outcome::kRunning);
+}
+
+TEST(Referee, JudgesACollisionBeforeAnythingElse) {
+  EXPECT_EQ(Referee(kMission).judge(kMaxTicks, kArrived, 1, commanded(CommandKind::kGiveUp)),
+            Outcome::kCollided);
+}
+
+TEST(Referee, JudgesArrivalBeforeGivingUpAndTheLastTick) {
+  EXPECT_EQ(Referee(kMission).judge(kMaxTicks, kArrived, 0, commanded(CommandKind::kGiveUp)),
+            Outcome::kReached);
+}
+
+TEST(Referee, JudgesGivingUpBeforeTheLastTick) {
+  EXPECT_EQ(Referee(kMission).judge(kMaxTicks, kFar, 0, commanded(CommandKind::kGiveUp)),
+            Outcome::kUnreachable);
+}
+
+TEST(Referee, AnnouncesTheMissionsTarget) {
+  domain::Target target;
+
+  Referee(kMission).announce(target);
+
+  EXPECT_EQ(target.x_m, 3.0);
+  EXPECT_EQ(target.y_m, 4.0);
+  EXPECT_EQ(target.radius_m, 0.5);
+}
+
+}  // namespace
+}  // namespace clew::drive
