@@ -87,7 +87,8 @@ const runtime::StageInfo& stage() {
                                           nullptr,
                                           make,
                                           nullptr,
-                                          /*knows_world=*/true};
+                                          /*knows_world=*/true,
+                                          {{"subgoals", "world_subgoals"}}};
   return info;
 }
 

@@ -131,7 +131,7 @@ Result<GraphStage> resolve_stage(RawStage raw) {
   return stage;
 }
 
-Result<void> settle_tick(Graph& graph) {
+Result<void> settle_tick(const std::vector<StageInfo>& stages, Graph& graph) {
   std::string who;
   for (const GraphStage& stage : graph.stages) {
     if (!stage.info->tick_s || !stage.deployment.exec.empty()) continue;
@@ -145,7 +145,8 @@ Result<void> settle_tick(Graph& graph) {
     who = stage.info->name;
   }
   if (graph.tick_s <= 0.0) {
-    return graph.place.error("no stage says how long a tick lasts; a graph needs drive");
+    return graph.place.error("no stage says how long a tick lasts; a graph needs " +
+                             writer_of(Topic::kState, stages));
   }
   return {};
 }
@@ -186,7 +187,7 @@ Result<Graph> load_graph(const core::Resource& file, const std::string& name,
     graph.stages.push_back(std::move(resolved).value());
   }
   CLEW_RETURN_IF_ERROR(wire(graph));
-  CLEW_RETURN_IF_ERROR(settle_tick(graph));
+  CLEW_RETURN_IF_ERROR(settle_tick(stages, graph));
   return graph;
 }
 

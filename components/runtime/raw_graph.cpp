@@ -13,6 +13,8 @@ using core::YamlKind;
 using core::YamlNode;
 
 constexpr std::int64_t kMaxRestarts = 1'000'000;
+// What a graph without a mission means: the robot goes straight for the world's target.
+constexpr char kPlainMission[] = "target";
 
 // A choice is `name`, or `{name: {parameter: value, ...}}`.
 Result<RawChoice> read_choice(const YamlNode& node) {
@@ -124,8 +126,6 @@ Result<RawStage> read_stage(const StageInfo& info, const YamlNode& node) {
   return stage;
 }
 
-constexpr char kPlanStage[] = "plan";
-
 Result<std::uint64_t> read_count(const YamlNode& node, const char* key) {
   const auto value = node.integer();
   if (!value.ok()) return value.error();
@@ -173,29 +173,43 @@ Result<void> read_head(const YamlNode& root, Graph& head) {
   return {};
 }
 
-/// The planner that `mission: subgoals` is short for; none if the graph does not say so.
+/// A mission's word, and the stage that it is short for.
+struct ShortForm {
+  const StageInfo* stage;
+  const MissionInfo* mission;
+};
+
+Result<ShortForm> find_mission(const YamlNode& node, const std::string& word,
+                               const std::vector<StageInfo>& stages) {
+  std::vector<std::string> known = {kPlainMission};
+  for (const StageInfo& stage : stages) {
+    for (const MissionInfo& mission : stage.missions) {
+      if (mission.word == word) return ShortForm{&stage, &mission};
+      known.push_back(mission.word);
+    }
+  }
+  return node.error(core::unknown_name("mission", word, known));
+}
+
+/// The stage that the graph's mission is short for; none if it says no mission, or the plain one.
 Result<std::optional<RawStage>> read_mission(const YamlNode& root,
                                              const std::vector<StageInfo>& stages) {
   const auto node = root.find("mission");
   if (!node) return std::optional<RawStage>();
   const auto word = node->string();
   if (!word.ok()) return word.error();
-  if (*word == "target") return std::optional<RawStage>();
-  if (*word != "subgoals") {
-    return node->error(core::unknown_name("mission", *word, {"target", "subgoals"}));
+  if (*word == kPlainMission) return std::optional<RawStage>();
+  const auto found = find_mission(*node, *word, stages);
+  if (!found.ok()) return found.error();
+  const std::string& name = found->stage->name;
+  const std::string& behaviour = found->mission->behaviour;
+  if (root.find(name)) {
+    return node->error("mission: " + *word + " is short for " + name +
+                       ": {behaviour: " + behaviour + "}; found it beside a " + name);
   }
-  if (root.find(kPlanStage)) {
-    return node->error(
-        "mission: subgoals is short for plan: {behaviour: world_subgoals}; found it "
-        "beside a plan");
-  }
-  for (const StageInfo& info : stages) {
-    if (info.name != kPlanStage) continue;
-    RawStage stage{&info, *node, {}, {}, {}};
-    stage.parts[kBehaviourPart] = {RawChoice{"world_subgoals", *node, {}}};
-    return std::optional<RawStage>(std::move(stage));
-  }
-  return node->error("this program has no stage that leads along subgoals");
+  RawStage stage{found->stage, *node, {}, {}, {}};
+  stage.parts[kBehaviourPart] = {RawChoice{behaviour, *node, {}}};
+  return std::optional<RawStage>(std::move(stage));
 }
 
 }  // namespace
@@ -231,10 +245,12 @@ Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& n
   RawGraph graph{{}, *root, {}};
   graph.head.name = name;
   CLEW_RETURN_IF_ERROR(read_head(*root, graph.head));
-  auto planner = read_mission(*root, stages);
-  if (!planner.ok()) return planner.error();
+  auto short_form = read_mission(*root, stages);
+  if (!short_form.ok()) return short_form.error();
   for (const StageInfo& info : stages) {
-    if (*planner && (*planner)->info == &info) graph.stages.push_back(std::move(**planner));
+    if (*short_form && (*short_form)->info == &info) {
+      graph.stages.push_back(std::move(**short_form));
+    }
     const auto node = root->find(info.name);
     if (!node) continue;
     auto stage = read_stage(info, *node);

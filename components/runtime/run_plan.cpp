@@ -86,13 +86,13 @@ core::Error in_stage(const RunPlan& plan, const GraphStage& stage, const core::E
   return stage.place.error(stage.info->name + ": " + error.text());
 }
 
-Result<void> check_drive(const Graph& graph) {
-  const GraphStage* drive = graph.writer_of(Topic::kState);
-  if (drive == nullptr || !drive->deployment.exec.empty()) {
-    return (drive == nullptr ? graph.place : drive->place)
-        .error("a graph needs a drive of its own: it judges the outcome");
-  }
-  return {};
+/// The outcome of a run must be judged by rules that are known.
+Result<void> check_referee(const Graph& graph, const std::vector<StageInfo>& stages) {
+  const GraphStage* referee = graph.writer_of(Topic::kState);
+  if (referee != nullptr && referee->deployment.exec.empty()) return {};
+  return (referee == nullptr ? graph.place : referee->place)
+      .error("a graph needs a " + writer_of(Topic::kState, stages) +
+             " of its own: it judges the outcome");
 }
 
 Result<void> check_parts_fit(const RunPlan& plan) {
@@ -119,7 +119,7 @@ Result<RunPlan> read_run(const std::string& graph_name, const GraphOverrides& ov
   if (!graph.ok()) return graph.error();
   RunPlan plan;
   plan.graph = std::move(graph).value();
-  CLEW_RETURN_IF_ERROR(check_drive(plan.graph));
+  CLEW_RETURN_IF_ERROR(check_referee(plan.graph, stages));
   CLEW_RETURN_IF_ERROR(load_robot(source, plan));
   if (!only || knows_world(plan.graph, *only)) CLEW_RETURN_IF_ERROR(load_world(source, plan));
   CLEW_RETURN_IF_ERROR(load_data_files(source, plan));

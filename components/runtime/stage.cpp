@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/stage.hpp"
 
+#include <algorithm>
+
 namespace clew::runtime {
 
 const PartChoice& StageConfig::part(const std::string& name) const {
@@ -8,6 +10,16 @@ const PartChoice& StageConfig::part(const std::string& name) const {
   CLEW_CHECK(found != parts.end() && found->second.size() == 1,
              stage + " has not exactly one " + name);
   return found->second.front();
+}
+
+std::string writer_of(Topic topic, const std::vector<StageInfo>& stages) {
+  for (const StageInfo& stage : stages) {
+    const bool writes = std::any_of(stage.ports.begin(), stage.ports.end(), [&](const auto& port) {
+      return port.direction == PortInfo::Direction::kOutput && port.topic == topic;
+    });
+    if (writes) return stage.name;
+  }
+  return "stage that writes " + std::string(domain::topic_name(topic));
 }
 
 }  // namespace clew::runtime

@@ -60,6 +60,12 @@ struct PartInfo {
   std::vector<VariantInfo> variants;
 };
 
+/// A value of a graph's key `mission`, short for the stage with one of its behaviours.
+struct MissionInfo {
+  std::string word;
+  std::string behaviour;
+};
+
 /// A stage: its declarations, and how to make its component. The list of all of them is
 /// stages::all().
 struct StageInfo {
@@ -79,6 +85,11 @@ struct StageInfo {
   std::function<domain::MotionLimits(const StageConfig&)> motion_limits = nullptr;
   /// Whether its component is told the world; all others know what sensors and the bus tell.
   bool knows_world = false;
+  /// Short forms of the stage in a graph.
+  std::vector<MissionInfo> missions = {};
 };
+
+/// Who writes a topic, as a message calls it: a stage's name, or what is missing.
+std::string writer_of(Topic topic, const std::vector<StageInfo>& stages);
 
 }  // namespace clew::runtime

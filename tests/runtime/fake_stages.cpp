@@ -17,10 +17,7 @@ bool knows_world(const std::string& stage) { return stage == "sense" || stage ==
 class Counter : public Component {
  public:
   void step(const TickInputs&, TickOutputs&) override { ++steps_; }
-  void save(core::StateWriter& writer) const override {
-    auto steps = steps_;
-    writer(steps);
-  }
+  void save(core::StateWriter& writer) const override { writer(steps_); }
   void load(core::StateReader& reader) override { reader(steps_); }
 
  private:
@@ -111,7 +108,10 @@ StageInfo classify() {
           {{"behaviour", false, {table}}},
           no_tick,
           nullptr,
-          make_counter};
+          make_counter,
+          nullptr,
+          false,
+          {{"subgoals", "table"}}};
 }
 
 StageInfo recover() {

@@ -37,6 +37,16 @@ TEST(GraphFile, FillsInEveryDefault) {
   EXPECT_EQ(text_of(graph.find("control")->config.parameters, "guard"), "true");
 }
 
+TEST(GraphFile, PutsTheStageInThatAMissionIsShortFor) {
+  const std::string graph = "world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n";
+  const std::string end = "control: {behaviour: straight}\ndrive: {behaviour: slow}\n";
+
+  EXPECT_EQ(load_good(graph + "mission: subgoals\n" + end).expanded_yaml(),
+            load_good(graph + "classify: {behaviour: table}\n" + end).expanded_yaml());
+  EXPECT_EQ(load_good(graph + "mission: target\n" + end).expanded_yaml(),
+            load_good(graph + end).expanded_yaml());
+}
+
 TEST(GraphFile, ReadsWhatIsGiven) {
   const Graph graph = load_good(R"(about: everything
 world: ./a world.yaml

@@ -149,6 +149,24 @@ std::vector<std::string> check_layers(const SourceFile& file, const std::set<std
   return found;
 }
 
+std::vector<std::string> check_runtime_texts(const SourceFile& file) {
+  static const std::regex kText(R"re("(\\.|[^"\\])*")re");
+  static const std::regex kWord(R"(\w+)");
+  if (folder_of(file) != "components/runtime" || !is_source(file)) return {};
+  std::vector<std::string> found;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    const std::string line = std::regex_replace(file.lines[i], std::regex(R"(^\s*(//|#).*)"), "");
+    for (std::sregex_iterator text(line.begin(), line.end(), kText), end; text != end; ++text) {
+      const std::string words = text->str();
+      for (std::sregex_iterator word(words.begin(), words.end(), kWord); word != end; ++word) {
+        if (kStages.count(word->str()) == 0) continue;
+        found.push_back(violation(file, i + 1, "names the stage " + word->str()));
+      }
+    }
+  }
+  return found;
+}
+
 std::vector<std::string> check_vendor_headers(const SourceFile& file,
                                               const std::set<std::string>& own) {
   if (!is_source(file) || first_folder(file.path) == "tests") return {};

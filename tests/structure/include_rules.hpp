@@ -17,6 +17,9 @@ std::set<std::string> own_headers(const std::vector<SourceFile>& tree);
 /// neither the runtime nor another stage. Headers are included by the path of their folder.
 std::vector<std::string> check_layers(const SourceFile& file, const std::set<std::string>& own);
 
+/// The runtime names no stage in its texts: what it knows of stages, they declare in a StageInfo.
+std::vector<std::string> check_runtime_texts(const SourceFile& file);
+
 /// The headers of the DDS libraries are included in the folder that wraps them, and in tests.
 std::vector<std::string> check_vendor_headers(const SourceFile& file,
                                               const std::set<std::string>& own);

@@ -40,6 +40,8 @@ TEST(Structure, OnlyItsWrapperIncludesAVendor) {
   EXPECT_EQ(broken([&](const SourceFile& file) { return check_vendor_headers(file, own); }), "");
 }
 
+TEST(Structure, TheRuntimeNamesNoStage) { EXPECT_EQ(broken(check_runtime_texts), ""); }
+
 TEST(Structure, ComponentsAreDeterministic) { EXPECT_EQ(broken(check_determinism), ""); }
 
 TEST(Structure, FilesAreShortNamedForWhatTheyHoldAndLicensed) {
@@ -70,6 +72,19 @@ TEST(LayerRule, CoreIncludesOnlyCore) {
 TEST(LayerRule, RuntimeKnowsNoStage) {
   EXPECT_TRUE(layers("components/runtime/a.cpp", "#include \"world/world.hpp\"").empty());
   EXPECT_FALSE(layers("components/runtime/a.cpp", "#include \"sense/cones.hpp\"").empty());
+}
+
+TEST(RuntimeTextRule, FindsTheNameOfAStageInATextAndNowhereElse) {
+  const auto texts = [](const std::string& path, const std::string& line) {
+    return check_runtime_texts(source_file(path, line));
+  };
+
+  EXPECT_EQ(texts("components/runtime/a.cpp", "error(\"a graph needs drive\");"),
+            (Texts{"components/runtime/a.cpp:1: names the stage drive"}));
+  EXPECT_EQ(texts("components/runtime/a.cpp", "f(\"plan\", \"\\\"sense\\\"\");").size(), 2U);
+  EXPECT_TRUE(texts("components/runtime/a.cpp", "/// \"drive\", for one").empty());
+  EXPECT_TRUE(texts("components/runtime/a.cpp", "drive(\"overdrive\");").empty());
+  EXPECT_TRUE(texts("components/plan/a.cpp", "f(\"plan\");").empty());
 }
 
 TEST(LayerRule, BehavioursKnowNeitherTheRuntimeNorAnotherStage) {
