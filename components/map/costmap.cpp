@@ -34,7 +34,7 @@ Inflation inflation_of(double radius_m, double hit_spread_m, double seen_cell_m)
 
 CostmapBuilder::CostmapBuilder(const Inflation& inflation, double seen_cell_m)
     : cell_m_(2.0 * seen_cell_m),
-      known_cost_(static_cast<float>(inflation.known_cost)),
+      seen_free_cost_(static_cast<float>(inflation.seen_free_cost)),
       impossible_steps_(steps_of(inflation.impossible_m)),
       touching_steps_(steps_of(inflation.touching_m)),
       narrow_steps_(steps_of(0.5 * (inflation.touching_m + inflation.comfortable_m))) {
@@ -115,11 +115,11 @@ Costmap& CostmapBuilder::update(const SeenMap& seen, const Vec2& from, const Vec
                                                                            : Clearance::kOpen;
     if (costs_.clearance[i] == Clearance::kNone) costs_.cost[i] = Costmap::kBlocked;
   }
-  if (known_cost_ > 1.0F) make_known_dear(seen);
+  if (seen_free_cost_ > 1.0F) charge_for_seen_free(seen);
   return costs_;
 }
 
-void CostmapBuilder::make_known_dear(const SeenMap& seen) {
+void CostmapBuilder::charge_for_seen_free(const SeenMap& seen) {
   const Grid& grid = costs_.grid;
   seen.for_each(
       Mark::kFree, grid.corner, grid.corner + cell_m_ * Vec2(grid.columns, grid.rows),
@@ -128,7 +128,7 @@ void CostmapBuilder::make_known_dear(const SeenMap& seen) {
         const Cell cell{static_cast<std::int32_t>(steps.x()), static_cast<std::int32_t>(steps.y())};
         // One of a cell's four quarters stands for it.
         const bool first = steps.x() - cell.column < 0.5 && steps.y() - cell.row < 0.5;
-        if (first) costs_.cost[grid.index(cell)] *= known_cost_;
+        if (first) costs_.cost[grid.index(cell)] *= seen_free_cost_;
       });
 }
 

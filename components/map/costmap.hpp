@@ -37,7 +37,7 @@ struct Inflation {
   double comfortable_m = 0.25;  ///< from here on, room does not matter
   double touching_cost = 40.0;
   double suspected_cost = 8.0;  ///< nearer than touching_m to a suspected obstacle
-  double known_cost = 1.0;      ///< factor where it was seen free
+  double seen_free_cost = 1.0;  ///< factor where it was seen free
   double narrow_cost = 2.0;     ///< just not touching; falls to 1 where it is comfortable
 };
 
@@ -66,11 +66,11 @@ class CostmapBuilder {
   };
   using Offsets = std::vector<Offset>;
 
-  void make_known_dear(const SeenMap& seen);
+  void charge_for_seen_free(const SeenMap& seen);
   void lay_grid(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m);
 
   double cell_m_;
-  float known_cost_;
+  float seen_free_cost_;
   std::uint8_t impossible_steps_;
   std::uint8_t touching_steps_;
   std::uint8_t narrow_steps_;

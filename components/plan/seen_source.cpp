@@ -4,13 +4,8 @@
 namespace clew::plan {
 namespace {
 
-// Free room around all that was seen, wide enough to go round it.
-constexpr double kAround_m = 1.0;
-// Free parts of beams end this far before what returned.
-constexpr double kClearMargin_m = 0.01;
-
-map::Inflation inflation_of(const SeenSource::Parameters& p, const RoomNeeds& needs) {
-  map::Inflation inflation = map::inflation_of(needs.radius_m, p.hit_spread_m, 0.5 * p.cell_m);
+map::Inflation inflation_for(const map::LocalMap& local_map, const RoomNeeds& needs) {
+  map::Inflation inflation = local_map.inflation();
   // Half way from touching to comfortable, a cell is open.
   inflation.comfortable_m = 2.0 * (needs.radius_m + needs.margin_m) - inflation.touching_m;
   return inflation;
@@ -18,49 +13,32 @@ map::Inflation inflation_of(const SeenSource::Parameters& p, const RoomNeeds& ne
 
 }  // namespace
 
-SeenSource::SeenSource(const Parameters& parameters, const RoomNeeds& needs)
-    : evidence_({parameters.hit_spread_m, kClearMargin_m}, needs.radius_m),
-      seen_(0.5 * parameters.cell_m, parameters.capacity_tiles),
-      inflation_(inflation_of(parameters, needs)),
-      clearance_(inflation_, seen_.cell_m()) {}
+SeenSource::SeenSource(const map::LocalMapParameters& parameters, const RoomNeeds& needs)
+    : local_map_(parameters, needs.radius_m),
+      inflation_(inflation_for(local_map_, needs)),
+      costmap_builder_(inflation_, parameters.cell_m) {}
 
 RoomView SeenSource::read(const core::Vec2& from, const core::Vec2& to) {
-  const map::Costmap& costs = clearance_.update(seen_, from, to, kAround_m);
+  const map::Costmap& costs =
+      costmap_builder_.update(local_map_.seen(), from, to, map::LocalMap::kAround_m);
   return {costs.grid, costs.clearance};
 }
 
 bool SeenSource::line_of_sight(const core::Vec2& from, const core::Vec2& to, map::Clearance least) {
-  if (is_near(map::Mark::kHit, from, to, room_of(least))) return false;
-  if (least <= map::Clearance::kSuspected) return true;
-  return !is_near(map::Mark::kSuspected, from, to, room_of(least));
+  const auto is_near = [&](map::Mark mark) {
+    return local_map_.is_near(mark, from, to, room_of(least), map::LocalMap::Ends::kFlat);
+  };
+  if (is_near(map::Mark::kHit)) return false;
+  return least <= map::Clearance::kSuspected || !is_near(map::Mark::kSuspected);
 }
 
-/// How near a hit may be where there is this room, in metres.
+/// How near a hit may be where there is this clearance, in metres.
 double SeenSource::room_of(map::Clearance least) const {
   const double room_m = least == map::Clearance::kOpen
                             ? 0.5 * (inflation_.touching_m + inflation_.comfortable_m)
                         : least == map::Clearance::kTouching ? inflation_.impossible_m
                                                              : inflation_.touching_m;
-  return room_m - seen_.cell_m();
+  return room_m - local_map_.seen().cell_m();
 }
-
-bool SeenSource::is_near(map::Mark mark, const core::Vec2& from, const core::Vec2& to,
-                         double room_m) const {
-  const core::Vec2 way = to - from;
-  const double square = way.dot(way);
-  const core::Vec2 margin(room_m, room_m);
-  bool near = false;
-  seen_.for_each(mark, from.cwiseMin(to) - margin, from.cwiseMax(to) + margin,
-                 [&](const core::Vec2& place) {
-                   const core::Vec2 off = place - from;
-                   // Beside either end counts with the line, before and behind it does not.
-                   const double along = square > 0.0 ? off.dot(way) / square : 0.0;
-                   if (along < 0.0 || along > 1.0) return;
-                   near = near || core::length(off - along * way) < room_m;
-                 });
-  return near;
-}
-
-void SeenSource::save(core::StateWriter& writer) const { writer(seen_.state()); }
 
 }  // namespace clew::plan

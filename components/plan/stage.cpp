@@ -51,8 +51,7 @@ core::Result<std::unique_ptr<MapSource>> make_map(const MapParameters& p,
   const RoomNeeds needs{setup.behaviour.robot.radius_m, p.margin_m};
   if (p.map == MapKind::kWorld) return as_source(WorldMap::create(setup.world, p.cell_m, needs));
   if (p.map == MapKind::kSeen) {
-    const SeenSource::Parameters seen{p.cell_m, static_cast<std::size_t>(p.capacity_tiles),
-                                      p.hit_spread_m};
+    const map::LocalMapParameters seen{0.5 * p.cell_m, p.capacity_tiles, p.hit_spread_m};
     return std::unique_ptr<MapSource>(std::make_unique<SeenSource>(seen, needs));
   }
   if (p.map_file.empty()) {

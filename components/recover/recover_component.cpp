@@ -88,7 +88,7 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
                             target_odom,
                             state_.virtual_target_odom.value_or(target_odom),
                             target.radius_m,
-                            parts_.surroundings ? &*parts_.surroundings : nullptr};
+                            parts_.local_map ? &*parts_.local_map : nullptr};
   auto& guidance = outputs.get<Guidance>();
   auto& event = outputs.get<Event>();
   seek(situation, guidance);
@@ -98,7 +98,7 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
     return;
   }
 
-  if (parts_.surroundings) parts_.surroundings->see(situation.odometry, situation.scan);
+  if (parts_.local_map) parts_.local_map->see(situation.odometry, situation.scan);
   for (auto& escape : parts_.escapes) escape.behaviour->watch(situation);
   take_evidence(situation, event);
   if (state_.escaping) step_escape(situation, guidance, event);
@@ -150,7 +150,7 @@ void RecoverComponent::step_escape(const Situation& situation, Guidance& guidanc
   const EscapeStatus status = parts_.escapes[state_.escape].behaviour->step(situation, guidance);
   if (status == EscapeStatus::kActive) return;
   if (status == EscapeStatus::kLooksAgain) {
-    if (parts_.surroundings) parts_.surroundings->forget();
+    if (parts_.local_map) parts_.local_map->forget();
     return;
   }
 
@@ -221,7 +221,7 @@ void RecoverComponent::start_detectors_afresh() {
 
 void RecoverComponent::save(core::StateWriter& writer) const {
   writer(state_);
-  if (parts_.surroundings) parts_.surroundings->save(writer);
+  if (parts_.local_map) parts_.local_map->save(writer);
   parts_.detector.behaviour->save(writer);
   for (const auto& shadow : parts_.shadows) shadow.behaviour->save(writer);
   for (const auto& escape : parts_.escapes) escape.behaviour->save(writer);
@@ -229,7 +229,7 @@ void RecoverComponent::save(core::StateWriter& writer) const {
 
 void RecoverComponent::load(core::StateReader& reader) {
   reader(state_);
-  if (parts_.surroundings) parts_.surroundings->load(reader);
+  if (parts_.local_map) parts_.local_map->load(reader);
   parts_.detector.behaviour->load(reader);
   for (auto& shadow : parts_.shadows) shadow.behaviour->load(reader);
   for (auto& escape : parts_.escapes) escape.behaviour->load(reader);

@@ -17,7 +17,7 @@ namespace clew::recover {
 struct RecoverParameters {
   bool immediate_memory = true;
   std::string actions = "krishna_kalra_actions";
-  SurroundingsParameters surroundings;
+  map::LocalMapParameters local_map;
 };
 
 template <typename Visitor>
@@ -25,7 +25,12 @@ void visit_parameters(Visitor& visit, RecoverParameters& p) {
   visit.flag("immediate_memory", p.immediate_memory,
              "whether landmarks that the map knows fire their actions");
   visit.file("actions", p.actions, "rulebases", "action table of the immediate memory");
-  visit_parameters(visit, p.surroundings);
+  visit.number("seen_cell_m", p.local_map.cell_m, "m", {0.01, 0.1},
+               "side of a cell of what was seen; ways are sought in cells of twice the side");
+  visit.integer("seen_capacity_tiles", p.local_map.capacity_tiles, "1", {1, 1000000},
+                "tiles of 64 by 64 cells that are remembered");
+  visit.number("seen_hit_spread_m", p.local_map.hit_spread_m, "m", {0.0, 0.3},
+               "an obstacle on a piece of arc at most this long is certain");
 }
 
 /// A behaviour and the name that it goes by in events.
@@ -46,7 +51,7 @@ class RecoverComponent final : public runtime::Component {
     std::vector<Named<TrapDetector>> shadows;
     std::vector<Named<Escape>> escapes;  ///< in order of fallback
     std::optional<ImmediateMemory> immediate_memory;
-    std::optional<Surroundings> surroundings;  ///< kept if a behaviour reads_surroundings()
+    std::optional<map::LocalMap> local_map;  ///< kept if a behaviour reads_local_map()
   };
   struct State {
     bool escaping = false;

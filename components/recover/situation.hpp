@@ -5,7 +5,7 @@
 
 #include "core/geometry.hpp"
 #include "domain/messages.hpp"
-#include "recover/surroundings.hpp"
+#include "map/local_path.hpp"
 
 namespace clew::recover {
 
@@ -18,12 +18,16 @@ struct Situation {
   core::Vec2 target_odom;                      ///< the mission's
   core::Vec2 pursued_odom;  ///< the target in force in the tick before: an escape's own, or that
   double target_radius_m = 0.0;  ///< arrival within this distance of the mission's
-  /// All that was seen, this tick included; null if no behaviour reads_surroundings().
-  const Surroundings* surroundings = nullptr;
+  /// All that was seen, this tick included; null if no behaviour reads_local_map().
+  const map::LocalMap* local_map = nullptr;
 
   const core::Pose2& pose() const { return odometry.pose_odom_robot; }
   double target_bearing_rad() const { return core::bearing_rad(pose(), target_odom); }
   double target_distance_m() const { return core::distance_m(pose(), target_odom); }
+  /// The path to the mission's target over what was seen; with a local map only.
+  map::PathRequest path_request() const {
+    return {tick, pose().position(), target_odom, target_radius_m, *local_map};
+  }
 };
 
 }  // namespace clew::recover

@@ -26,8 +26,8 @@ Result<std::vector<Named<Behaviour>>> make_all(const runtime::Registry<Behaviour
   return all;
 }
 
-bool anyone_reads_surroundings(const RecoverComponent::Parts& parts) {
-  const auto reads = [](const auto& named) { return named.behaviour->reads_surroundings(); };
+bool anyone_reads_local_map(const RecoverComponent::Parts& parts) {
+  const auto reads = [](const auto& named) { return named.behaviour->reads_local_map(); };
   return reads(parts.detector) || std::any_of(parts.shadows.begin(), parts.shadows.end(), reads) ||
          std::any_of(parts.escapes.begin(), parts.escapes.end(), reads);
 }
@@ -46,8 +46,8 @@ Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfig& con
   parts.escapes = std::move(made_escapes).value();
 
   const auto parameters = core::read_parameters<RecoverParameters>(config.parameters);
-  if (anyone_reads_surroundings(parts)) {
-    parts.surroundings.emplace(parameters.surroundings, setup.behaviour.robot.radius_m);
+  if (anyone_reads_local_map(parts)) {
+    parts.local_map.emplace(parameters.local_map, setup.behaviour.robot.radius_m);
   }
   if (parameters.immediate_memory) {
     const auto resource = setup.behaviour.resources.find("rulebases", parameters.actions);

@@ -46,7 +46,7 @@ std::vector<double> times_of_trip_us(const world::World& world, double& path_m) 
   laser.range_m = 4.0;
   const sense::Laser sensor(laser, setup.robot.radius_m);
   const auto escape = EscapeKind::create({}, setup).value();
-  Surroundings surroundings({}, setup.robot.radius_m);
+  map::LocalMap local_map({}, setup.robot.radius_m);
   domain::Odometry odometry;
   odometry.pose_odom_robot = world.start();
   domain::Scan scan;
@@ -56,18 +56,13 @@ std::vector<double> times_of_trip_us(const world::World& world, double& path_m) 
     const std::uint64_t tick = times_us.size();
     core::Pose2& pose = odometry.pose_odom_robot;
     sensor.measure(world, pose, 0.0, core::Random({1, 0, 1, tick}), scan);
-    const Situation situation{tick,
-                              odometry,
-                              scan,
-                              nullptr,
-                              world.target(),
-                              world.target(),
-                              world.target_radius_m(),
-                              &surroundings};
+    const Situation situation{
+        tick,      odometry, scan, nullptr, world.target(), world.target(), world.target_radius_m(),
+        &local_map};
     if (situation.target_distance_m() <= world.target_radius_m()) break;
     domain::Guidance guidance;
     const double before_us = processor_time_us();
-    surroundings.see(odometry, scan);
+    local_map.see(odometry, scan);
     if (!begun) escape->begin(situation, {});
     begun = escape->step(situation, guidance) == EscapeStatus::kActive;
     times_us.push_back(processor_time_us() - before_us);

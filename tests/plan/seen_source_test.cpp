@@ -22,8 +22,8 @@ domain::Scan ray(double range_m) {
   return scan;
 }
 
-SeenSource source_that_saw(double range_m, std::size_t capacity_tiles = 4096) {
-  SeenSource source({0.05, capacity_tiles, 0.1}, kNeeds);
+SeenSource source_that_saw(double range_m, std::int64_t capacity_tiles = 4096) {
+  SeenSource source({0.025, capacity_tiles, 0.1}, kNeeds);
   source.see({}, ray(range_m));
   return source;
 }

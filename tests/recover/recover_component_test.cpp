@@ -42,7 +42,7 @@ class ToldEscape final : public Escape {
   explicit ToldEscape(double turn_rad) : turn_rad_(turn_rad) {}
   void watch(const Situation& situation) override {
     ++watched;
-    surroundings = situation.surroundings;
+    local_map = situation.local_map;
   }
   void begin(const Situation&, const TrapEvidence& evidence) override {
     ++begins;
@@ -69,7 +69,7 @@ class ToldEscape final : public Escape {
   std::optional<core::Vec2> virtual_target;
   int begins = 0;
   int watched = 0;
-  const Surroundings* surroundings = nullptr;
+  const map::LocalMap* local_map = nullptr;
   std::string reason;
 
  private:
@@ -88,9 +88,9 @@ class RecoverComponentTest : public ::testing::Test {
     }
   }
 
-  void make_component(std::optional<Surroundings> surroundings = {}) {
+  void make_component(std::optional<map::LocalMap> local_map = {}) {
     RecoverComponent::Parts parts;
-    parts.surroundings = std::move(surroundings);
+    parts.local_map = std::move(local_map);
     detector_ = add(parts.detector, "told", std::make_unique<ToldDetector>());
     shadow_ = add(parts.shadows.emplace_back(), "watcher", std::make_unique<ToldDetector>());
     first_ = add(parts.escapes.emplace_back(), "first", std::make_unique<ToldEscape>(0.1));
@@ -172,40 +172,40 @@ TEST_F(RecoverComponentTest, StartsTheFirstEscapeInTheTickOfTheTrap) {
 
 TEST_F(RecoverComponentTest, ShowsAllBehavioursTheSameSurroundings) {
   step();
-  EXPECT_EQ(first_->surroundings, nullptr);  // nobody has asked for them
+  EXPECT_EQ(first_->local_map, nullptr);  // nobody has asked for them
 
-  make_component(Surroundings({}, 0.15));
+  make_component(map::LocalMap({}, 0.15));
   step(Scene().at(2, 3, 0));
 
-  ASSERT_NE(first_->surroundings, nullptr);
-  EXPECT_EQ(second_->surroundings, first_->surroundings);
-  EXPECT_TRUE(first_->surroundings->map().is(map::Mark::kFree, {2, 3}));  // where it stands
+  ASSERT_NE(first_->local_map, nullptr);
+  EXPECT_EQ(second_->local_map, first_->local_map);
+  EXPECT_TRUE(first_->local_map->seen().is(map::Mark::kFree, {2, 3}));  // where it stands
 }
 
 TEST_F(RecoverComponentTest, ForgetsItsSurroundingsWhenTheEscapeLooksAgain) {
-  make_component(Surroundings({}, 0.15));
+  make_component(map::LocalMap({}, 0.15));
   detector_->trap = true;
   first_->status = EscapeStatus::kLooksAgain;
 
   const domain::Guidance& guidance = step();
 
   EXPECT_EQ(guidance.mode, GuidanceMode::kRecover);  // the escape goes on
-  EXPECT_TRUE(first_->surroundings->map().state().tiles.empty());
+  EXPECT_TRUE(first_->local_map->seen().state().tiles.empty());
 }
 
 TEST_F(RecoverComponentTest, SavesItsSurroundingsOnce) {
-  make_component(Surroundings({}, 0.15));
+  make_component(map::LocalMap({}, 0.15));
   step(Scene().at(2, 3, 0));
   core::StateWriter writer;
   component_->save(writer);
-  make_component(Surroundings({}, 0.15));
+  make_component(map::LocalMap({}, 0.15));
 
   core::StateReader reader(writer.bytes());
   component_->load(reader);
 
   EXPECT_TRUE(reader.complete());
   step(Scene().at(5, 3, 0));
-  EXPECT_TRUE(first_->surroundings->map().is(map::Mark::kFree, {2, 3}));
+  EXPECT_TRUE(first_->local_map->seen().is(map::Mark::kFree, {2, 3}));
 }
 
 TEST_F(RecoverComponentTest, IgnoresEvidenceWhileAnEscapeIsAtWork) {

@@ -13,7 +13,7 @@ core::Result<std::unique_ptr<MapDetour>> MapDetour::create(const Parameters& par
 MapDetour::MapDetour(const Parameters& parameters, const domain::BehaviourSetup& setup)
     : parameters_(parameters),
       tick_s_(setup.tick_s),
-      way_(parameters.way, setup, std::make_unique<map::AStar>()) {}
+      path_(parameters.path, setup.robot.radius_m, setup.tick_s, std::make_unique<map::AStar>()) {}
 
 std::optional<TrapEvidence> MapDetour::observe(const Situation& situation) {
   TrapEvidence evidence;
@@ -23,8 +23,10 @@ std::optional<TrapEvidence> MapDetour::observe(const Situation& situation) {
   }
   // While an escape leads to targets of its own, nobody asks.
   if (situation.pursued_odom != situation.target_odom) return std::nullopt;
-  if (!way_.keep_up(situation)) return std::nullopt;
-  if (way_.has_way() && way_.rise_m(situation) <= parameters_.rise_m) return std::nullopt;
+  if (!path_.keep_up(situation.path_request())) return std::nullopt;
+  if (path_.exists() &&
+      path_.rise_m(situation.pose().position(), situation.target_odom) <= parameters_.rise_m)
+    return std::nullopt;
   evidence.text = "every way known leads away from the target first";
   return evidence;
 }
@@ -41,19 +43,19 @@ bool MapDetour::gets_on(const Situation& situation) {
 }
 
 void MapDetour::start_afresh() {
-  way_.forget_way();
+  path_.forget_path();
   state_.least_m = std::numeric_limits<double>::infinity();
   state_.progress_tick = state_.tick;
 }
 
 void MapDetour::save(core::StateWriter& writer) const {
   writer(state_);
-  way_.save(writer);
+  path_.save(writer);
 }
 
 void MapDetour::load(core::StateReader& reader) {
   reader(state_);
-  way_.load(reader);
+  path_.load(reader);
 }
 
 }  // namespace clew::recover

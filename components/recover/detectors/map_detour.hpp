@@ -8,13 +8,13 @@
 
 #include "core/result.hpp"
 #include "domain/setup.hpp"
+#include "map/local_path.hpp"
 #include "recover/detectors/trap_detector.hpp"
-#include "recover/known_way.hpp"
 
 namespace clew::recover {
 
 struct MapDetourParameters {
-  KnownWayParameters way;
+  map::LocalPathParameters path;
   double rise_m = 0.02;
   double nearer_m = 0.3;
   double patience_s = 30.0;
@@ -22,7 +22,7 @@ struct MapDetourParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, MapDetourParameters& p) {
-  visit_parameters(visit, p.way);
+  visit_parameters(visit, p.path);
   visit.number("rise_m", p.rise_m, "m", {0.0, 100.0},
                "a trap is where the way known leads away from the target by more than this");
   visit.number("nearer_m", p.nearer_m, "m", {0.01, 100.0},
@@ -50,7 +50,7 @@ class MapDetour final : public TrapDetector {
 
   MapDetour(const Parameters& parameters, const domain::BehaviourSetup& setup);
 
-  bool reads_surroundings() const override { return true; }
+  bool reads_local_map() const override { return true; }
   std::optional<TrapEvidence> observe(const Situation& situation) override;
   /// What was seen stays known; only the way is sought again.
   void start_afresh() override;
@@ -62,7 +62,7 @@ class MapDetour final : public TrapDetector {
 
   Parameters parameters_;
   double tick_s_;
-  KnownWay way_;
+  map::LocalPath path_;
   State state_;
 };
 

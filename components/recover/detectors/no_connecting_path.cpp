@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/angle.hpp"
+#include "core/segment.hpp"
 
 namespace clew::recover {
 namespace {
@@ -153,14 +154,9 @@ bool NoConnectingPath::a_path_connects(const Situation& situation) {
 
 /// Whether no return in view is in the body's way on a straight line.
 bool NoConnectingPath::connects(const core::Vec2& from, const core::Vec2& to) const {
-  const core::Vec2 along = to - from;
-  const double length_2 = along.dot(along);
   const double room_m = radius_m_ + parameters_.clearance_m;
   return std::none_of(returns_.begin(), returns_.end(), [&](const core::Vec2& at) {
-    const double share =
-        length_2 > 0.0 ? std::clamp((at - from).dot(along) / length_2, 0.0, 1.0) : 0.0;
-    const core::Vec2 off = at - (from + share * along);
-    return off.dot(off) < room_m * room_m;
+    return core::distance_to_segment_m(from, to, at) < room_m;
   });
 }
 

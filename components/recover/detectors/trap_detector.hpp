@@ -40,8 +40,8 @@ class TrapDetector {
  public:
   virtual ~TrapDetector() = default;
 
-  /// Whether it needs Situation::surroundings.
-  virtual bool reads_surroundings() const { return false; }
+  /// Whether it needs Situation::local_map.
+  virtual bool reads_local_map() const { return false; }
 
   /// Watches one tick; evidence if this tick proves a trap. Called every tick, also while an escape
   /// is at work, when evidence is only of use to escapes that ask for it.

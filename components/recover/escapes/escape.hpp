@@ -23,8 +23,8 @@ class Escape {
  public:
   virtual ~Escape() = default;
 
-  /// Whether it needs Situation::surroundings.
-  virtual bool reads_surroundings() const { return false; }
+  /// Whether it needs Situation::local_map.
+  virtual bool reads_local_map() const { return false; }
 
   /// Watches every tick before anything else, whether this escape is at work or not.
   virtual void watch(const Situation&) {}

@@ -25,19 +25,19 @@ MapFollowing::MapFollowing(const Parameters& parameters, const domain::Behaviour
     : parameters_(parameters),
       tick_s_(setup.tick_s),
       limits_(setup.limits),
-      way_(parameters.way, setup, std::move(search)) {}
+      path_(parameters.path, setup.robot.radius_m, setup.tick_s, std::move(search)) {}
 
 void MapFollowing::begin(const Situation& situation, const TrapEvidence&) {
-  way_.forget_way();
+  path_.forget_path();
   state_.least_length_m = std::numeric_limits<double>::infinity();
   state_.progress_tick = situation.tick;
 }
 
 EscapeStatus MapFollowing::step(const Situation& situation, domain::Guidance& guidance) {
-  const bool planned = way_.keep_up(situation);
-  if (!way_.has_way()) {
+  const bool planned = path_.keep_up(situation.path_request());
+  if (!path_.exists()) {
     if (++state_.proofs < parameters_.proofs) {
-      way_.forget_all();
+      path_.forget_all();
       guidance.why = "looks again at what closes every way";
       return EscapeStatus::kLooksAgain;
     }
@@ -46,13 +46,14 @@ EscapeStatus MapFollowing::step(const Situation& situation, domain::Guidance& gu
   }
   const double distance_m = situation.target_distance_m();
   if (distance_m <= state_.ended_at_m - parameters_.nearer_m &&
-      way_.rise_m(situation) <= parameters_.leave_rise_m) {
+      path_.rise_m(situation.pose().position(), situation.target_odom) <=
+          parameters_.leave_rise_m) {
     state_.ended_at_m = distance_m;
     return EscapeStatus::kEnded;
   }
   const bool led = !gets_on(situation, planned);
   const core::Vec2 corner_odom =
-      way_.next_corner(situation, led ? kAtCorner_m : parameters_.close_m);
+      path_.next_corner(situation.pose(), led ? kAtCorner_m : parameters_.close_m);
   guidance.target_x_m = corner_odom.x();
   guidance.target_y_m = corner_odom.y();
   guidance.target_is_virtual = true;
@@ -76,15 +77,15 @@ void MapFollowing::note_where_held(const Situation& situation, const core::Vec2&
   const core::Vec2 ahead = corner_odom - here;
   const double distance_m = core::length(ahead);
   if (distance_m > 0.0) {
-    way_.refuse(here + std::min(distance_m, kAhead_m) / distance_m * ahead);
-    way_.forget_way();
+    path_.refuse(here + std::min(distance_m, kAhead_m) / distance_m * ahead);
+    path_.forget_path();
   }
   state_.held_tick = situation.tick;
 }
 
 /// Whether the controller brings the robot on along the way.
 bool MapFollowing::gets_on(const Situation& situation, bool planned) {
-  const double length_m = way_.length_m(situation);
+  const double length_m = path_.length_m(situation.pose().position());
   if (planned || length_m < state_.least_length_m - parameters_.shorter_m) {
     state_.least_length_m = length_m;
     state_.progress_tick = situation.tick;
@@ -119,12 +120,12 @@ domain::Motion MapFollowing::motion_to(const Situation& situation,
 
 void MapFollowing::save(core::StateWriter& writer) const {
   writer(state_);
-  way_.save(writer);
+  path_.save(writer);
 }
 
 void MapFollowing::load(core::StateReader& reader) {
   reader(state_);
-  way_.load(reader);
+  path_.load(reader);
 }
 
 core::Result<std::unique_ptr<RememberedMap>> RememberedMap::create(

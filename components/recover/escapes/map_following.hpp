@@ -7,13 +7,13 @@
 #include "core/angle.hpp"
 #include "core/result.hpp"
 #include "domain/setup.hpp"
+#include "map/local_path.hpp"
 #include "recover/escapes/escape.hpp"
-#include "recover/known_way.hpp"
 
 namespace clew::recover {
 
 struct MapFollowingParameters {
-  KnownWayParameters way;
+  map::LocalPathParameters path;
   double patience_s = 0.0;
   double close_m = 0.3;
   double leave_rise_m = 0.0;
@@ -27,7 +27,7 @@ struct MapFollowingParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, MapFollowingParameters& p) {
-  visit_parameters(visit, p.way);
+  visit_parameters(visit, p.path);
   visit.number("patience_s", p.patience_s, "s", {0.0, 1000.0},
                "the way is followed by motions after this time without getting on; 0: at once");
   visit.number("close_m", p.close_m, "m", {0.01, 10.0}, "a virtual target this near is reached");
@@ -69,7 +69,7 @@ class MapFollowing : public Escape {
   MapFollowing(const Parameters& parameters, const domain::BehaviourSetup& setup,
                std::unique_ptr<map::PathSearch> search);
 
-  bool reads_surroundings() const override { return true; }
+  bool reads_local_map() const override { return true; }
   void begin(const Situation& situation, const TrapEvidence& evidence) override;
   EscapeStatus step(const Situation& situation, domain::Guidance& guidance) override;
   void save(core::StateWriter& writer) const override;
@@ -83,7 +83,7 @@ class MapFollowing : public Escape {
   Parameters parameters_;
   double tick_s_;
   domain::MotionLimits limits_;
-  KnownWay way_;
+  map::LocalPath path_;
   State state_;
 };
 

@@ -30,20 +30,20 @@ class Memory {
  public:
   /// The scene, taken in.
   Situation seen(Situation situation) {
-    surroundings_.see(situation.odometry, situation.scan);
-    situation.surroundings = &surroundings_;
+    local_map_.see(situation.odometry, situation.scan);
+    situation.local_map = &local_map_;
     return situation;
   }
   Answer step(Escape& escape, const Situation& situation) {
     Answer answer;
     answer.status = escape.step(seen(situation), answer.guidance);
-    if (answer.status == EscapeStatus::kLooksAgain) surroundings_.forget();
+    if (answer.status == EscapeStatus::kLooksAgain) local_map_.forget();
     return answer;
   }
-  Surroundings& surroundings() { return surroundings_; }
+  map::LocalMap& local_map() { return local_map_; }
 
  private:
-  Surroundings surroundings_{{}, setup().robot.radius_m};
+  map::LocalMap local_map_{{}, setup().robot.radius_m};
 };
 
 /// At the origin, and a wall across at 0.4 m: the least distance of a straight wall in a cone is

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/segment.hpp"
+
 namespace clew::recover {
 namespace {
 
@@ -18,22 +20,15 @@ bool crosses(double side_before, double side_now) {
   return (side_before > 0.0 && side_now <= 0.0) || (side_before < 0.0 && side_now >= 0.0);
 }
 
-/// Least distance from a point to the way from `from` along a unit vector.
-double distance_to_way_m(const core::Vec2& point, const core::Vec2& from, const core::Vec2& along,
-                         double length_m) {
-  const double ahead_m = std::clamp((point - from).dot(along), 0.0, length_m);
-  return core::length(point - from - ahead_m * along);
-}
-
 /// d_reach of TangentBug.
 double reachable_m(const Situation& situation) {
   double least_m = situation.target_distance_m();
+  const core::Vec2 here = situation.pose().position();
   for (std::size_t i = 0; i < situation.scan.ranges_m.size(); ++i) {
     const core::Vec2 along =
         core::direction(situation.pose().heading_rad + situation.scan.bearing_rad(i));
-    least_m =
-        std::min(least_m, distance_to_way_m(situation.target_odom, situation.pose().position(),
-                                            along, situation.scan.ranges_m[i]));
+    const core::Vec2 end = here + situation.scan.ranges_m[i] * along;
+    least_m = std::min(least_m, core::distance_to_segment_m(here, end, situation.target_odom));
   }
   return least_m;
 }

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "map/local_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/segment.hpp"
+
+namespace clew::map {
+namespace {
+
+// A centre this near to where the robot was held does not pass either.
+constexpr double kRefused_m = 0.06;
+constexpr std::size_t kMostRefused = 4096;
+// A path ends this share of the target's radius from it: so near its last corner, the robot has
+// arrived.
+constexpr double kArrivesWithin_ratio = 0.8;
+// A piece is kept straight if that costs this much more at most: sums of costs are rounded.
+constexpr double kSameCost_ratio = 1.001;
+
+Inflation inflation_for(const LocalPathParameters& p, const LocalMap& map, double radius_m) {
+  Inflation inflation = map.inflation();
+  inflation.comfortable_m = radius_m + p.comfortable_m;
+  inflation.narrow_cost = p.narrow_cost;
+  inflation.seen_free_cost = p.seen_free_cost;
+  inflation.suspected_cost = p.suspected_cost;
+  return inflation;
+}
+
+/// What going straight costs; infinite through what is blocked, except where the way begins.
+double straight_cost_m(const Costmap& costs, const Vec2& from, const Vec2& to) {
+  const double length_m = core::length(to - from);
+  const auto pieces = static_cast<int>(std::ceil(length_m / (0.5 * costs.grid.cell_m)));
+  double sum = 0.0;
+  for (int i = 0; i < pieces; ++i) {
+    const Vec2 place = from + (i + 0.5) / pieces * (to - from);
+    const auto cell = costs.grid.cell_at(place);
+    const float cost = cell ? costs.cost[costs.grid.index(*cell)] : Costmap::kBlocked;
+    if (cost == Costmap::kBlocked) return HUGE_VAL;
+    sum += cost;
+  }
+  return pieces == 0 ? 0.0 : sum * length_m / pieces;
+}
+
+}  // namespace
+
+LocalPath::LocalPath(const LocalPathParameters& parameters, double radius_m, double tick_s,
+                     std::unique_ptr<PathSearch> search)
+    : parameters_(parameters),
+      radius_m_(radius_m),
+      replan_ticks_(parameters.replan_s / tick_s),
+      search_(std::move(search)) {}
+
+void LocalPath::make_costmap_builder(const LocalMap& map) {
+  inflation_ = inflation_for(parameters_, map, radius_m_);
+  costmap_builder_.emplace(inflation_, map.seen().cell_m());
+}
+
+bool LocalPath::keep_up(const PathRequest& request) {
+  const auto age = static_cast<double>(request.tick - state_.planned_tick);
+  if (state_.planned && age + 0.5 < replan_ticks_ && !is_cut(request)) return false;
+  plan(request);
+  return true;
+}
+
+void LocalPath::plan(const PathRequest& request) {
+  state_.planned = true;
+  state_.planned_tick = request.tick;
+  state_.next = 1;
+  state_.corners_odom.clear();
+  if (!costmap_builder_) make_costmap_builder(request.map);
+  Costmap& costs = costmap_builder_->update(request.map.seen(), request.from, request.target,
+                                            LocalMap::kAround_m);
+  close_refused(costs);
+  open_own_place(costs, request.from);
+  const auto& path = search_->find(costs, request.from, request.target,
+                                   kArrivesWithin_ratio * request.target_radius_m);
+  if (path.empty()) return;
+  pull_tight(costs, path, request.from);
+  centre_corners(request.map.seen(), costs.grid.cell_m);
+}
+
+void LocalPath::refuse(const Vec2& place_odom) {
+  if (state_.refused_odom.size() < kMostRefused) state_.refused_odom.push_back(place_odom);
+}
+
+void LocalPath::close_refused(Costmap& costs) const {
+  const Grid& grid = costs.grid;
+  const auto reach = static_cast<std::int32_t>(std::ceil(kRefused_m / grid.cell_m));
+  for (const Vec2& place : state_.refused_odom) {
+    const auto middle = grid.cell_at(place);
+    if (!middle) continue;
+    for (std::int32_t rows = -reach; rows <= reach; ++rows) {
+      for (std::int32_t columns = -reach; columns <= reach; ++columns) {
+        const Cell cell{middle->column + columns, middle->row + rows};
+        if (!grid.contains(cell) || core::length(grid.centre(cell) - place) > kRefused_m) continue;
+        costs.cost[grid.index(cell)] = Costmap::kBlocked;
+        costs.clearance[grid.index(cell)] = Clearance::kNone;
+      }
+    }
+  }
+}
+
+/// Where the robot stands it can be, whatever is believed.
+void LocalPath::open_own_place(Costmap& costs, const Vec2& place) {
+  const auto cell = costs.grid.cell_at(place);
+  if (!cell || costs.clearance[costs.grid.index(*cell)] != Clearance::kNone) return;
+  costs.clearance[costs.grid.index(*cell)] = Clearance::kTouching;
+  costs.cost[costs.grid.index(*cell)] = static_cast<float>(inflation_.touching_cost);
+}
+
+/// Keeps of a path from cell to cell the corners between which going straight costs no more.
+void LocalPath::pull_tight(const Costmap& costs, const std::vector<Vec2>& path, const Vec2& from) {
+  state_.corners_odom.push_back(from);
+  Vec2 corner = from;
+  double along_m = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Vec2 before = i == 1 ? from : path[i - 1];
+    // A diagonal may brush a cell that is blocked: the search has allowed it.
+    const double step_m = std::min(straight_cost_m(costs, before, path[i]),
+                                   inflation_.touching_cost * core::length(path[i] - before));
+    if (i > 1 && straight_cost_m(costs, corner, path[i]) > kSameCost_ratio * (along_m + step_m)) {
+      corner = path[i - 1];
+      state_.corners_odom.push_back(corner);
+      along_m = 0.0;
+    }
+    along_m += step_m;
+  }
+  state_.corners_odom.push_back(path.back());
+}
+
+/// Moves the corners between, where room is tight, to where within their cells there is most. A
+/// cell's middle may lie half a cell beside that of a passage: in one that is 6 cm wider than the
+/// robot the guard, which takes a cone's return to be at its near end, does not let it in there.
+void LocalPath::centre_corners(const SeenMap& seen, double cell_m) {
+  constexpr int kPlaces = 2;  // to each side
+  const double reach_m = inflation_.comfortable_m + cell_m;
+  for (std::size_t i = 1; i + 1 < state_.corners_odom.size(); ++i) {
+    const Vec2 corner = state_.corners_odom[i];
+    const Vec2 reach(reach_m, reach_m);
+    hits_odom_.clear();
+    seen.for_each(Mark::kHit, corner - reach, corner + reach,
+                  [&](const Vec2& place) { hits_odom_.push_back(place); });
+    const auto room_m = [&](const Vec2& place) {
+      double least_m = inflation_.comfortable_m;
+      for (const Vec2& hit : hits_odom_) {
+        least_m = std::min(least_m, core::length(hit - place));
+      }
+      return least_m;
+    };
+    double most_m = room_m(corner);
+    for (int y = -kPlaces; y <= kPlaces; ++y) {
+      for (int x = -kPlaces; x <= kPlaces; ++x) {
+        const Vec2 place = corner + 0.5 * cell_m / kPlaces * Vec2(x, y);
+        const double there_m = room_m(place);
+        if (there_m <= most_m) continue;
+        most_m = there_m;
+        state_.corners_odom[i] = place;
+      }
+    }
+  }
+}
+
+/// Whether something that was seen lies on the next piece of the path.
+bool LocalPath::is_cut(const PathRequest& request) const {
+  Vec2 from = request.from;
+  double left_m = parameters_.look_ahead_m;
+  const double room_m = radius_m_ - 2.0 * kTouching_m;
+  for (std::size_t i = state_.next; i < state_.corners_odom.size() && left_m > 0.0; ++i) {
+    const Vec2 to = state_.corners_odom[i];
+    const double length_m = core::length(to - from);
+    if (length_m <= 0.0) continue;
+    const Vec2 along = (to - from) / length_m;
+    const Vec2 end = from + std::min(length_m, left_m) * along;
+    if (request.map.is_near(Mark::kHit, from, end, room_m, LocalMap::Ends::kRound)) return true;
+    left_m -= length_m;
+    from = to;
+  }
+  return false;
+}
+
+const Vec2& LocalPath::next_corner(const core::Pose2& pose, double reach_m) {
+  const auto last = static_cast<std::uint32_t>(state_.corners_odom.size() - 1);
+  while (state_.next < last &&
+         core::distance_m(pose, state_.corners_odom[state_.next]) <= reach_m) {
+    ++state_.next;
+  }
+  return state_.corners_odom[std::min(state_.next, last)];
+}
+
+double LocalPath::length_m(const Vec2& place) const {
+  double length_m = 0.0;
+  Vec2 from = place;
+  for (std::size_t i = state_.next; i < state_.corners_odom.size(); ++i) {
+    length_m += core::length(state_.corners_odom[i] - from);
+    from = state_.corners_odom[i];
+  }
+  return length_m;
+}
+
+double LocalPath::rise_m(const Vec2& place, const Vec2& target) const {
+  Vec2 from = place;
+  double nearest_m = core::length(from - target);
+  double rise_m = 0.0;
+  for (std::size_t i = state_.next; i < state_.corners_odom.size(); ++i) {
+    const Vec2 to = state_.corners_odom[i];
+    // On a straight piece the distance falls to the foot of the target's perpendicular, then rises.
+    nearest_m =
+        std::min(nearest_m, core::length(core::nearest_on_segment(from, to, target) - target));
+    rise_m = std::max(rise_m, core::length(to - target) - nearest_m);
+    from = to;
+  }
+  return rise_m;
+}
+
+void LocalPath::save(core::StateWriter& writer) const { writer(state_); }
+
+void LocalPath::load(core::StateReader& reader) { reader(state_); }
+
+}  // namespace clew::map

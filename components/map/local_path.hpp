@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/archive.hpp"
+#include "map/costmap.hpp"
+#include "map/local_map.hpp"
+#include "map/path_search.hpp"
+
+namespace clew::map {
+
+struct LocalPathParameters {
+  double replan_s = 1.0;
+  double look_ahead_m = 1.0;
+  double comfortable_m = 0.1;
+  double narrow_cost = 2.0;
+  double suspected_cost = 20.0;
+  double seen_free_cost = 2.0;
+};
+
+template <typename Visitor>
+void visit_parameters(Visitor& visit, LocalPathParameters& p) {
+  visit.number("replan_s", p.replan_s, "s", {0.0, 60.0}, "a way is sought again after this time");
+  visit.number("look_ahead_m", p.look_ahead_m, "m", {0.0, 100.0},
+               "or if something seen since lies on so much of it");
+  visit.number("comfortable_m", p.comfortable_m, "m", {0.0, 1.0},
+               "room beside the body from which on more is not better");
+  visit.number("narrow_cost", p.narrow_cost, "1", {1.0, 20.0},
+               "a metre with no room beside the body counts as this many");
+  visit.number("known_cost", p.seen_free_cost, "1", {1.0, 100.0},
+               "a metre through what was seen free counts as this many");
+  visit.number("suspected_cost", p.suspected_cost, "1", {1.0, 100.0},
+               "a metre through suspected obstacles counts as this many");
+}
+
+/// A way that is asked for: where the robot is and where it wants to go, on what map.
+struct PathRequest {
+  std::uint64_t tick = 0;
+  Vec2 from = Vec2::Zero();  ///< the robot's place
+  Vec2 target = Vec2::Zero();
+  double target_radius_m = 0.0;
+  const LocalMap& map;  ///< always the same one
+};
+
+/// The path to the target over all that a robot has seen, sought again as more comes to light.
+///
+/// Unknown counts as free, and a suspected obstacle is costly, so a path leads there only where
+/// nothing else is left; going there shows what is the case. A missing path is proof of
+/// unreachability: hits are deflated by the worst-case rounding before they are inflated by the
+/// robot.
+class LocalPath {
+ public:
+  struct State {
+    std::vector<Vec2> corners_odom;  ///< of the path, the robot's place then first
+    std::vector<Vec2> refused_odom;  ///< where the robot tried to go and could not
+    std::uint32_t next = 0;          ///< corner that the robot is on its way to
+    std::uint64_t planned_tick = 0;
+    bool planned = false;
+  };
+
+  LocalPath(const LocalPathParameters& parameters, double radius_m, double tick_s,
+            std::unique_ptr<PathSearch> search);
+
+  /// Seeks a path if there is none yet, the last one is old, or something seen since lies on it.
+  /// True if it sought.
+  bool keep_up(const PathRequest& request);
+  /// Seeks a path.
+  void plan(const PathRequest& request);
+  /// The robot cannot get to this place, whatever is seen: it has tried.
+  void refuse(const Vec2& place_odom);
+  /// Forgets the path, and where the robot could not get to.
+  void forget_all() { state_ = {}; }
+  /// The path is void; keep_up() seeks a new one.
+  void forget_path() { state_.planned = false; }
+
+  bool exists() const { return !state_.corners_odom.empty(); }
+  /// The corners, the robot's place at planning first; empty if there is no path.
+  const std::vector<Vec2>& corners_odom() const { return state_.corners_odom; }
+  /// The corner that a robot at `pose` must go to now, `reach_m` being near enough, but at the last
+  /// one. The path exists.
+  const Vec2& next_corner(const core::Pose2& pose, double reach_m);
+  /// From `place` along the path.
+  double length_m(const Vec2& place) const;
+  /// How much farther from the target the path leads than a place on it before, from `place` on.
+  double rise_m(const Vec2& place, const Vec2& target) const;
+
+  void save(core::StateWriter& writer) const;
+  void load(core::StateReader& reader);
+
+ private:
+  void make_costmap_builder(const LocalMap& map);
+  void close_refused(Costmap& costs) const;
+  void open_own_place(Costmap& costs, const Vec2& place);
+  bool is_cut(const PathRequest& request) const;
+  void pull_tight(const Costmap& costs, const std::vector<Vec2>& path, const Vec2& from);
+  void centre_corners(const SeenMap& seen, double cell_m);
+
+  LocalPathParameters parameters_;
+  double radius_m_;
+  double replan_ticks_;
+  Inflation inflation_;
+  std::optional<CostmapBuilder> costmap_builder_;  // made with the first path that is sought
+  std::unique_ptr<PathSearch> search_;
+  std::vector<Vec2> hits_odom_;  // memory to work in
+  State state_;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, LocalPath::State& s) {
+  visit(s.corners_odom, s.refused_odom, s.next, s.planned_tick, s.planned);
+}
+
+}  // namespace clew::map
