@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "recover/detectors/none.hpp"
+
 #include <gtest/gtest.h>
 
-#include "recover/detectors/none.hpp"
 #include "recover/escapes/none.hpp"
 #include "tests/recover/scene.hpp"
 

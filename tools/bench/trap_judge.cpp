@@ -6,8 +6,8 @@
 namespace clew::bench {
 namespace {
 
-/// A minimum on the lattice is so much off at most (world_analysis/README.md), and so must the robot be
-/// nearer to the target to have left for good.
+/// A minimum on the lattice is so much off at most (world_analysis/README.md), and so must the
+/// robot be nearer to the target to have left for good.
 constexpr double kSurelyNearer_m = 0.1;
 constexpr double kLeastCircle_m = 1.0;
 
