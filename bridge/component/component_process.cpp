@@ -27,19 +27,6 @@ using Clock = std::chrono::steady_clock;
 using core::Error;
 using core::Result;
 
-Result<Frame> receive_frame(Link& link, Clock::time_point deadline) {
-  while (true) {
-    if (auto frame = link.next()) return *std::move(frame);
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
-    pollfd descriptor{link.socket(), POLLIN, 0};
-    if (left.count() <= 0 || ::poll(&descriptor, 1, static_cast<int>(left.count())) == 0) {
-      return Error{"the supervisor does not answer", {}, 0, 0};
-    }
-    if (!link.receive()) return Error{"the supervisor has gone", {}, 0, 0};
-  }
-}
-
 // The run is over for this component when its supervisor says so, or is gone.
 class ComponentLoop {
  public:
@@ -56,6 +43,7 @@ class ComponentLoop {
         next_flush_ = now + kFlushPeriod;
       }
       wait();
+      link_.flush();
       if (!link_.receive()) return finished_;
       while (auto frame = link_.next()) handle(*frame);
     }
@@ -67,7 +55,7 @@ class ComponentLoop {
     if (const auto due = host_.next_due()) until = std::min(until, *due);
     const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(until - Clock::now());
     timespec timeout{0, std::max<std::int64_t>(left.count(), 0)};
-    pollfd descriptor{link_.socket(), POLLIN, 0};
+    pollfd descriptor{link_.socket(), link_.poll_events(), 0};
     ::ppoll(&descriptor, 1, &timeout, nullptr);
   }
 
@@ -85,7 +73,8 @@ class ComponentLoop {
     auto finished = host_.finished(*finish_at_);
     if (!finished) return;
     host_.flush();
-    finished_ = link_.send(FrameType::kFinished, std::move(*finished));
+    link_.post(FrameType::kFinished, std::move(*finished));
+    finished_ = true;
   }
 
   Link& link_;
@@ -96,8 +85,8 @@ class ComponentLoop {
 };
 
 Result<Assignment> take_assignment(Link& link, const std::string& stage) {
-  link.send(FrameType::kHello, Hello{stage, ::getpid(), std::string(idl_fingerprint())});
-  const auto frame = receive_frame(link, Clock::now() + kAssignmentTimeout);
+  link.post(FrameType::kHello, Hello{stage, ::getpid(), std::string(idl_fingerprint())});
+  const auto frame = link.wait_for_frame(Clock::now() + kAssignmentTimeout);
   if (!frame.ok()) return frame.error();
   if (frame->type == FrameType::kNotice) {
     const auto text = frame->as<Text>();
@@ -126,9 +115,8 @@ struct Prepared {
   runtime::RunPlan plan;
 };
 
-Result<Prepared> prepare(Link& link, const Assignment& assignment, const std::string& stage,
+Result<Prepared> prepare(const Assignment& assignment, const std::string& stage,
                          const std::vector<runtime::StageInfo>& stages) {
-  const Heartbeat alive(link, stage + " still makes its component");
   auto plan = runtime::read_prepared_run(assignment.bundle, stages, stage);
   if (!plan.ok()) return plan.error();
   const runtime::GraphStage* graph_stage = plan->graph.find(stage);
@@ -140,17 +128,20 @@ Result<Prepared> prepare(Link& link, const Assignment& assignment, const std::st
 
 Result<bool> take_part(Link& link, const Assignment& assignment, const std::string& stage,
                        const std::vector<runtime::StageInfo>& stages) {
-  auto prepared = prepare(link, assignment, stage, stages);
+  std::optional<Heartbeat> alive;
+  alive.emplace(
+      [&] { link.post(FrameType::kPreparing, Text{stage + " still makes its component"}); });
+  auto prepared = prepare(assignment, stage, stages);
   if (!prepared.ok()) return prepared.error();
   CLEW_RETURN_IF_ERROR(take_realtime_priority(assignment.realtime_priority));
 
   const auto say = [&link](FrameType type) {
-    return [&link, type](std::string text) { link.send(type, Text{std::move(text)}); };
+    return [&link, type](std::string text) { link.post(type, Text{std::move(text)}); };
   };
   std::mutex reporting;  // the last report sent is the newest
   const auto report_missing = [&](const StartBarrier& barrier) {
     const std::lock_guard<std::mutex> lock(reporting);
-    link.send(FrameType::kWaiting, Waiting{barrier.missing()});
+    link.post(FrameType::kWaiting, Waiting{barrier.missing()});
   };
   StartBarrier barrier(
       stage, assignment.expected,
@@ -163,13 +154,14 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
   NodeHost host(
       std::move(prepared->node), assignment, prepared->plan,
       {say(FrameType::kNotice), say(FrameType::kFatal),
-       [&link](const Progress& progress) { link.send(FrameType::kProgress, progress); },
-       [&link](const Checkpoint& checkpoint) { link.send(FrameType::kCheckpoint, checkpoint); },
-       [&link](const std::string& spool) { link.send_bytes(FrameType::kSamples, spool); }});
+       [&link](const Progress& progress) { link.post(FrameType::kProgress, progress); },
+       [&link](const Checkpoint& checkpoint) { link.post(FrameType::kCheckpoint, checkpoint); },
+       [&link](const std::string& spool) { link.post_bytes(FrameType::kSamples, spool); }});
   if (assignment.checkpoint) CLEW_RETURN_IF_ERROR(host.restore(*assignment.checkpoint));
   CLEW_RETURN_IF_ERROR(host.open(**participant, barrier));
   if (assignment.checkpoint) host.repeat_last_outputs(*assignment.checkpoint);
   if (assignment.resumes) host.go(Clock::now());
+  alive.emplace([&] { link.post(FrameType::kAlive, Alive{host.is_stepping()}); });
   report_missing(barrier);
   return ComponentLoop(link, host).run();
 }
@@ -203,7 +195,8 @@ int run_component_process(const std::string& stage, int domain, double connect_t
   if (!assignment.ok()) return complain(stage, assignment.error());
   const auto ended = take_part(link, *assignment, stage, stages);
   if (!ended.ok()) {
-    link.send(FrameType::kFatal, Text{stage + ": " + ended.error().text()});
+    link.post(FrameType::kFatal, Text{stage + ": " + ended.error().text()});
+    link.flush_until(Clock::now() + kEndGrace);
     return complain(stage, ended.error());
   }
   return *ended ? 0 : 1;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "component/node_host.hpp"
 
-#include <type_traits>
 #include <utility>
 
+#include "component/topic_input.hpp"
 #include "line/user_data.hpp"
 #include "run/limits.hpp"
-#include "scan/scan_check.hpp"
 
 namespace clew::bridge {
 
@@ -21,60 +20,14 @@ EndpointSpec spec_of(Topic topic, const std::string& user_data, int history_dept
 
 }  // namespace
 
-/// The reader of one topic: turns away what is no part of the run, decodes the rest.
-template <typename Message>
-class NodeHost::Input : public SampleListener {
- public:
-  Input(NodeHost& host, const StartBarrier& barrier) : host_(host), barrier_(barrier) {}
-
-  void on_sample(std::string_view cdr, const RemoteEndpoint* writer) override {
-    if (!accepts(writer)) {
-      const std::lock_guard<std::mutex> lock(host_.mutex_);
-      ++host_.refused_samples_;
-      return;
-    }
-    auto decoded = codec_.decode(cdr, message_);
-    if constexpr (std::is_same_v<Message, domain::Scan>) {
-      if (decoded.ok()) decoded = scan::check_arrangement(message_, host_.scan_layout_);
-    }
-    const std::lock_guard<std::mutex> lock(host_.mutex_);
-    if (!decoded.ok()) {
-      host_.refuse(std::string(domain::topic_name(domain::topic_of<Message>())), decoded.error());
-      return;
-    }
-    host_.deliver(message_);
-  }
-
- private:
-  // The answer for a writer changes only when discovery has news.
-  bool accepts(const RemoteEndpoint* writer) {
-    const std::uint64_t version = barrier_.version();
-    if (writer != known_writer_ || version != known_version_ || writer == nullptr) {
-      known_accepted_ = barrier_.accepts(writer);
-      known_writer_ = writer;
-      known_version_ = version;
-    }
-    return known_accepted_;
-  }
-
-  NodeHost& host_;
-  const StartBarrier& barrier_;
-  Codec<Message> codec_;
-  Message message_;
-  const RemoteEndpoint* known_writer_ = nullptr;
-  std::uint64_t known_version_ = 0;
-  bool known_accepted_ = false;
-};
-
 NodeHost::NodeHost(runtime::Node node, const Assignment& assignment, const runtime::RunPlan& plan,
-                   Handlers handlers, bool account_inputs)
+                   Handlers handlers)
     : node_(std::move(node)),
       scan_layout_(plan.setup.behaviour.scan),
       user_data_(UserData{std::string(idl_fingerprint()), node_.name()}.to_text()),
       history_depth_(static_cast<int>(assignment.history_depth)),
       lockstep_(assignment.pace != Pace::kRealtime),
-      account_inputs_(account_inputs),
-      spools_states_(assignment.spooling == Spooling::kSamplesAndStates && !account_inputs),
+      spools_states_(assignment.spooling == Spooling::kSamplesAndStates),
       handlers_(std::move(handlers)),
       buffer_(node_.ports(), assignment.history_depth),
       account_(assignment.hash, assignment.spooling != Spooling::kNothing),
@@ -94,7 +47,7 @@ core::Result<void> NodeHost::open(Participant& participant, const StartBarrier& 
     if (!inputs[index_of(topic)]) continue;
     domain::visit_topic(topic, [&](auto constant) {
       using Message = typename decltype(constant)::Message;
-      listeners_.push_back(std::make_unique<Input<Message>>(*this, barrier));
+      listeners_.push_back(listener<Message>(barrier));
     });
     auto reader =
         participant.create_reader(spec_of(topic, user_data_, history_depth_), *listeners_.back());
@@ -102,6 +55,24 @@ core::Result<void> NodeHost::open(Participant& participant, const StartBarrier& 
     readers_.push_back(std::move(reader).value());
   }
   return {};
+}
+
+template <typename Message>
+std::unique_ptr<SampleListener> NodeHost::listener(const StartBarrier& barrier) {
+  return std::make_unique<TopicInput<Message>>(
+      barrier, scan_layout_,
+      typename TopicInput<Message>::Handlers{[this] {
+                                               const std::lock_guard<std::mutex> lock(mutex_);
+                                               ++refused_samples_;
+                                             },
+                                             [this](const core::Error& error) {
+                                               const std::lock_guard<std::mutex> lock(mutex_);
+                                               refuse(domain::topic_of<Message>(), error);
+                                             },
+                                             [this](Message& message) {
+                                               const std::lock_guard<std::mutex> lock(mutex_);
+                                               deliver(message);
+                                             }});
 }
 
 core::Result<void> NodeHost::restore(const Checkpoint& checkpoint) {
@@ -161,9 +132,10 @@ void NodeHost::deliver(Message& message) {
   run_ready(clock_.is_free() ? Time{} : std::chrono::steady_clock::now());
 }
 
-void NodeHost::refuse(const std::string& topic, const core::Error& error) {
+void NodeHost::refuse(Topic topic, const core::Error& error) {
   ++refused_samples_;
-  const std::string what = node_.name() + " refuses a sample of '" + topic + "': " + error.text();
+  const std::string what = node_.name() + " refuses a sample of '" +
+                           std::string(domain::topic_name(topic)) + "': " + error.text();
   if (!lockstep_) return handlers_.on_notice(what);
   // Without it the tick can never be complete.
   report();
@@ -172,10 +144,7 @@ void NodeHost::refuse(const std::string& topic, const core::Error& error) {
 
 bool NodeHost::may_step(Time now) const {
   if (stopped_) return false;
-  if (!starts_ticks()) {
-    // Who only keeps account in real time goes on without what was lost; the recording tells.
-    return buffer_.ready() || (account_inputs_ && !lockstep_ && buffer_.rest_is_lost());
-  }
+  if (!starts_ticks()) return buffer_.ready();
   if (!started_ || buffer_.next_tick() >= allowed_until_) return false;
   if (clock_.is_free()) return buffer_.ready();
   if (now < clock_.due(buffer_.next_tick())) return false;
@@ -189,8 +158,9 @@ void NodeHost::run_ready(Time now) {
 void NodeHost::step() {
   const std::uint64_t tick = buffer_.next_tick();
   const runtime::TopicSet present = buffer_.take(messages_);
-  if (account_inputs_) account(present);
+  stepping_ = true;
   node_.step(tick, present, messages_);
+  stepping_ = false;
   publish();
   const auto& truth = account_.statistics().truth;
   const bool ended = truth && truth->outcome != domain::Outcome::kRunning;
@@ -224,16 +194,6 @@ void NodeHost::repeat_last_outputs(const Checkpoint& checkpoint) {
     if (bytes != checkpoint.last_outputs.end()) {
       write(outputs_[index_of(topic)], topic, bytes->second);
     }
-  }
-}
-
-void NodeHost::account(const runtime::TopicSet& present) {
-  for (Topic topic : domain::kAllTopics) {
-    if (!present[index_of(topic)]) continue;
-    domain::visit_topic(topic, [&](auto constant) {
-      const auto& message = std::get<constant.kIndex>(messages_);
-      account_.add(message, std::get<constant.kIndex>(codecs_).encode(message));
-    });
   }
 }
 

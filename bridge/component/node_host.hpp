@@ -30,7 +30,7 @@ class NodeHost {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// Calls come from any thread, with the host's lock held: they may send, and must not call back.
+  /// Calls come from any thread, with the host's lock held: they must not wait, and not call back.
   struct Handlers {
     std::function<void(std::string)> on_notice;
     std::function<void(std::string)> on_fatal;
@@ -43,10 +43,9 @@ class NodeHost {
   };
 
   /// Of the plan it needs the duration of a tick, and the arrangement of beams that scans must
-  /// have. With `account_inputs` the account is kept over the inputs instead of the outputs, in
-  /// their canonical form: for topics whose writer does not keep one.
+  /// have.
   NodeHost(runtime::Node node, const Assignment& assignment, const runtime::RunPlan& plan,
-           Handlers handlers, bool account_inputs = false);
+           Handlers handlers);
   ~NodeHost();
   NodeHost(const NodeHost&) = delete;
   NodeHost& operator=(const NodeHost&) = delete;
@@ -67,26 +66,27 @@ class NodeHost {
   /// When poll() should be called next; none: when something has arrived.
   std::optional<Time> next_due() const;
 
+  /// Whether a step is under way. Does not wait for it.
+  bool is_stepping() const { return stepping_.load(); }
   /// Reports progress, and hands over what is spooled.
   void flush();
   /// What the node wrote, if it has stepped `last_tick` and every write was taken; else none yet.
   std::optional<Finished> finished(std::uint64_t last_tick) const;
 
  private:
-  template <typename Message>
-  class Input;
   struct Output {
     std::unique_ptr<SampleWriter> writer;
     std::deque<std::string> waiting;
   };
 
   template <typename Message>
+  std::unique_ptr<SampleListener> listener(const StartBarrier& barrier);
+  template <typename Message>
   void deliver(Message& message);
-  void refuse(const std::string& topic, const core::Error& error);
+  void refuse(domain::Topic topic, const core::Error& error);
   void run_ready(Time now);
   bool may_step(Time now) const;
   void step();
-  void account(const runtime::TopicSet& present);
   void publish();
   void write(Output& output, runtime::Topic topic, std::string_view cdr);
   void report();
@@ -99,7 +99,6 @@ class NodeHost {
   const std::string user_data_;
   const int history_depth_;
   const bool lockstep_;
-  const bool account_inputs_;
   const bool spools_states_;
   Handlers handlers_;
   runtime::InputBuffer buffer_;
@@ -107,6 +106,7 @@ class NodeHost {
   Codecs codecs_;
   SampleAccount account_;
   TickClock clock_;
+  std::atomic<bool> stepping_{false};
   bool started_ = false;
   bool stopped_ = false;  ///< a write failed, or the run has its outcome
   std::uint64_t allowed_until_ = 0;

@@ -3,29 +3,44 @@
 
 #include <algorithm>
 
+#include "run/limits.hpp"
+
 namespace clew::bridge {
 
 std::vector<int> Acceptor::sockets() const {
   std::vector<int> sockets = {lock_.socket()};
-  for (const auto& newcomer : newcomers_) sockets.push_back(newcomer->socket());
+  for (const Newcomer& newcomer : newcomers_) sockets.push_back(newcomer.link->socket());
   return sockets;
 }
 
-std::vector<std::pair<std::unique_ptr<Link>, Hello>> Acceptor::arrivals() {
-  while (const auto socket = lock_.accept()) newcomers_.push_back(std::make_unique<Link>(*socket));
-  std::vector<std::pair<std::unique_ptr<Link>, Hello>> arrived;
-  for (auto& newcomer : newcomers_) {
-    if (!newcomer->receive()) {
-      newcomer.reset();
-    } else if (const auto frame = newcomer->next()) {
+void Acceptor::add(std::unique_ptr<Link> link, Time now) {
+  if (newcomers_.size() >= kMostNewcomers) newcomers_.pop_front();
+  newcomers_.push_back({std::move(link), now});
+}
+
+std::vector<Acceptor::Arrival> Acceptor::arrivals(Time now) {
+  // No more at a time: who connects without end must not hold up the run.
+  for (std::size_t i = 0; i < kMostNewcomers; ++i) {
+    const auto socket = lock_.accept();
+    if (!socket) break;
+    add(std::make_unique<Link>(*socket, kMostHelloBytes), now);
+  }
+  std::vector<Arrival> arrived;
+  for (Newcomer& newcomer : newcomers_) {
+    if (!newcomer.link->receive() || now - newcomer.connected_at > kHelloTimeout) {
+      newcomer.link.reset();
+    } else if (const auto frame = newcomer.link->next()) {
       auto hello = frame->as<Hello>();
       if (frame->type == FrameType::kHello && hello) {
-        arrived.emplace_back(std::move(newcomer), *std::move(hello));
+        newcomer.link->allow_payload(kMostPayloadBytes);
+        arrived.emplace_back(std::move(newcomer.link), *std::move(hello));
       }
-      newcomer.reset();
+      newcomer.link.reset();
     }
   }
-  newcomers_.erase(std::remove(newcomers_.begin(), newcomers_.end(), nullptr), newcomers_.end());
+  newcomers_.erase(std::remove_if(newcomers_.begin(), newcomers_.end(),
+                                  [](const Newcomer& newcomer) { return !newcomer.link; }),
+                   newcomers_.end());
   return arrived;
 }
 

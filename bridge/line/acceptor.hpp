@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
+#include <deque>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -10,20 +12,30 @@
 
 namespace clew::bridge {
 
-/// Takes connections on a run's domain until each has said who it is.
+/// Takes connections on a run's domain until each has said who it is. Who says something else, too
+/// much, or nothing for kHelloTimeout is shown the door; of more than kMostNewcomers, the oldest.
 class Acceptor {
  public:
-  explicit Acceptor(const DomainLock& hold) : lock_(hold) {}
+  using Time = std::chrono::steady_clock::time_point;
+  using Arrival = std::pair<std::unique_ptr<Link>, Hello>;
+
+  explicit Acceptor(const DomainLock& lock) : lock_(lock) {}
 
   /// What to poll: the listening socket, and those that have not spoken yet.
   std::vector<int> sockets() const;
-  /// Components that have said hello since the last call. Who says something else is shown the
-  /// door.
-  std::vector<std::pair<std::unique_ptr<Link>, Hello>> arrivals();
+  /// Processes that have said hello since the last call.
+  std::vector<Arrival> arrivals(Time now);
+  /// A connection as accept() gives it; for connections that come another way.
+  void add(std::unique_ptr<Link> link, Time now);
 
  private:
+  struct Newcomer {
+    std::unique_ptr<Link> link;
+    Time connected_at;
+  };
+
   const DomainLock& lock_;
-  std::vector<std::unique_ptr<Link>> newcomers_;
+  std::deque<Newcomer> newcomers_;  ///< the oldest first
 };
 
 }  // namespace clew::bridge

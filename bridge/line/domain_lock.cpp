@@ -12,6 +12,7 @@
 
 #include "dds/rtps_ports.hpp"
 #include "line/link.hpp"
+#include "run/limits.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -64,9 +65,14 @@ DomainLock::~DomainLock() {
 }
 
 std::optional<int> DomainLock::accept() const {
-  const int connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
-  if (connection < 0) return std::nullopt;
-  return connection;
+  // Who is turned away may come again at once: not for ever.
+  for (std::size_t i = 0; i < kMostNewcomers; ++i) {
+    const int connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
+    if (connection < 0) return std::nullopt;
+    if (is_trusted_peer(connection)) return connection;
+    ::close(connection);
+  }
+  return std::nullopt;
 }
 
 }  // namespace clew::bridge

@@ -22,7 +22,8 @@ class DomainLock {
   int domain() const { return domain_; }
   /// A listening socket: its readiness to read means that a component connects.
   int socket() const { return socket_; }
-  /// The next connection, if there is one.
+  /// The next connection of a process of our own user or of root, if there is one; others are
+  /// closed.
   std::optional<int> accept() const;
 
  private:

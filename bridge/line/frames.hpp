@@ -22,6 +22,7 @@ enum class FrameType : std::uint8_t {
   // from a component
   kHello,
   kPreparing,  ///< with what it is busy before it can say for whom it waits
+  kAlive,      ///< every tenth of a second, whatever it does
   kWaiting,    ///< which endpoints are not there yet; none: ready
   kProgress,
   kSamples,  ///< what was written, for the recording
@@ -90,6 +91,10 @@ struct Waiting {
   std::vector<std::string> missing;  ///< one sentence each
 };
 
+struct Alive {
+  bool busy = false;  ///< with a step
+};
+
 struct Progress {
   std::uint64_t ticks = 0;  ///< stepped so far
   RunStatistics statistics;
@@ -137,6 +142,10 @@ void visit_fields(V& v, Assignment& m) {
 template <typename V>
 void visit_fields(V& v, Waiting& m) {
   v(m.missing);
+}
+template <typename V>
+void visit_fields(V& v, Alive& m) {
+  v(m.busy);
 }
 template <typename V>
 void visit_fields(V& v, Progress& m) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "line/heartbeat.hpp"
 
-#include <chrono>
 #include <utility>
 
 #include "run/limits.hpp"
 
 namespace clew::bridge {
-Heartbeat::Heartbeat(Link& link, std::string doing)
-    : link_(link), doing_(std::move(doing)), thread_([this] { run(); }) {}
+
+Heartbeat::Heartbeat(std::function<void()> beat)
+    : beat_(std::move(beat)), thread_([this] { run(); }) {}
 
 Heartbeat::~Heartbeat() {
   {
@@ -22,7 +22,9 @@ Heartbeat::~Heartbeat() {
 void Heartbeat::run() {
   std::unique_lock lock(mutex_);
   while (!ended_) {
-    link_.send(FrameType::kPreparing, Text{doing_});
+    lock.unlock();
+    beat_();
+    lock.lock();
     ending_.wait_for(lock, kHeartbeatPeriod, [this] { return ended_; });
   }
 }

@@ -2,20 +2,18 @@
 #pragma once
 
 #include <condition_variable>
+#include <functional>
 #include <mutex>
-#include <string>
 #include <thread>
-
-#include "line/link.hpp"
 
 namespace clew::bridge {
 
-/// Reports, while it lives, that the process lives, and with what it is busy: reading a large world
-/// or a long recording takes longer than a process may be silent.
+/// Reports, while it lives, that the process lives, from a thread of its own: reading a large world
+/// or a long recording, or a step that plans, takes longer than a process may be silent.
 class Heartbeat {
  public:
-  /// `doing`: a sentence for whoever waits. `link` must outlive this.
-  Heartbeat(Link& link, std::string doing);
+  /// `beat` is called at once and then every kHeartbeatPeriod, on the thread; it must not wait.
+  explicit Heartbeat(std::function<void()> beat);
   ~Heartbeat();
   Heartbeat(const Heartbeat&) = delete;
   Heartbeat& operator=(const Heartbeat&) = delete;
@@ -23,8 +21,7 @@ class Heartbeat {
  private:
   void run();
 
-  Link& link_;
-  const std::string doing_;
+  const std::function<void()> beat_;
   std::mutex mutex_;
   std::condition_variable ending_;
   bool ended_ = false;

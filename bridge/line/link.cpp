@@ -19,7 +19,6 @@ namespace clew::bridge {
 namespace {
 
 constexpr std::size_t kHeaderBytes = 5;  // type, then the payload's length
-constexpr std::uint32_t kMaxPayloadBytes = 1u << 30;
 
 using Header = std::array<char, kHeaderBytes>;
 
@@ -50,6 +49,13 @@ const sockaddr* generic(const Address& address) {
   return reinterpret_cast<const sockaddr*>(&address.name);
 }
 
+/// False if nothing has happened by the deadline.
+bool poll_until(pollfd& descriptor, Link::Time deadline) {
+  const auto left =
+      std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+  return left.count() > 0 && ::poll(&descriptor, 1, static_cast<int>(left.count())) != 0;
+}
+
 }  // namespace
 
 Link::~Link() { ::close(socket_); }
@@ -59,7 +65,12 @@ core::Result<int> Link::connect(int domain, std::chrono::steady_clock::time_poin
   while (true) {
     const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
     if (socket < 0) return core::Error{std::strerror(errno), "supervisor's socket", 0, 0};
-    if (::connect(socket, generic(address), address.size) == 0) return socket;
+    if (::connect(socket, generic(address), address.size) == 0) {
+      if (is_trusted_peer(socket)) return socket;
+      ::close(socket);
+      return core::Error{
+          "domain " + std::to_string(domain) + " is held by a run of another user", {}, 0, 0};
+    }
     ::close(socket);
     if (std::chrono::steady_clock::now() >= deadline) {
       return core::Error{"no run holds domain " + std::to_string(domain) +
@@ -98,21 +109,45 @@ std::optional<std::size_t> Link::send_some(FrameType type, std::string_view payl
   return offset;
 }
 
-bool Link::send_bytes(FrameType type, std::string_view payload) {
+bool Link::post_bytes(FrameType type, std::string_view payload) {
   const Header header = header_of(type, payload);
   const std::lock_guard<std::mutex> lock(sending_);
-  const auto send_all = [&](const char* data, std::size_t left, int more) {
-    while (left > 0) {
-      const ssize_t sent = ::send(socket_, data, left, MSG_NOSIGNAL | more);
-      if (sent < 0 && errno == EINTR) continue;
-      if (sent <= 0) return false;
-      data += sent;
-      left -= static_cast<std::size_t>(sent);
-    }
-    return true;
-  };
-  return send_all(header.data(), header.size(), payload.empty() ? 0 : MSG_MORE) &&
-         send_all(payload.data(), payload.size(), 0);
+  unsent_.append(header.data(), header.size()).append(payload);
+  return flush_locked();
+}
+
+bool Link::flush() {
+  const std::lock_guard<std::mutex> lock(sending_);
+  return flush_locked();
+}
+
+bool Link::flush_locked() {
+  while (sent_of_unsent_ < unsent_.size()) {
+    const ssize_t sent = ::send(socket_, unsent_.data() + sent_of_unsent_,
+                                unsent_.size() - sent_of_unsent_, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) return errno == EAGAIN || errno == EWOULDBLOCK;
+    sent_of_unsent_ += static_cast<std::size_t>(sent);
+  }
+  unsent_.clear();
+  sent_of_unsent_ = 0;
+  return true;
+}
+
+bool Link::has_unsent() const {
+  const std::lock_guard<std::mutex> lock(sending_);
+  return !unsent_.empty();
+}
+
+short Link::poll_events() const { return has_unsent() ? POLLIN | POLLOUT : POLLIN; }
+
+bool Link::flush_until(Time deadline) {
+  while (flush()) {
+    if (!has_unsent()) return true;
+    pollfd descriptor{socket_, POLLOUT, 0};
+    if (!poll_until(descriptor, deadline)) return false;
+  }
+  return false;
 }
 
 bool Link::receive() {
@@ -138,12 +173,29 @@ std::optional<Frame> Link::next() {
   if (received_.size() - consumed_ < kHeaderBytes) return std::nullopt;
   std::uint32_t size = 0;
   std::memcpy(&size, received_.data() + consumed_ + 1, sizeof size);
-  CLEW_CHECK(size <= kMaxPayloadBytes, "a frame of " + std::to_string(size) + " bytes");
+  if (size > most_payload_bytes_) {
+    // Nothing behind it makes sense. The next receive() finds the line closed.
+    ::shutdown(socket_, SHUT_RDWR);
+    received_.clear();
+    consumed_ = 0;
+    return std::nullopt;
+  }
   if (received_.size() - consumed_ < kHeaderBytes + size) return std::nullopt;
   Frame frame{static_cast<FrameType>(received_[consumed_]),
               received_.substr(consumed_ + kHeaderBytes, size)};
   consumed_ += kHeaderBytes + size;
   return frame;
+}
+
+core::Result<Frame> Link::wait_for_frame(Time deadline) {
+  while (true) {
+    if (auto frame = next()) return *std::move(frame);
+    pollfd descriptor{socket_, poll_events(), 0};
+    if (!poll_until(descriptor, deadline)) {
+      return core::Error{"the supervisor does not answer", {}, 0, 0};
+    }
+    if (!flush() || !receive()) return core::Error{"the supervisor has gone", {}, 0, 0};
+  }
 }
 
 std::optional<int> LinkListener::bind(int domain) {
@@ -155,6 +207,17 @@ std::optional<int> LinkListener::bind(int domain) {
     return std::nullopt;
   }
   return socket;
+}
+
+bool may_take_part(std::uint32_t peer_user, std::uint32_t own_user) {
+  return peer_user == own_user || peer_user == 0;
+}
+
+bool is_trusted_peer(int socket) {
+  ucred peer{};
+  socklen_t size = sizeof peer;
+  return ::getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 &&
+         may_take_part(peer.uid, ::geteuid());
 }
 
 }  // namespace clew::bridge

@@ -36,14 +36,14 @@ class Recorder {
         note(sink_.write_ahead());
       }
       if (!failure_.empty()) return give_up();
-      pollfd descriptor{link_.socket(), POLLIN, 0};
+      pollfd descriptor{link_.socket(), link_.poll_events(), 0};
       ::poll(&descriptor, 1, static_cast<int>(kRecorderReportPeriod.count()));
-      if (!link_.receive()) return false;
+      if (!link_.flush() || !link_.receive()) return false;
       while (auto frame = link_.next()) {
         if (frame->type == FrameType::kSamples) record(frame->payload);
         if (frame->type == FrameType::kRecordingEnd && failure_.empty()) {
           const auto why = frame->as<Text>().value_or(Text{});
-          return link_.send(FrameType::kRecorded, sink_.close({why.text, true}));
+          return tell(sink_.close({why.text, true}));
         }
       }
       if (sink_.kept().ticks >= reported_ + kRecorderReportTicks) report(now);
@@ -67,14 +67,19 @@ class Recorder {
   void report(Clock::time_point now) {
     const Kept kept = sink_.kept();
     reported_ = kept.ticks;
-    link_.send(FrameType::kKept, kept);
+    link_.post(FrameType::kKept, kept);
     next_report_ = now + kRecorderReportPeriod;
+  }
+
+  bool tell(RecordingAccount account) {
+    link_.post(FrameType::kRecorded, std::move(account));
+    return link_.flush_until(Clock::now() + kRecorderStartTimeout);
   }
 
   bool give_up() {
     RecordingAccount account;
     account.failure = failure_;
-    link_.send(FrameType::kRecorded, std::move(account));
+    tell(std::move(account));
     return false;
   }
 
@@ -88,17 +93,12 @@ class Recorder {
 
 /// The assignment that follows a hello; an error if the supervisor goes away before.
 Result<RecorderAssignment> take_assignment(Link& link) {
-  link.send(FrameType::kHello, Hello{kRecorderName, ::getpid(), std::string(idl_fingerprint())});
-  while (true) {
-    if (const auto frame = link.next()) {
-      auto assignment = frame->as<RecorderAssignment>();
-      if (frame->type == FrameType::kRecord && assignment) return *std::move(assignment);
-      return Error{"the run has no place for a recorder", {}, 0, 0};
-    }
-    pollfd descriptor{link.socket(), POLLIN, 0};
-    ::poll(&descriptor, 1, -1);
-    if (!link.receive()) return Error{"the supervisor has gone", {}, 0, 0};
-  }
+  link.post(FrameType::kHello, Hello{kRecorderName, ::getpid(), std::string(idl_fingerprint())});
+  const auto frame = link.wait_for_frame(Clock::now() + kAssignmentTimeout);
+  if (!frame.ok()) return frame.error();
+  auto assignment = frame->as<RecorderAssignment>();
+  if (frame->type == FrameType::kRecord && assignment) return *std::move(assignment);
+  return Error{"the run has no place for a recorder", {}, 0, 0};
 }
 
 Result<std::unique_ptr<RunSink>> sink_for(const RecorderAssignment& assignment) {
@@ -137,13 +137,15 @@ int run_recorder_process(int domain, double connect_timeout_s) {
   const auto assignment = take_assignment(link);
   if (!assignment.ok()) return complain(assignment.error());
   auto sink = [&] {
-    const Heartbeat alive(link, "the recorder still reads its file");
+    const Heartbeat alive(
+        [&] { link.post(FrameType::kPreparing, Text{"the recorder still reads its file"}); });
     return sink_for(*assignment);
   }();
   if (!sink.ok()) {
     RecordingAccount account;
     account.failure = sink.error().text();
-    link.send(FrameType::kRecorded, std::move(account));
+    link.post(FrameType::kRecorded, std::move(account));
+    link.flush_until(Clock::now() + kEndGrace);
     return 1;
   }
   return Recorder(link, **sink).run() ? 0 : 1;

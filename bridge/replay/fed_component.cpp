@@ -2,7 +2,6 @@
 #include "replay/fed_component.hpp"
 
 #include <fmt/format.h>
-#include <poll.h>
 
 #include <utility>
 
@@ -72,7 +71,7 @@ Result<void> FedComponent::start(bool by_us, const std::string& prefix) {
 Assignment FedComponent::assignment() const {
   Assignment assignment;
   assignment.run_id = settings_.run_id;
-  assignment.bundle = plan_.bundle;
+  assignment.bundle = bundle_for(plan_, stage_);
   assignment.middleware = middleware_of(stage_, layout_of(settings_));
   assignment.domain = settings_.domain;
   assignment.lease_s = settings_.lease_s;
@@ -91,13 +90,13 @@ Assignment FedComponent::assignment() const {
 }
 
 Result<void> FedComponent::welcome(std::unique_ptr<Link>& link, const Hello& hello) {
-  if (member_.link != nullptr || member_.third_party || hello.stage != stage()) {
+  if (member_.link != nullptr || member_.left_at || member_.third_party || hello.stage != stage()) {
     return Error{"this replay has no place for a component " + hello.stage, {}, 0, 0};
   }
   if (hello.idl_fingerprint != idl_fingerprint()) {
     return Error{"it was built from other IDL files than this replay", {}, 0, 0};
   }
-  link->send(FrameType::kAssignment, assignment());
+  link->post(FrameType::kAssignment, assignment());
   member_.link = std::move(link);
   return {};
 }
@@ -108,8 +107,8 @@ std::vector<std::string> FedComponent::missing() const {
   return missing;
 }
 
-Result<void> FedComponent::handle(const Frame& frame) {
-  member_.note(frame, std::chrono::steady_clock::now());
+Result<void> FedComponent::handle(const Frame& frame, Time now) {
+  member_.note(frame, now);
   if (frame.type == FrameType::kNotice || frame.type == FrameType::kFatal) {
     const auto text = frame.as<Text>();
     if (text && frame.type == FrameType::kFatal) return Error{text->text, {}, 0, 0};
@@ -119,12 +118,7 @@ Result<void> FedComponent::handle(const Frame& frame) {
 }
 
 // The line broke: the process has died, or is dying; its end says more than the line's.
-Error FedComponent::lost() {
-  member_.link.reset();
-  const auto deadline = std::chrono::steady_clock::now() + kEndGrace;
-  while (member_.child && member_.child->running() && std::chrono::steady_clock::now() < deadline) {
-    if (!member_.child->reap()) ::poll(nullptr, 0, 1);
-  }
+Error FedComponent::lost() const {
   const bool told = member_.child && !member_.child->running();
   return {fmt::format("{} {} at tick {}", stage(),
                       told ? fmt::format("(process {}) {}", member_.child->process_id(),
@@ -136,20 +130,26 @@ Error FedComponent::lost() {
           0};
 }
 
-Result<void> FedComponent::serve() {
+Result<void> FedComponent::serve(Time now) {
   CLEW_RETURN_IF_ERROR(comparison_.compare());
   if (member_.link) {
+    member_.link->flush();
     const bool open = member_.link->receive();
-    while (const auto frame = member_.link->next()) CLEW_RETURN_IF_ERROR(handle(*frame));
-    if (!open && !finished()) return lost();
-  } else if (member_.child && member_.child->reap()) {
-    return lost();
+    while (const auto frame = member_.link->next()) CLEW_RETURN_IF_ERROR(handle(*frame, now));
+    if (open) return {};
+    member_.link.reset();
+    member_.left_at = now;
   }
+  if (finished() && !member_.third_party) return {};
+  if (member_.child) member_.child->reap();
+  const bool ended = member_.child && !member_.child->running();
+  const bool left = member_.left_at && (!member_.child || now - *member_.left_at >= kEndGrace);
+  if (ended || left) return lost();
   return {};
 }
 
 void FedComponent::go() {
-  if (member_.starts_ticks && member_.link) member_.link->send(FrameType::kGo, Tick{0});
+  if (member_.starts_ticks && member_.link) member_.link->post(FrameType::kGo, Tick{0});
 }
 
 Result<void> FedComponent::feed(const RecordedTick& recorded) {
@@ -172,7 +172,7 @@ Result<void> FedComponent::feed(const RecordedTick& recorded) {
   comparison_.expect(recorded);
   // Drive begins a tick when it may and has the command of the one before.
   if (member_.starts_ticks && member_.link) {
-    member_.link->send(FrameType::kCredit, Tick{next_tick_});
+    member_.link->post(FrameType::kCredit, Tick{next_tick_});
   }
   return {};
 }
@@ -183,7 +183,7 @@ void FedComponent::finish() {
   if (next_tick_ == 0) {
     member_.finished.emplace();
   } else {
-    member_.link->send(FrameType::kFinish, Tick{next_tick_ - 1});
+    member_.link->post(FrameType::kFinish, Tick{next_tick_ - 1});
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -29,6 +30,8 @@ struct WireSettings {
 /// whose domain it finds a line, an assignment and the writers and readers of the others.
 class FedComponent {
  public:
+  using Time = std::chrono::steady_clock::time_point;
+
   /// `log` takes lines for people. The plan must outlive the component.
   FedComponent(const runtime::RunPlan& plan, const runtime::GraphStage& stage,
                WireSettings settings, std::uint64_t first_compared,
@@ -51,7 +54,7 @@ class FedComponent {
   std::vector<std::string> missing() const;
 
   /// Takes in what it says, and compares what it wrote. An error is its end.
-  core::Result<void> serve();
+  core::Result<void> serve(Time now);
   /// Lets drive begin with tick 0; the others begin with their inputs.
   void go();
   /// It is about to be fed a tick. Refused: one that is not the next, or lacks an input.
@@ -69,8 +72,8 @@ class FedComponent {
 
  private:
   Assignment assignment() const;
-  core::Result<void> handle(const Frame& frame);
-  core::Error lost();
+  core::Result<void> handle(const Frame& frame, Time now);
+  core::Error lost() const;
 
   const runtime::RunPlan& plan_;
   const runtime::GraphStage& stage_;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/composed_run.hpp"
 
-#include <array>
 #include <chrono>
-#include <csignal>
 #include <cstring>
 #include <thread>
 #include <utility>
 
 #include "recording/run_hash.hpp"
+#include "run/end_signals.hpp"
 #include "run/limits.hpp"
 #include "run/sample_account.hpp"
 #include "run/tick_clock.hpp"
@@ -18,42 +17,6 @@ namespace clew::bridge {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-volatile std::sig_atomic_t asked_to_end = 0;
-
-void ask_to_end(int number) { asked_to_end = number; }
-
-/// While it lives, signals that ask for an end are noted instead of ending the process, also those
-/// that came while they were blocked.
-class EndSignals {
- public:
-  EndSignals() {
-    asked_to_end = 0;
-    struct sigaction action {};
-    action.sa_handler = ask_to_end;
-    sigset_t set;
-    sigemptyset(&set);
-    for (std::size_t i = 0; i < kNumbers.size(); ++i) {
-      ::sigaction(kNumbers[i], &action, &before_[i]);
-      sigaddset(&set, kNumbers[i]);
-    }
-    ::sigprocmask(SIG_UNBLOCK, &set, &blocked_before_);
-  }
-  ~EndSignals() {
-    ::sigprocmask(SIG_SETMASK, &blocked_before_, nullptr);
-    for (std::size_t i = 0; i < kNumbers.size(); ++i) {
-      ::sigaction(kNumbers[i], &before_[i], nullptr);
-    }
-  }
-  EndSignals(const EndSignals&) = delete;
-  EndSignals& operator=(const EndSignals&) = delete;
-
- private:
-  static constexpr std::array<int, 3> kNumbers = {SIGINT, SIGTERM, SIGHUP};
-
-  std::array<struct sigaction, kNumbers.size()> before_{};
-  sigset_t blocked_before_{};
-};
 
 /// Keeps the account of every node, and passes the samples on to the recording.
 class Bookkeeper : public runtime::SampleObserver {
@@ -120,11 +83,12 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart
   runtime::ComposedExecutor executor(std::move(start.nodes), &bookkeeper, start.next_tick,
                                      std::move(start.messages));
   TickClock clock(layout.pace, layout.pace_factor, plan.graph.tick_s);
-  const EndSignals signals;
+  EndSignals signals;
 
   RunReport report;
   TickRate rate;
   auto displayed_at = Clock::now();
+  auto next_look = displayed_at;
   clock.start(displayed_at, start.next_tick);
   const RunStatistics& statistics = bookkeeper.account().statistics();
   const auto goes_on = [&] {
@@ -136,14 +100,17 @@ core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart
     executor.step();
     if (executor.next_tick() == start.next_tick + 1) rate.note(executor.next_tick(), Clock::now());
     if (layout.on_record_error == OnRecordError::kStop) report.aborted = bookkeeper.failure();
-    if (asked_to_end != 0) {
-      report.interrupted_by = asked_to_end;
+    const auto now = Clock::now();
+    if (now >= next_look) {
+      next_look = now + kSignalPeriod;
+      report.interrupted_by = signals.take();
+    }
+    if (report.interrupted_by != 0) {
       report.aborted = "interrupted by signal " + std::to_string(report.interrupted_by) + " (" +
                        ::strsignal(report.interrupted_by) + ")";
     }
-    const bool look = !clock.is_free() || executor.next_tick() % kTicksPerLook == 0;
-    if (display && look && Clock::now() - displayed_at >= kDisplayPeriod) {
-      displayed_at = Clock::now();
+    if (display && now - displayed_at >= kDisplayPeriod) {
+      displayed_at = now;
       rate.note(executor.next_tick(), displayed_at);
       display(statistics, rate.per_s());
     }

@@ -34,13 +34,35 @@ inline constexpr double kPatientLease_s = 3600.0;
 inline constexpr auto kFlushPeriod = std::chrono::milliseconds(20);
 /// How often a process says that it lives while it reads a large world or a long recording.
 inline constexpr auto kHeartbeatPeriod = std::chrono::milliseconds(100);
-/// A process that has not reported for so long is killed: a hundred reports of a component, twenty
-/// of a recorder.
-inline constexpr auto kFrozenAfter = std::chrono::seconds(2);
+/// A component that has not reported for so long is killed: ten heartbeats. It must be before its
+/// lease ends for anybody, counted from its last announcement, up to 0.4 s before it froze: a
+/// participant that comes back after that may be known to some and forgotten by others for good.
+inline constexpr auto kFrozenAfter = std::chrono::seconds(1);
+/// In real time nothing is restarted, so a kill is the end of the run: while control is frozen, the
+/// robot rests.
+inline constexpr auto kRealtimeFrozenAfter = std::chrono::seconds(2);
+/// A recorder may wait for its disk; no lease is at stake.
+inline constexpr auto kRecorderFrozenAfter = std::chrono::seconds(2);
+/// After so long without a tick all components are started anew, once: each is alive, so what is
+/// lost is between them.
+inline constexpr auto kStallRestart = std::chrono::seconds(5);
 /// Discovery takes a second at the most; on a machine under full load three were seen.
 inline constexpr auto kLonelyAfter = std::chrono::seconds(4);
 /// No tick for so long means that a component is stuck.
 inline constexpr auto kStallTimeout = std::chrono::seconds(10);
+/// Unless one of them says that it is busy with a step.
+inline constexpr auto kLongestStep = std::chrono::seconds(60);
+
+// ---- what a line may carry ----
+
+/// Before a process has said who it is: more than any hello.
+inline constexpr std::size_t kMostHelloBytes = std::size_t{4} * 1024;
+/// Afterwards: more than any world, checkpoint or batch, less than what a size field can claim.
+inline constexpr std::size_t kMostPayloadBytes = std::size_t{512} << 20;
+/// Connections that have not said hello: more than a run has processes.
+inline constexpr std::size_t kMostNewcomers = 64;
+/// A process says hello as soon as it is connected.
+inline constexpr auto kHelloTimeout = std::chrono::seconds(5);
 
 // ---- start and end ----
 
@@ -68,8 +90,8 @@ inline constexpr std::uint32_t kRecorderRestarts = 100;
 /// The supervisor's look at the clock while nothing arrives.
 inline constexpr auto kPollPeriod = std::chrono::milliseconds(20);
 inline constexpr auto kDisplayPeriod = std::chrono::milliseconds(100);
-/// A composed run looks at the clock for its display once in so many ticks.
-inline constexpr std::uint64_t kTicksPerLook = 256;
+/// A composed run looks this often whether a signal asks for an end: a look costs a system call.
+inline constexpr auto kSignalPeriod = std::chrono::milliseconds(10);
 /// A component reports its progress once in so many ticks: an eighth of the lead and more.
 inline constexpr std::uint64_t kTicksPerReport = 32;
 /// It sends what it wrote in batches of this size at the latest.

@@ -50,9 +50,16 @@ std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const Graph
 
 }  // namespace
 
+runtime::Bundle bundle_for(const runtime::RunPlan& plan, const GraphStage& stage) {
+  runtime::Bundle bundle = plan.bundle;
+  if (!stage.info->knows_world) bundle.erase("world.yaml");
+  return bundle;
+}
+
 void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
                      const std::string& stage, Assignment& assignment) {
-  assignment.bundle = plan.bundle;
+  if (const GraphStage* found = plan.graph.find(stage))
+    assignment.bundle = bundle_for(plan, *found);
   assignment.pace = layout.pace;
   assignment.pace_factor = layout.pace_factor;
   assignment.realtime_priority = layout.realtime_priority;
@@ -102,19 +109,21 @@ std::string component_line(const std::string& program, const std::string& stage,
 }
 
 Launcher::Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
-                   Spooling spooling)
+                   Spooling spooling, StartProcess start)
     : plan_(plan),
       layout_(layout),
       domain_(domain),
       spooling_(spooling),
+      start_(std::move(start)),
       run_id_(std::to_string(::getpid()) + '-' + std::to_string(domain)) {}
 
 core::Result<void> Launcher::start(Member& member) const {
-  auto child = ChildProcess::start(
-      command_of(member, *plan_.graph.find(member.stage), layout_, domain_, run_id_));
+  auto child =
+      start_(command_of(member, *plan_.graph.find(member.stage), layout_, domain_, run_id_));
   if (!child.ok()) return core::Error{member.stage + ": " + child.error().text(), {}, 0, 0};
   member.child = std::move(child).value();
   member.down = false;
+  member.left_at.reset();
   return {};
 }
 
@@ -139,11 +148,9 @@ std::string Launcher::how_to_start(const Member& member) const {
 }
 
 core::Result<Member*> Launcher::admit(const Hello& hello, std::vector<Member>& members) const {
-  const auto member = std::find_if(members.begin(), members.end(), [&](const Member& candidate) {
-    return candidate.stage == hello.stage && !candidate.third_party;
-  });
-  if (member == members.end() || member->link != nullptr) return nullptr;
-  if (hello.idl_fingerprint == idl_fingerprint()) return &*member;
+  Member* const member = find_member(members, hello.stage);
+  if (member == nullptr || member->third_party || member->link || member->left_at) return nullptr;
+  if (hello.idl_fingerprint == idl_fingerprint()) return member;
   return core::Error{hello.stage + " (process " + std::to_string(hello.process_id) +
                          ") was built from other IDL files: its fingerprint is " +
                          hello.idl_fingerprint + ", that of the run is " +

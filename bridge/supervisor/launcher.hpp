@@ -3,12 +3,13 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "core/result.hpp"
-#include "line/link.hpp"
+#include "line/frames.hpp"
 #include "runtime/run_plan.hpp"
 #include "supervisor/member.hpp"
 #include "supervisor/process_layout.hpp"
@@ -17,6 +18,9 @@ namespace clew::bridge {
 
 /// What a person types, anywhere, to start a component of ours: `program` is that of clew.
 std::string component_line(const std::string& program, const std::string& stage, int domain);
+
+/// The files of a run that a stage is told: all, but the world only to one that may know it.
+runtime::Bundle bundle_for(const runtime::RunPlan& plan, const runtime::GraphStage& stage);
 
 /// Adds to an assignment what follows from the plan and its layout: the bundle, the pace, and the
 /// endpoints of others that `stage` must be matched with before tick 0.
@@ -33,11 +37,14 @@ ChildCommand command_of(const Member& member, const runtime::GraphStage& stage,
 /// What a process of a run is told: all that a component of someone else's needs.
 std::map<std::string, std::string> environment_of(int domain, const std::string& run_id);
 
+/// How a program is started: ChildProcess::start but in tests.
+using StartProcess = std::function<core::Result<ChildProcess>(const ChildCommand&)>;
+
 /// Starts the processes of a run, and gives each that reports its assignment.
 class Launcher {
  public:
-  Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
-           Spooling spooling);
+  Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain, Spooling spooling,
+           StartProcess start = ChildProcess::start);
 
   /// Starts a member's process.
   core::Result<void> start(Member& member) const;
@@ -62,6 +69,7 @@ class Launcher {
   const ProcessLayout& layout_;
   int domain_;
   Spooling spooling_;
+  StartProcess start_;
   std::string run_id_;
 };
 

@@ -32,9 +32,17 @@ void Member::note(const Frame& frame, std::chrono::steady_clock::time_point now)
     if (!checkpoints.empty() && checkpoint->tick <= checkpoints.back().tick) return;
     checkpoints.push_back(*std::move(checkpoint));
     if (checkpoints.size() > kCheckpointsKept) checkpoints.pop_front();
+  } else if (frame.type == FrameType::kAlive) {
+    busy = frame.as<Alive>().value_or(Alive{}).busy;
   } else if (frame.type == FrameType::kFinished) {
     finished = frame.as<Finished>();
   }
+}
+
+Member* find_member(std::vector<Member>& members, const std::string& stage) {
+  const auto found = std::find_if(members.begin(), members.end(),
+                                  [&](const Member& member) { return member.stage == stage; });
+  return found == members.end() ? nullptr : &*found;
 }
 
 const Checkpoint* Member::checkpoint_at(std::uint64_t tick) const {

@@ -30,10 +30,13 @@ struct Member {
   std::unique_ptr<Link> link;
   std::vector<std::string> missing;  ///< what it still waits for
   bool ready = false;
+  bool busy = false;  ///< with a step
   Progress progress;
   std::optional<Finished> finished;
   std::chrono::steady_clock::time_point joined_at{};  ///< when it began to wait for the others
   std::chrono::steady_clock::time_point heard_at{};
+  /// When its line broke; its process is about to end.
+  std::optional<std::chrono::steady_clock::time_point> left_at;
   bool was_lonely = false;             ///< killed since it did not find the others
   std::deque<Checkpoint> checkpoints;  ///< the newest last, at most kCheckpointsKept
   // While it is down, or has not yet caught up with itself:
@@ -51,6 +54,9 @@ struct Member {
   /// The checkpoint at `tick`, if it is kept.
   const Checkpoint* checkpoint_at(std::uint64_t tick) const;
 };
+
+/// The member that is this stage; null if there is none.
+Member* find_member(std::vector<Member>& members, const std::string& stage);
 
 /// The newest tick, `limit` at most, at which all of `members` have a checkpoint; 0, the start, if
 /// there is none.

@@ -21,7 +21,7 @@ core::Result<void> RecorderClient::start(Time now) {
 
 void RecorderClient::welcome(std::unique_ptr<Link> link, Time now) {
   if (link_ || account_) return;
-  link->send(FrameType::kRecord,
+  link->post(FrameType::kRecord,
              RecorderAssignment{order_, restarts_ > 0, progress_.durable_ticks});
   link_ = std::move(link);
   heard_at_ = now;
@@ -56,7 +56,7 @@ std::uint64_t RecorderClient::credit() const {
 std::optional<pollfd> RecorderClient::descriptor() const {
   if (!link_) return std::nullopt;
   const auto events = blocked_ ? POLLIN | POLLOUT : POLLIN;
-  return pollfd{link_->socket(), static_cast<decltype(pollfd::events)>(events), 0};
+  return pollfd{link_->socket(), static_cast<short>(events | link_->poll_events()), 0};
 }
 
 void RecorderClient::serve(Time now) {
@@ -67,7 +67,7 @@ void RecorderClient::serve(Time now) {
   // What it said last is read before its end is believed.
   if (!link_ && child_ && child_->reap()) lose();
   if (child_ && child_->running() &&
-      now - heard_at_ > (link_ ? kFrozenAfter : kRecorderStartTimeout)) {
+      now - heard_at_ > (link_ ? kRecorderFrozenAfter : kRecorderStartTimeout)) {
     lines_.push_back("recorder (process " + std::to_string(child_->process_id()) +
                      ") does not report; killing it");
     child_->signal(SIGKILL);
@@ -101,7 +101,9 @@ void RecorderClient::forget_durable() {
 }
 
 void RecorderClient::send(Time now) {
-  if (!reads_samples_) return;
+  // What waits in the line goes first.
+  link_->flush();
+  if (!reads_samples_ || link_->has_unsent()) return;
   const bool worth_it = blocked_ || unsent_bytes_ >= kRecorderBatchBytes ||
                         now - sent_at_ >= kRecorderBatchDelay || ended_;
   if (!worth_it) return;
@@ -118,7 +120,7 @@ void RecorderClient::send(Time now) {
     unsent_bytes_ -= spool.size();
     ++next_;
   }
-  if (ended_ && !end_sent_) end_sent_ = link_->send_bytes(FrameType::kRecordingEnd, ending_);
+  if (ended_ && !end_sent_) end_sent_ = link_->post_bytes(FrameType::kRecordingEnd, ending_);
 }
 
 // Its process has ended.

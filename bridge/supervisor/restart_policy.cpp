@@ -75,10 +75,10 @@ std::vector<Member*> RestartPolicy::due(Time now) {
   return due;
 }
 
-std::vector<std::string> RestartPolicy::kill_frozen(Time now) {
+std::vector<std::string> RestartPolicy::kill_frozen(Time now, Time::duration limit) {
   std::vector<std::string> lines;
   for (Member& member : members_) {
-    if (!member.link || !member.child || now - member.heard_at < kFrozenAfter) continue;
+    if (!member.link || !member.child || now - member.heard_at < limit) continue;
     lines.push_back(member.stage + " (process " + std::to_string(member.child->process_id()) +
                     ") does not report; killing it");
     member.child->signal(SIGKILL);

@@ -1,23 +1,114 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <poll.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/result.hpp"
 #include "recorder/recording_sink.hpp"
 #include "run/run_report.hpp"
+#include "run/tick_rate.hpp"
 #include "runtime/run_plan.hpp"
+#include "supervisor/launcher.hpp"
+#include "supervisor/member.hpp"
 #include "supervisor/process_layout.hpp"
+#include "supervisor/restart_policy.hpp"
+#include "supervisor/run_recording_control.hpp"
+#include "supervisor/third_party_observer.hpp"
 
 namespace clew::bridge {
 
-/// Runs a plan as one process a stage, joined by DDS, until it has an outcome, a component dies, or
-/// SIGINT or SIGTERM arrives; then no process is left. Errors are those that come before anything
-/// is started; what goes wrong later is in the report. The recording, if there is to be one, is
-/// made by one more process; its file must be reserved. `display` may be null.
-core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const ProcessLayout& layout,
-                                      const std::optional<RecordingOrder>& recording,
-                                      const ProgressDisplay& display,
-                                      const ProcessStart& start = {});
+/// Decides what becomes of a run that is spread over processes: who is there, how far each is, who
+/// is brought back, when the run is over. It takes what has arrived on the lines of its members,
+/// and never waits; the time is told to it. Plan and layout must outlive it.
+class Supervisor {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+  using Log = std::function<void(const std::string&)>;
+
+  struct Outside {
+    Log log;                                   ///< a line for people
+    ProgressDisplay display;                   ///< may be null
+    StartProcess start = ChildProcess::start;  ///< starts a program
+  };
+
+  Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
+             const std::optional<RecordingOrder>& recording, const ProcessStart& start,
+             Outside outside, Time now);
+
+  /// Starts the processes, or says how to start those that a person starts.
+  void start();
+  /// A process has said who it is on a new line.
+  void welcome(std::unique_ptr<Link> link, const Hello& hello, Time now);
+  /// What to poll beside the places where processes connect.
+  std::vector<pollfd> descriptors() const;
+  /// Takes what has arrived, and does what is due.
+  void turn(Time now);
+  /// A signal asks for an end.
+  void interrupt(int number);
+  /// Whether the run has an outcome that everybody has confirmed, or was aborted.
+  bool over() const { return !report_.aborted.empty() || all_finished_; }
+
+  /// Ends all processes but the recorder, and tells that one to finish. The only call that waits:
+  /// twice kEndGrace at most.
+  void end_members();
+  /// As turn(), of the recorder alone.
+  void turn_recording(Time now);
+  bool recording_ended() const { return !recording_ || recording_->ended(); }
+  /// How the run went; once it is over.
+  RunReport finish(Time now);
+
+  const std::vector<Member>& members() const { return members_; }
+
+ private:
+  void abort(const std::string& why);
+  void log(const std::vector<std::string>& lines) const;
+  void start_child(Member& member);
+  void refuse(Link& link, const std::string& why) const;
+  void serve(Member& member, Time now);
+  static bool has_ended(Member& member, Time now);
+  void lose(Member& member, Time now);
+  void handle(Member& member, Frame frame, Time now);
+  void note_progress(Member& member, const Progress& progress, Time now);
+  void observe();
+  void watch(Time now);
+  void watch_start(Time now);
+  void watch_stall(Time now);
+  bool may_restart_all() const;
+  std::string ticks_done() const;
+  void abort_start();
+  std::chrono::steady_clock::duration stall_timeout() const;
+  bool everybody_ready() const;
+  bool everybody_finished() const;
+  void go(Time now);
+  void give_credit();
+  RunStatistics statistics() const;
+
+  const runtime::RunPlan& plan_;
+  const ProcessLayout& layout_;
+  const Outside outside_;
+  std::vector<Member> members_;
+  const Launcher launcher_;
+  RestartPolicy restart_policy_;
+  std::optional<RunRecordingControl> recording_;
+  std::unique_ptr<ThirdPartyObserver> observer_;
+  RunReport report_;
+  const Time started_at_;
+  TickRate rate_;
+  bool gone_ = false;
+  bool all_finished_ = false;
+  std::uint64_t credit_;
+  std::optional<std::uint64_t> last_tick_;
+  Time stalled_since_{};
+  std::optional<std::uint64_t> restarted_at_;  ///< tick at which a stall was last answered
+  Time displayed_at_{};
+};
 
 }  // namespace clew::bridge

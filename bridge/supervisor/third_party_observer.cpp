@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "supervisor/member.hpp"
 #include "vendors/participant_factory.hpp"
 
 namespace clew::bridge {
@@ -11,38 +12,29 @@ namespace {
 /// In messages, to users who know of no observer: the component is missed by the run itself.
 constexpr char kName[] = "the run";
 
-/// Has no outputs; its host keeps account of what comes in.
-class Onlooker : public runtime::Component {
- public:
-  void step(const runtime::TickInputs&, runtime::TickOutputs&) override {}
-  void save(core::StateWriter&) const override {}
-  void load(core::StateReader&) override {}
-};
-
 }  // namespace
 
 core::Result<std::unique_ptr<ThirdPartyObserver>> ThirdPartyObserver::create(
     const runtime::RunPlan& plan, Assignment assignment) {
-  runtime::NodePorts ports;
+  runtime::TopicSet topics;
   std::string stages;
   for (const runtime::GraphStage& stage : plan.graph.stages) {
-    if (stage.deployment.exec.empty()) continue;
+    if (!is_third_party(stage)) continue;
     stages += (stages.empty() ? "" : ", ") + stage.info->name;
-    ports.inputs |= stage.ports.outputs;
+    topics |= stage.ports.outputs;
     for (runtime::Topic topic : stage.ports.output_order) {
       assignment.expected.push_back(
           {std::string(domain::topic_name(topic)), true, stage.info->name, true});
     }
   }
-  if (ports.inputs.none()) return std::unique_ptr<ThirdPartyObserver>();
-  ports.declared_inputs = ports.inputs;
+  if (topics.none()) return std::unique_ptr<ThirdPartyObserver>();
 
   const auto vendor = vendor_from_name(assignment.middleware);
   CLEW_CHECK(vendor.has_value(), assignment.middleware);
   std::unique_ptr<ThirdPartyObserver> self(new ThirdPartyObserver);
   self->stages_ = std::move(stages);
   ThirdPartyObserver* raw = self.get();
-  const auto on_notice = [raw](std::string text) {
+  const auto on_refused = [raw](std::string text) {
     const std::lock_guard<std::mutex> lock(raw->mutex_);
     raw->notices_.push_back(std::move(text));
   };
@@ -51,70 +43,37 @@ core::Result<std::unique_ptr<ThirdPartyObserver>> ThirdPartyObserver::create(
     raw->fatal_ = std::move(text);
   };
   self->barrier_ = std::make_unique<StartBarrier>(
-      kName, assignment.expected, StartBarrier::Handlers{[] {}, on_notice, on_fatal});
+      kName, assignment.expected, StartBarrier::Handlers{[] {}, on_refused, on_fatal});
   auto participant =
       create_participant(*vendor, {assignment.domain, kName, assignment.lease_s}, *self->barrier_);
   if (!participant.ok()) return participant.error();
   self->participant_ = std::move(participant).value();
-  runtime::Node node(kName, std::move(ports), std::make_unique<Onlooker>(), plan.graph.tick_s);
-  self->host_ = std::make_unique<NodeHost>(
-      std::move(node), assignment, plan,
-      NodeHost::Handlers{on_notice, on_fatal,
-                         [raw](const Progress& progress) {
-                           const std::lock_guard<std::mutex> lock(raw->mutex_);
-                           raw->progress_ = progress;
-                         },
-                         [](const Checkpoint&) {},
-                         [raw](const std::string& spool) {
-                           const std::lock_guard<std::mutex> lock(raw->mutex_);
-                           raw->spooled_ += spool;
-                         }},
-      true);
-  CLEW_RETURN_IF_ERROR(self->host_->open(*self->participant_, *self->barrier_));
+  self->account_ =
+      std::make_unique<InputAccount>(kName, topics, assignment, plan.setup.behaviour.scan);
+  CLEW_RETURN_IF_ERROR(self->account_->open(*self->participant_, *self->barrier_));
   return self;
 }
 
-void ThirdPartyObserver::poll() { host_->flush(); }
-
-std::uint64_t ThirdPartyObserver::ticks() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return progress_.ticks;
-}
-
-std::string ThirdPartyObserver::ticks_text() const {
-  return ' ' + stages_ + ' ' + std::to_string(ticks());
-}
-
-bool ThirdPartyObserver::finished(std::uint64_t last_tick) const {
-  return host_->finished(last_tick).has_value();
-}
-
-RunStatistics ThirdPartyObserver::statistics() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return progress_.statistics;
-}
-
-std::uint64_t ThirdPartyObserver::refused_samples() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return progress_.refused_samples;
+void ThirdPartyObserver::poll() {
+  spooled_ += account_->take_spooled();
+  progress_ = account_->progress();
 }
 
 std::map<std::string, core::Hash128> ThirdPartyObserver::chains() const {
-  const auto finished = host_->finished(0);
+  const auto finished = account_->finished(0);
   return finished ? finished->chains : std::map<std::string, core::Hash128>{};
 }
 
-std::string ThirdPartyObserver::take_spooled() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return std::exchange(spooled_, {});
-}
-
 std::vector<std::string> ThirdPartyObserver::take_notices() {
+  std::vector<std::string> notices = account_->take_notices();
   const std::lock_guard<std::mutex> lock(mutex_);
-  return std::exchange(notices_, {});
+  for (std::string& notice : notices_) notices.push_back(std::move(notice));
+  notices_.clear();
+  return notices;
 }
 
 std::optional<std::string> ThirdPartyObserver::fatal() const {
+  if (const auto fatal = account_->fatal()) return fatal;
   const std::lock_guard<std::mutex> lock(mutex_);
   return fatal_;
 }

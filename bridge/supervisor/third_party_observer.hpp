@@ -6,9 +6,10 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "component/node_host.hpp"
+#include "component/input_account.hpp"
 #include "component/start_barrier.hpp"
 #include "dds/participant.hpp"
 #include "runtime/run_plan.hpp"
@@ -25,15 +26,16 @@ class ThirdPartyObserver {
 
   bool ready() const { return barrier_->missing().empty(); }
   std::vector<std::string> missing() const { return barrier_->missing(); }
+  /// Takes over what has come. What is spooled is of ticks before ticks().
   void poll();
-  std::uint64_t ticks() const;
+  std::uint64_t ticks() const { return progress_.ticks; }
   /// How many ticks all the components that it reads have done: ` control 57`.
-  std::string ticks_text() const;
-  bool finished(std::uint64_t last_tick) const;
-  RunStatistics statistics() const;
-  std::uint64_t refused_samples() const;
+  std::string ticks_text() const { return ' ' + stages_ + ' ' + std::to_string(ticks()); }
+  bool finished(std::uint64_t last_tick) const { return account_->finished(last_tick).has_value(); }
+  const RunStatistics& statistics() const { return progress_.statistics; }
+  std::uint64_t refused_samples() const { return progress_.refused_samples; }
   std::map<std::string, core::Hash128> chains() const;
-  std::string take_spooled();
+  std::string take_spooled() { return std::exchange(spooled_, {}); }
   std::vector<std::string> take_notices();
   std::optional<std::string> fatal() const;
 
@@ -42,13 +44,13 @@ class ThirdPartyObserver {
 
   std::string stages_;  ///< that it reads: `control`
   mutable std::mutex mutex_;
-  Progress progress_;
-  std::string spooled_;
   std::vector<std::string> notices_;
   std::optional<std::string> fatal_;
+  Progress progress_;
+  std::string spooled_;
   std::unique_ptr<StartBarrier> barrier_;
   std::unique_ptr<Participant> participant_;
-  std::unique_ptr<NodeHost> host_;  // closed before the participant
+  std::unique_ptr<InputAccount> account_;  // closed before the participant
 };
 
 }  // namespace clew::bridge

@@ -50,6 +50,8 @@ TEST(Structure, FilesAreShortNamedForWhatTheyHoldAndLicensed) {
 
 TEST(Structure, FunctionsAreShort) { EXPECT_EQ(broken(check_functions), ""); }
 
+TEST(Structure, ClassesAreShort) { EXPECT_EQ(broken(check_classes), ""); }
+
 const std::set<std::string> kOwn = {"core/angle.hpp",      "domain/topics.hpp", "world/world.hpp",
                                     "runtime/node.hpp",    "sense/cones.hpp",   "control/stage.hpp",
                                     "dds/participant.hpp", "fastdds/types.hpp", "clew/version.hpp"};
@@ -279,6 +281,54 @@ TEST(FunctionRule, LetsNamespacesClassesAndTablesBeLong) {
     EXPECT_TRUE(functions(head + ('\n' + body(60)) + "};\n").empty()) << head;
   }
   EXPECT_TRUE(functions("namespace a {\n" + body(60, "") + "}\n").empty());
+}
+
+Texts classes(const std::string& text) { return check_classes(source_file("tools/a.hpp", text)); }
+
+TEST(ClassRule, LimitsTheLengthOfClasses) {
+  EXPECT_TRUE(classes("class A {\n" + body(250) + "};\n").empty());
+  EXPECT_EQ(classes("\nclass A final : public B {\n" + body(251) + "};\n"),
+            (Texts{"tools/a.hpp:2: a class of 251 lines, over 250: two classes"}));
+  EXPECT_EQ(classes("template <typename T>\nstruct A {\n" + body(251) + "};\n").size(), 1U);
+}
+
+TEST(ClassRule, CountsAClassWithinAnotherForBoth) {
+  const std::string inner = "  struct B {\n" + body(251, "    ") + "  };\n";
+
+  EXPECT_EQ(classes("class A {\n" + inner + "};\n").size(), 2U);
+  EXPECT_EQ(classes("class A {\n" + body(200) + "};\nclass C {\n" + body(200) + "};\n").size(), 0U);
+}
+
+TEST(ClassRule, PassesOverDeclarationsAndFunctions) {
+  EXPECT_TRUE(classes("class A;\nclass B : public A {};\n" + body(300)).empty());
+  EXPECT_TRUE(classes("struct A make(struct B b) {\n" + body(300) + "}\n").empty());
+}
+
+// The arrows of bridge, one for each that was once the other way.
+TEST(LayerRule, NoRoomOfBridgeKnowsOneAboveIt) {
+  const std::set<std::string> own = {"vendors/a.hpp",    "supervisor/a.hpp", "line/a.hpp",
+                                     "recorder/a.hpp",   "component/a.hpp",  "run/a.hpp",
+                                     "cyclonedds/a.hpp", "replay/a.hpp"};
+  const auto refused = [&](const std::string& folder, const std::string& included) {
+    return !check_layers(
+                source_file("bridge/" + folder + "/b.cpp", "#include \"" + included + "/a.hpp\""),
+                own)
+                .empty();
+  };
+
+  EXPECT_TRUE(refused("dds", "cyclonedds"));
+  EXPECT_TRUE(refused("cyclonedds", "vendors"));
+  EXPECT_TRUE(refused("run", "line"));
+  EXPECT_TRUE(refused("line", "component"));
+  EXPECT_TRUE(refused("component", "recorder"));
+  EXPECT_TRUE(refused("recorder", "component"));
+  EXPECT_TRUE(refused("component", "supervisor"));
+  EXPECT_TRUE(refused("recorder", "supervisor"));
+  EXPECT_TRUE(refused("supervisor", "replay"));
+  EXPECT_TRUE(refused("supervisor", "cyclonedds"));
+  EXPECT_FALSE(refused("supervisor", "component"));
+  EXPECT_FALSE(refused("supervisor", "recorder"));
+  EXPECT_FALSE(refused("replay", "supervisor"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kMostGraphLines = 60;
 constexpr std::size_t kMostBodyLines = 50;
+constexpr std::size_t kMostClassLines = 250;
 constexpr std::size_t kLicenceWithin = 3;  // after the line that names an interpreter
 
 /// A call of a function whose last bits differ between processors.
@@ -171,6 +172,25 @@ std::vector<std::string> check_functions(const SourceFile& file) {
                                     std::to_string(kMostBodyLines) + ": two functions"));
     }
     i = close;
+  }
+  return found;
+}
+
+std::vector<std::string> check_classes(const SourceFile& file) {
+  static const std::regex kHead(R"(^\s*(template <.*>\s*)?(class|struct)\s+[\w:]+[^;()]*\{\s*$)");
+  std::vector<std::string> found;
+  if (!is_c_or_cpp(file)) return found;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    const std::string& head = file.lines[i];
+    if (!std::regex_search(head, kHead)) continue;
+    // clang-format puts the closing brace below the head.
+    const std::string closing = std::string(head.find_first_not_of(' '), ' ') + "};";
+    std::size_t close = i;
+    while (close < file.lines.size() && file.lines[close] != closing) ++close;
+    if (close - i <= kMostClassLines + 1) continue;
+    found.push_back(violation(file, i + 1,
+                              "a class of " + std::to_string(close - i - 1) + " lines, over " +
+                                  std::to_string(kMostClassLines) + ": two classes"));
   }
   return found;
 }

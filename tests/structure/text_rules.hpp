@@ -20,4 +20,7 @@ std::vector<std::string> check_shape(const SourceFile& file);
 /// No body of a function in C or C++ is over 50 lines, as clang-format lays them out.
 std::vector<std::string> check_functions(const SourceFile& file);
 
+/// No class is over 250 lines from brace to brace.
+std::vector<std::string> check_classes(const SourceFile& file);
+
 }  // namespace clew::structure

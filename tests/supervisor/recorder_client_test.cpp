@@ -24,9 +24,9 @@ class Recorder {
     keeper.welcome(std::make_unique<Link>(sockets[1]), std::chrono::steady_clock::now());
   }
 
-  void report(const Kept& kept) { line_->send(FrameType::kKept, kept); }
+  void report(const Kept& kept) { line_->post(FrameType::kKept, kept); }
   void say_how_it_went(RecordingAccount account) {
-    line_->send(FrameType::kRecorded, std::move(account));
+    line_->post(FrameType::kRecorded, std::move(account));
   }
   /// The samples' bytes that come in all. A line takes less than a batch at a time, so a batch is
   /// here after a few turns at the latest.

@@ -80,7 +80,7 @@ class Endings(unittest.TestCase):
         process = subprocess.Popen([CLEW, "run", "krishna_kalra", *IN_WORLD, "--pace", "5x", "--layout",
                                     "composed"], text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        self.assertTrue(wait_until(lambda: treats(process.pid, signal.SIGINT, "SigCgt")))
+        self.assertTrue(wait_until(lambda: treats(process.pid, signal.SIGINT, "SigBlk")))
 
         process.send_signal(signal.SIGINT)
         out, err = process.communicate(timeout=10)

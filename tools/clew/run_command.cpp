@@ -18,11 +18,11 @@
 #include "recorder/recorder_process.hpp"
 #include "recorder/recording_sink.hpp"
 #include "run/composed_run.hpp"
-#include "run/signal_queue.hpp"
+#include "run/end_signals.hpp"
 #include "runtime/middleware.hpp"
 #include "stages/all.hpp"
 #include "supervisor/launcher.hpp"
-#include "supervisor/supervisor.hpp"
+#include "supervisor/process_run.hpp"
 
 namespace clew::tools {
 namespace {
@@ -267,7 +267,7 @@ void judge_recording(const bridge::ProcessLayout& layout, bridge::RunReport& rep
 
 int run_command(const RunOptions& options) {
   // From here on a signal ends the run with a report, also one that comes before the first tick.
-  const bridge::SignalQueue signals;
+  const bridge::EndSignals signals;
   if (const auto checked = check_options(options); !checked.ok()) return complain(checked.error());
   const auto speed = read_pace(options.pace);
   if (!speed.ok()) return complain(speed.error());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "run/signal_queue.hpp"
+#include "run/end_signals.hpp"
 
 #include <sys/signalfd.h>
 #include <unistd.h>
@@ -8,19 +8,19 @@
 
 namespace clew::bridge {
 
-SignalQueue::SignalQueue() {
+EndSignals::EndSignals() {
   sigemptyset(&set_);
   for (int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set_, number);
   ::sigprocmask(SIG_BLOCK, &set_, &before_);
   descriptor_ = ::signalfd(-1, &set_, SFD_NONBLOCK | SFD_CLOEXEC);
 }
 
-SignalQueue::~SignalQueue() {
+EndSignals::~EndSignals() {
   ::close(descriptor_);
   ::sigprocmask(SIG_SETMASK, &before_, nullptr);
 }
 
-int SignalQueue::take() {
+int EndSignals::take() {
   int asked = 0;
   signalfd_siginfo info{};
   while (::read(descriptor_, &info, sizeof info) == sizeof info) {

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "component/start_barrier.hpp"
+#include "dds/participant.hpp"
+#include "line/frames.hpp"
+#include "run/sample_account.hpp"
+#include "runtime/input_buffer.hpp"
+#include "wire/codec.hpp"
+
+namespace clew::bridge {
+
+/// Keeps account of topics whose writers keep none: reads them, tick by tick, and hashes, counts
+/// and spools the canonical form of what came. Samples come on the vendor's threads; all else may
+/// be asked from any thread.
+class InputAccount {
+ public:
+  /// Says of whom it is in messages, and of which topics; `scan` is the arrangement of beams that
+  /// scans must have.
+  InputAccount(std::string name, const runtime::TopicSet& topics, const Assignment& assignment,
+               const domain::ScanLayout& scan);
+  ~InputAccount();
+  InputAccount(const InputAccount&) = delete;
+  InputAccount& operator=(const InputAccount&) = delete;
+
+  /// Creates the readers. `barrier` and `participant` must outlive the account.
+  core::Result<void> open(Participant& participant, const StartBarrier& barrier);
+
+  Progress progress() const;
+  /// The chains, if every tick up to `last_tick` is accounted for; else none yet.
+  std::optional<Finished> finished(std::uint64_t last_tick) const;
+  /// What was spooled since the last call, for for_each_spooled.
+  std::string take_spooled();
+  /// Lines for the log since the last call.
+  std::vector<std::string> take_notices();
+  /// Why the run cannot go on, if it cannot.
+  std::optional<std::string> fatal() const;
+
+ private:
+  template <typename Message>
+  std::unique_ptr<SampleListener> listener(const StartBarrier& barrier);
+  template <typename Message>
+  void deliver(Message& message);
+  void refuse(domain::Topic topic, const core::Error& error);
+  void take_tick();
+
+  const std::string name_;
+  const runtime::TopicSet topics_;
+  const domain::ScanLayout scan_;
+  const std::string user_data_;
+  const int history_depth_;
+  const bool lockstep_;
+
+  mutable std::mutex mutex_;
+  runtime::InputBuffer buffer_;
+  domain::Messages messages_;
+  Codecs codecs_;
+  SampleAccount account_;
+  std::uint64_t refused_samples_ = 0;
+  std::vector<std::string> notices_;
+  std::optional<std::string> fatal_;
+  std::vector<std::unique_ptr<SampleListener>> listeners_;
+  std::vector<std::unique_ptr<SampleReader>> readers_;  // closed before the listeners go
+};
+
+}  // namespace clew::bridge

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "supervisor/process_run.hpp"
+
+#include <poll.h>
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "line/acceptor.hpp"
+#include "line/domain_lock.hpp"
+#include "run/end_signals.hpp"
+#include "run/limits.hpp"
+#include "supervisor/supervisor.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Until a line, a newcomer or a signal has something to say, or something may be due.
+void wait_for_something(const Supervisor& supervisor, const Acceptor& acceptor,
+                        const EndSignals& signals) {
+  std::vector<pollfd> descriptors = supervisor.descriptors();
+  descriptors.push_back({signals.descriptor(), POLLIN, 0});
+  for (const int socket : acceptor.sockets()) descriptors.push_back({socket, POLLIN, 0});
+  ::poll(descriptors.data(), descriptors.size(), static_cast<int>(kPollPeriod.count()));
+}
+
+void take_arrivals(Supervisor& supervisor, Acceptor& acceptor) {
+  const auto now = Clock::now();
+  for (auto& [link, hello] : acceptor.arrivals(now)) {
+    supervisor.welcome(std::move(link), hello, now);
+  }
+}
+
+}  // namespace
+
+core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const ProcessLayout& layout,
+                                      const std::optional<RecordingOrder>& recording,
+                                      const ProgressDisplay& display, const ProcessStart& start) {
+  const auto lock = DomainLock::take(layout.domain);
+  if (!lock.ok()) return lock.error();
+  Acceptor acceptor(*lock);
+  EndSignals signals;  // before any thread of a vendor's
+  const auto say = [](const std::string& line) {
+    std::fprintf(stderr, "clew: %s\n", line.c_str());
+  };
+  Supervisor supervisor(plan, layout, lock->domain(), recording, start, {say, display},
+                        Clock::now());
+  supervisor.start();
+  while (!supervisor.over()) {
+    wait_for_something(supervisor, acceptor, signals);
+    if (const int number = signals.take()) supervisor.interrupt(number);
+    take_arrivals(supervisor, acceptor);
+    supervisor.turn(Clock::now());
+  }
+  supervisor.end_members();
+  // The recorder may still die and come back. A second signal ends the patience with it.
+  while (!supervisor.recording_ended() && signals.take() == 0) {
+    wait_for_something(supervisor, acceptor, signals);
+    take_arrivals(supervisor, acceptor);
+    supervisor.turn_recording(Clock::now());
+  }
+  return supervisor.finish(Clock::now());
+}
+
+}  // namespace clew::bridge

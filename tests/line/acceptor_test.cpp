@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "line/acceptor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "dds/rtps_ports.hpp"
+#include "socket_pair.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using Time = Acceptor::Time;
+
+const Time kNow = std::chrono::steady_clock::now();
+
+class Door : public testing::Test {
+ protected:
+  Door() : lock_(DomainLock::take({})) { EXPECT_TRUE(lock_.ok()); }
+
+  /// A process that has connected.
+  std::unique_ptr<Link> connect() {
+    const auto socket = Link::connect(lock_->domain(), std::chrono::steady_clock::now());
+    EXPECT_TRUE(socket.ok());
+    return std::make_unique<Link>(*socket);
+  }
+
+  core::Result<DomainLock> lock_;
+  Acceptor acceptor_{*lock_};
+};
+
+TEST_F(Door, LetsInWhoSaysHello) {
+  const auto sense = connect();
+  sense->post(FrameType::kHello, Hello{"sense", 42, "fingerprint"});
+
+  const auto arrivals = acceptor_.arrivals(kNow);
+
+  ASSERT_EQ(arrivals.size(), 1u);
+  EXPECT_EQ(arrivals[0].second.stage, "sense");
+  EXPECT_EQ(acceptor_.sockets().size(), 1u) << "nobody waits any more";
+}
+
+TEST_F(Door, WaitsForWhoHasNotSpokenButNotForEver) {
+  const auto silent = connect();
+
+  EXPECT_TRUE(acceptor_.arrivals(kNow).empty());
+  EXPECT_EQ(acceptor_.sockets().size(), 2u);
+  acceptor_.arrivals(kNow + kHelloTimeout + std::chrono::milliseconds(1));
+
+  EXPECT_EQ(acceptor_.sockets().size(), 1u);
+  EXPECT_FALSE(silent->receive()) << "it is told by the end of its line";
+}
+
+TEST_F(Door, TurnsAwayWhoSaysSomethingElse) {
+  const auto other = connect();
+  other->post(FrameType::kFatal, Text{"stop all"});
+
+  EXPECT_TRUE(acceptor_.arrivals(kNow).empty());
+
+  EXPECT_EQ(acceptor_.sockets().size(), 1u);
+}
+
+TEST_F(Door, TurnsAwayAFrameLargerThanAnyHello) {
+  const auto large = connect();
+  large->post_bytes(FrameType::kHello, std::string(kMostHelloBytes + 1, 'x'));
+
+  EXPECT_TRUE(acceptor_.arrivals(kNow).empty());
+  EXPECT_TRUE(acceptor_.arrivals(kNow).empty());
+
+  EXPECT_EQ(acceptor_.sockets().size(), 1u);
+}
+
+TEST_F(Door, SendsTheOldestAwayWhenTooManyStandBeforeIt) {
+  std::vector<std::unique_ptr<Link>> crowd;
+  for (std::size_t i = 0; i <= kMostNewcomers; ++i) {
+    crowd.push_back(connect());
+    acceptor_.arrivals(kNow);
+  }
+
+  EXPECT_EQ(acceptor_.sockets().size(), 1 + kMostNewcomers);
+  EXPECT_FALSE(crowd[0]->receive());
+  crowd.back()->post(FrameType::kHello, Hello{"sense", 42, "fingerprint"});
+  EXPECT_EQ(acceptor_.arrivals(kNow).size(), 1u);
+}
+
+TEST(DomainLock, IsHeldByOneAtATime) {
+  const auto first = DomainLock::take({});
+  ASSERT_TRUE(first.ok());
+
+  const auto second = DomainLock::take(first->domain());
+  const auto third = DomainLock::take({});
+
+  ASSERT_FALSE(second.ok());
+  EXPECT_EQ(second.error().message,
+            "domain " + std::to_string(first->domain()) + " is held by another run");
+  ASSERT_TRUE(third.ok());
+  EXPECT_NE(third->domain(), first->domain());
+}
+
+TEST(DomainLock, EndsWithItsObject) {
+  int domain = 0;
+  {
+    const auto lock = DomainLock::take({});
+    ASSERT_TRUE(lock.ok());
+    domain = lock->domain();
+  }
+
+  EXPECT_TRUE(DomainLock::take(domain).ok());
+}
+
+TEST(DomainLock, RefusesADomainThatOverlapsThePortsOfTheKernel) {
+  EXPECT_FALSE(DomainLock::take(kMaxDomain + 1).ok());
+  EXPECT_FALSE(DomainLock::take(-1).ok());
+}
+
+}  // namespace
+}  // namespace clew::bridge

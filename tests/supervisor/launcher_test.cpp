@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "supervisor/launcher.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "run/limits.hpp"
+#include "sleeping_process.hpp"
+#include "small_plan.hpp"
+#include "wire/codec.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+class Launch : public testing::Test {
+ protected:
+  Launch() { layout_.program = "/opt/clew bin/clew"; }
+  Launcher launcher() {
+    return Launcher(plan_, layout_, 5, Spooling::kSamples, [this](const ChildCommand& command) {
+      started_ = command;
+      return start_sleeping(command);
+    });
+  }
+
+  runtime::RunPlan plan_ = small_plan("my_control, --fast");
+  ProcessLayout layout_;
+  ChildCommand started_;
+};
+
+TEST_F(Launch, StartsOurComponentsByTheirNameAndTellsTheDomain) {
+  auto members = list_members(plan_, layout_);
+  Member& sense = *find_member(members, "sense");
+
+  ASSERT_TRUE(launcher().start(sense).ok());
+
+  EXPECT_EQ(started_.arguments, (Texts{"/opt/clew bin/clew", "component", "-", "sense"}));
+  EXPECT_EQ(started_.environment.at("CLEW_DOMAIN_ID"), "5");
+  EXPECT_FALSE(started_.may_start_others);
+  end_now(*sense.child);
+}
+
+TEST_F(Launch, StartsAThirdPartyByItsOwnCommandWithWhatItsVendorReads) {
+  auto members = list_members(plan_, layout_);
+  Member& control = *find_member(members, "control");
+
+  ASSERT_TRUE(launcher().start(control).ok());
+
+  EXPECT_EQ(started_.arguments, (Texts{"my_control", "--fast"}));
+  EXPECT_TRUE(started_.may_start_others);
+  EXPECT_NE(started_.environment.at("CYCLONEDDS_URI").find("<ExternalDomainId>5<"),
+            std::string::npos);
+  end_now(*control.child);
+}
+
+TEST_F(Launch, PutsAPrefixInFrontAndLeavesItTheTerminal) {
+  layout_.prefix["sense"] = "gdb --args";
+  auto members = list_members(plan_, layout_);
+  Member& sense = *find_member(members, "sense");
+
+  ASSERT_TRUE(launcher().start(sense).ok());
+
+  EXPECT_EQ(started_.arguments[2], "exec gdb --args \"$@\"");
+  EXPECT_TRUE(started_.keeps_terminal);
+  EXPECT_TRUE(launcher().patient());
+  EXPECT_EQ(launcher().assignment_for(sense).lease_s, kPatientLease_s);
+  end_now(*sense.child);
+}
+
+TEST_F(Launch, TellsAPersonWhatToTypeQuotedForAShell) {
+  layout_.external = {"sense"};
+  auto members = list_members(plan_, layout_);
+
+  EXPECT_EQ(launcher().how_to_start(*find_member(members, "sense")),
+            "waiting for sense; start it with: '/opt/clew bin/clew' component - sense --domain 5");
+}
+
+TEST_F(Launch, AdmitsEachComponentOnceAndThirdPartiesNever) {
+  auto members = list_members(plan_, layout_);
+  const std::string fingerprint(idl_fingerprint());
+  const Launcher launcher = this->launcher();
+
+  EXPECT_EQ(*launcher.admit({"sense", 1, fingerprint}, members), find_member(members, "sense"));
+  EXPECT_EQ(*launcher.admit({"control", 1, fingerprint}, members), nullptr);
+  EXPECT_EQ(*launcher.admit({"plan", 1, fingerprint}, members), nullptr);
+  EXPECT_FALSE(launcher.admit({"sense", 1, "00"}, members).ok());
+}
+
+TEST_F(Launch, TellsAComponentWhomToWaitFor) {
+  auto members = list_members(plan_, layout_);
+
+  const Assignment drive = launcher().assignment_for(*find_member(members, "drive"));
+
+  const auto command = std::find_if(drive.expected.begin(), drive.expected.end(),
+                                    [](const auto& one) { return one.topic == "command"; });
+  ASSERT_NE(command, drive.expected.end());
+  EXPECT_TRUE(command->is_writer);
+  EXPECT_EQ(command->stage, "control");
+  EXPECT_TRUE(command->third_party);
+  EXPECT_EQ(drive.lease_s, kLease_s);
+  EXPECT_EQ(drive.lead, kLead);
+}
+
+TEST_F(Launch, SaysWhatCannotBeStarted) {
+  auto members = list_members(plan_, layout_);
+  const Launcher real(plan_, layout_, 5, Spooling::kNothing);
+
+  const auto started = real.start(*find_member(members, "sense"));
+
+  ASSERT_FALSE(started.ok());
+  EXPECT_NE(started.error().text().find("sense: "), std::string::npos);
+  EXPECT_NE(started.error().text().find("No such file or directory"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace clew::bridge

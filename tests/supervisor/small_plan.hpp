@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "runtime/config_source.hpp"
+#include "runtime/run_plan.hpp"
+#include "stages/all.hpp"
+
+namespace clew::bridge {
+
+/// A graph of drive, sense and control in a shipped world. `exec`: of control, which then is a
+/// component of someone else's.
+inline runtime::RunPlan small_plan(const std::string& exec = {}) {
+  const std::string control =
+      exec.empty() ? "{behaviour: krishna_kalra_fuzzy}" : "{exec: [" + exec + "]}";
+  const runtime::Bundle bundle = [&] {
+    const runtime::ConfigPath shipped({CLEW_SOURCE_DIR "/configs"});
+    auto plan = runtime::prepare_run("krishna_kalra", {}, shipped, stages::all());
+    EXPECT_TRUE(plan.ok()) << plan.error().text();
+    runtime::Bundle files = plan->bundle;
+    files["graph.yaml"] =
+        "world: world\nrobot: robot\nsense: {behaviour: cones}\ncontrol: " + control +
+        "\ndrive: {behaviour: turn_then_step}\n";
+    return files;
+  }();
+  auto plan = runtime::prepare_run(bundle, stages::all());
+  EXPECT_TRUE(plan.ok()) << plan.error().text();
+  return std::move(plan).value();
+}
+
+}  // namespace clew::bridge
