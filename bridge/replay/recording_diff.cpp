@@ -61,7 +61,14 @@ class DiffBuilder {
     TopicDiff& topic = diff_.topics[sample.topic];
     ++(is_a ? topic.samples_a : topic.samples_b);
     ++(is_a ? topic.only_a : topic.only_b);
-    if (!diff_.first) diff_.first = {sample.topic, sample.tick, missing_sample(!is_a)};
+    const bool is_shared = diff_.topics_of_one.count(sample.topic) == 0;
+    auto& first = is_shared ? diff_.first : first_of_one_;
+    if (!first) first = {sample.topic, sample.tick, missing_sample(!is_a)};
+  }
+
+  /// Where topics that both have do not differ, those that only one has do.
+  void close() {
+    if (!diff_.first) diff_.first = std::move(first_of_one_);
   }
 
   void add_pair(const SampleView& a, const SampleView& b) {
@@ -78,6 +85,7 @@ class DiffBuilder {
 
  private:
   RecordingDiff& diff_;
+  std::optional<SampleDifference> first_of_one_;
   SampleComparison comparison_;
 };
 
@@ -101,6 +109,7 @@ core::Result<void> diff_samples(const RunRecording& a, const RunRecording& b, do
       CLEW_RETURN_IF_ERROR(samples_b.advance());
     }
   }
+  builder.close();
   return {};
 }
 
@@ -174,6 +183,10 @@ core::Result<RecordingDiff> diff_recordings(const RunRecording& a, const RunReco
   RecordingDiff diff;
   diff_values(values_of(a.description()), values_of(b.description()), diff.configuration);
   diff_files(a.description().bundle, b.description().bundle, diff.configuration);
+  for (const domain::Topic topic : domain::kAllTopics) {
+    const bool in_a = a.description().schemas.count(topic) > 0;
+    if (in_a != (b.description().schemas.count(topic) > 0)) diff.topics_of_one[topic] = in_a;
+  }
   CLEW_RETURN_IF_ERROR(diff_samples(a, b, tolerance, diff));
   return diff;
 }

@@ -31,7 +31,10 @@ struct ConfigurationDifference {
 };
 
 struct RecordingDiff {
-  std::optional<SampleDifference> first;  ///< in canonical order: tick, topic
+  /// In canonical order: tick, topic. Of the topics that both recordings have, so that it tells
+  /// where behaviour parts; of the others only if those are equal.
+  std::optional<SampleDifference> first;
+  std::map<domain::Topic, bool> topics_of_one;  ///< topics of one graph only; whether it is a's
   std::map<domain::Topic, TopicDiff> topics;
   std::vector<ConfigurationDifference> configuration;  ///< counts for nothing
 

@@ -1,17 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/run_statistics.hpp"
 
-namespace clew::bridge {
+#include "core/geometry.hpp"
 
-void RunStatistics::add(const domain::State& state) {
-  truth = RunTruth{state.stamp.tick,           state.outcome,
-                   state.stamp.sim_time_s,     state.path_length_m,
-                   state.pose_world_robot.x_m, state.pose_world_robot.y_m,
-                   state.collisions,           state.hit_by,
-                   state.safety_stops};
+namespace clew::bridge {
+namespace {
+
+bool has_left(const Standstill& spot, const domain::State& state) {
+  const core::Vec2 moved(state.pose_world_robot.x_m - spot.x_m,
+                         state.pose_world_robot.y_m - spot.y_m);
+  return core::length(moved) > Standstill::kSpot_m;
 }
 
-void RunStatistics::add(const domain::Guidance& guidance) { mode = guidance.mode; }
+Standstill standstill_at(const domain::State& state) {
+  return {state.stamp.tick,           state.stamp.sim_time_s, state.pose_world_robot.x_m,
+          state.pose_world_robot.y_m, state.collisions,       state.safety_stops};
+}
+
+}  // namespace
+
+void RunStatistics::add(const domain::State& state) {
+  const bool stands = truth && !has_left(truth->standstill, state);
+  const std::uint32_t late_before = truth ? truth->late_commands : 0;
+  const Standstill standstill = stands ? truth->standstill : standstill_at(state);
+  truth = RunTruth{state.stamp.tick,
+                   state.outcome,
+                   state.stamp.sim_time_s,
+                   state.path_length_m,
+                   state.pose_world_robot.x_m,
+                   state.pose_world_robot.y_m,
+                   state.collisions,
+                   state.hit_by,
+                   state.safety_stops,
+                   late_before + (state.command_late ? 1 : 0),
+                   standstill};
+}
+
+void RunStatistics::add(const domain::Guidance& guidance) {
+  mode = guidance.mode;
+  why = guidance.why;
+}
 
 void RunStatistics::add(const domain::Event& event) {
   for (const domain::EventEntry& entry : event.entries) {
@@ -30,7 +58,10 @@ void RunStatistics::add_alarm(const domain::EventEntry& entry) {
 
 void RunStatistics::merge(const RunStatistics& other) {
   if (other.truth) truth = other.truth;
-  if (other.mode) mode = other.mode;
+  if (other.mode) {
+    mode = other.mode;
+    why = other.why;
+  }
   traps_detected += other.traps_detected;
   virtual_targets += other.virtual_targets;
   for (const auto& [rule, count] : other.alarms) {

@@ -10,6 +10,18 @@
 
 namespace clew::bridge {
 
+/// Since when the robot has stood on one spot, turning or not.
+struct Standstill {
+  static constexpr double kSpot_m = 0.05;  ///< radius of the spot
+
+  std::uint64_t since_tick = 0;
+  double since_s = 0.0;
+  double x_m = 0.0;
+  double y_m = 0.0;
+  std::uint32_t collisions = 0;  ///< of the run, when it began
+  std::uint32_t safety_stops = 0;
+};
+
 /// What the simulation's own account of a run was last.
 struct RunTruth {
   std::uint64_t tick = 0;
@@ -21,6 +33,8 @@ struct RunTruth {
   std::uint32_t collisions = 0;
   std::uint32_t hit_by = 0;
   std::uint32_t safety_stops = 0;
+  std::uint32_t late_commands = 0;
+  Standstill standstill;
 };
 
 /// How often a rule said *trap*.
@@ -36,6 +50,7 @@ struct RunStatistics {
 
   std::optional<RunTruth> truth;             ///< from `state`
   std::optional<domain::GuidanceMode> mode;  ///< from `guidance`
+  std::string why;                           ///< what `guidance` says of itself
   std::uint32_t traps_detected = 0;          ///< from `event`, shadows left out
   std::uint32_t virtual_targets = 0;         ///< from `event`
   std::map<std::string, RuleAlarms> alarms;  ///< by rule, from `event`; the first kMostRules
@@ -55,9 +70,13 @@ struct RunStatistics {
 };
 
 template <typename V>
+void visit_fields(V& v, Standstill& s) {
+  v(s.since_tick, s.since_s, s.x_m, s.y_m, s.collisions, s.safety_stops);
+}
+template <typename V>
 void visit_fields(V& v, RunTruth& t) {
   v(t.tick, t.outcome, t.sim_time_s, t.path_length_m, t.x_m, t.y_m, t.collisions, t.hit_by,
-    t.safety_stops);
+    t.safety_stops, t.late_commands, t.standstill);
 }
 template <typename V>
 void visit_fields(V& v, RuleAlarms& a) {
@@ -65,7 +84,7 @@ void visit_fields(V& v, RuleAlarms& a) {
 }
 template <typename V>
 void visit_fields(V& v, RunStatistics& t) {
-  v(t.truth, t.mode, t.traps_detected, t.virtual_targets, t.alarms);
+  v(t.truth, t.mode, t.why, t.traps_detected, t.virtual_targets, t.alarms);
 }
 
 }  // namespace clew::bridge

@@ -40,6 +40,10 @@ bool is_beyond_64_bits(std::string_view text) {
   return code == std::errc::result_out_of_range && stop == end;
 }
 
+// The value of an option, `--set sense.range_m`, is one line that stands in no file: its place is
+// the option.
+bool is_option(const std::string& file) { return file.compare(0, 2, "--") == 0; }
+
 // Whether the quoted text that begins at `begin` is closed again: yaml-cpp takes the end of the
 // file for a closing quote.
 bool has_closing_quote(std::string_view yaml, std::size_t begin) {
@@ -199,11 +203,12 @@ Result<YamlNode> YamlNode::parse(std::string_view yaml, const std::string& file)
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {
     }
-  } catch (const Refusal& e) {
-    return Error{e.msg, file, e.mark.line + 1, e.mark.column + 1};
   } catch (const YAML::Exception& e) {
+    const bool is_refusal = dynamic_cast<const Refusal*>(&e) != nullptr;
+    const std::string message = is_refusal ? e.msg : "broken YAML: " + e.msg;
+    if (is_option(file)) return Error{message, file, 0, 0};
     // A null mark, -1, gives 0: no place.
-    return Error{"broken YAML: " + e.msg, file, e.mark.line + 1, e.mark.column + 1};
+    return Error{message, file, e.mark.line + 1, e.mark.column + 1};
   }
   if (!builder.has_document()) return Error{"the file is empty", file};
   const std::uint32_t root = document->root;
@@ -212,8 +217,8 @@ Result<YamlNode> YamlNode::parse(std::string_view yaml, const std::string& file)
 
 YamlKind YamlNode::kind() const { return document_->values[index_].kind; }
 const std::string& YamlNode::file() const { return document_->file; }
-int YamlNode::line() const { return document_->values[index_].line; }
-int YamlNode::column() const { return document_->values[index_].column; }
+int YamlNode::line() const { return is_option(file()) ? 0 : document_->values[index_].line; }
+int YamlNode::column() const { return is_option(file()) ? 0 : document_->values[index_].column; }
 
 Error YamlNode::error(std::string message) const {
   return Error{std::move(message), file(), line(), column()};

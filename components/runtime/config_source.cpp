@@ -24,6 +24,12 @@ constexpr char kMapFolder[] = "maps";
 // A configuration beyond this is a mistake (a device, a recording); 100,000 segments are 4 MB.
 constexpr std::uintmax_t kMaxFileBytes = 256u << 20;
 
+// More names than these are for a list of their own, not for a line of error.
+constexpr std::size_t kMostListed = 12;
+
+// How a recording begins (MCAP).
+constexpr char kRecordingMagic[] = "\x89MCAP";
+
 // Paths are those of the shell, also where a graph file says them.
 std::string from_where(const fs::path& path) {
   std::error_code code;
@@ -53,7 +59,14 @@ core::Result<core::Resource> read_file(const std::string& path) {
   std::ostringstream text;
   text << stream.rdbuf();
   if (stream.bad()) return refuse(std::strerror(errno));
-  return core::Resource{path, text.str()};
+  core::Resource file{path, text.str()};
+  if (file.text.compare(0, sizeof kRecordingMagic - 1, kRecordingMagic) == 0) {
+    return core::Error{
+        "is a recording; 'clew info', 'clew replay' and 'clew plot' read it, and 'clew run "
+        "--resume' goes on with one that was cut off",
+        path, 0, 0};
+  }
+  return file;
 }
 
 // A map's file with its picture; any other as it is. What is wrong with the map's own text is said
@@ -113,11 +126,19 @@ core::Result<core::Resource> ConfigPath::find(const std::string& folder,
   for (const std::string& root : roots_) {
     searched += (searched.empty() ? "" : ", ") + (fs::path(root) / folder).string();
   }
-  return core::Error{
-      core::unknown_name(kind_of(folder), name, names(folder)) + " (in " + searched + ")",
-      {},
-      0,
-      0};
+  const std::vector<std::string> known = names(folder);
+  const std::string where = " (in " + searched + "; CLEW_PATH adds directories)";
+  if (known.size() <= kMostListed) {
+    return core::Error{core::unknown_name(kind_of(folder), name, known) + where, {}, 0, 0};
+  }
+  const std::string nearest = core::nearest_name(name, known);
+  return core::Error{"unknown " + kind_of(folder) + " '" + name + "'" +
+                         (nearest.empty() ? "" : " (did you mean '" + nearest + "'?)") +
+                         "; 'clew list " + folder + "' tells all " + std::to_string(known.size()) +
+                         where,
+                     {},
+                     0,
+                     0};
 }
 
 std::vector<std::string> ConfigPath::names(const std::string& folder) const {

@@ -145,6 +145,13 @@ Result<void> settle_tick(const std::vector<StageInfo>& stages, Graph& graph) {
     who = stage.info->name;
   }
   if (graph.tick_s <= 0.0) {
+    for (const GraphStage& stage : graph.stages) {
+      if (!stage.info->tick_s || stage.deployment.exec.empty()) continue;
+      return stage.place.error(fmt::format(
+          "{} has exec, and a component of someone else's does not say how long a tick lasts; {} "
+          "has to be one of ours ('clew list {}')",
+          stage.info->name, stage.info->name, stage.info->name));
+    }
     return graph.place.error("no stage says how long a tick lasts; a graph needs " +
                              writer_of(Topic::kState, stages));
   }

@@ -174,6 +174,51 @@ Result<RawChoice*> find_choice(RawStage& stage, const Assignment& assignment) {
                assignment.option, 0, 0};
 }
 
+/// The chosen behaviours' parameters of a stage's parts, as --set names them:
+/// `recover.detector.rise_m`.
+std::vector<std::string> parameters_of_parts(const RawStage& stage) {
+  std::vector<std::string> paths;
+  for (const auto& [part, choices] : stage.parts) {
+    if (part == kBehaviourPart) continue;
+    for (const RawChoice& choice : choices) {
+      const VariantInfo* variant = variant_of(*stage.info, part, choice.name);
+      if (variant == nullptr) continue;
+      for (const core::ParameterInfo& info : variant->parameters) {
+        paths.push_back(stage.info->name + '.' + part + '.' + info.name);
+      }
+    }
+  }
+  return paths;
+}
+
+std::string last_word(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+
+/// `--set recover.rise=1` may mean a parameter of one of the stage's parts: the nearest is named,
+/// one that only lacks its unit before all.
+Result<void> check_known(const RawStage& stage, const Assignment& assignment) {
+  const std::string& name = assignment.path.back();
+  const auto behaviour = stage.parts.find(kBehaviourPart);
+  const VariantInfo* variant =
+      behaviour == stage.parts.end() || behaviour->second.empty()
+          ? nullptr
+          : variant_of(*stage.info, kBehaviourPart, behaviour->second.front().name);
+  const bool is_known = declares(stage.info->parameters, name) ||
+                        (variant != nullptr && declares(variant->parameters, name));
+  const std::vector<std::string> paths = parameters_of_parts(stage);
+  if (is_known || paths.empty()) return {};
+  std::vector<std::string> names;
+  for (const std::string& path : paths) names.push_back(last_word(path));
+  const std::string nearest = core::nearest_name(name, names);
+  for (const std::string& path : paths) {
+    const std::string word = last_word(path);
+    if (word.compare(0, name.size() + 1, name + '_') != 0 && word != nearest) continue;
+    return Error{"unknown parameter of " + stage.info->name + " '" + name + "' (did you mean '" +
+                     path + "'?); 'clew list " + stage.info->name + "' tells all",
+                 assignment.option, 0, 0};
+  }
+  return {};
+}
+
 Result<void> apply_set(const std::string& text, RawGraph& graph) {
   const auto assignment = split("--set", text);
   if (!assignment.ok()) return assignment.error();
@@ -185,6 +230,9 @@ Result<void> apply_set(const std::string& text, RawGraph& graph) {
                  assignment->option, 0, 0};
   }
   const StageInfo& info = *(*stage)->info;
+  if (path.size() == 3 && path[1] == "process") {
+    return read_process_setting(path[2], assignment->value, (*stage)->deployment);
+  }
   const bool is_part = find_part(info, path[1]) != nullptr;
   if (path.size() == 2) {
     if (is_part || path[1] == "process" || path[1] == "exec") {
@@ -193,6 +241,7 @@ Result<void> apply_set(const std::string& text, RawGraph& graph) {
               (is_part ? "; choose it by --with " + path[0] + '.' + path[1] + "=NAME" : ""),
           assignment->option, 0, 0};
     }
+    CLEW_RETURN_IF_ERROR(check_known(**stage, *assignment));
     return assign(*assignment, (*stage)->parameters);
   }
   if (!is_part) return unknown_part(info, path[1], *assignment);

@@ -7,6 +7,9 @@
 namespace clew::runtime {
 namespace {
 
+const std::vector<std::string> kProcessSettings = {"middleware", "restart_limit",
+                                                   "restart_backoff_s"};
+
 using core::Error;
 using core::Result;
 using core::YamlKind;
@@ -81,29 +84,11 @@ Result<void> read_deployment(const YamlNode& node, const std::string& key, Deplo
     }
     return {};
   }
-  CLEW_RETURN_IF_ERROR(node.check_keys({"middleware", "restart_limit", "restart_backoff_s"}));
-  if (const auto limit = node.find("restart_limit")) {
-    const auto value = limit->integer();
-    if (!value.ok()) return value.error();
-    if (*value < 0 || *value > kMaxRestarts) {
-      return limit->error("restart_limit is " + limit->found() + "; allowed: 0 to " +
-                          std::to_string(kMaxRestarts));
-    }
-    deployment.restart_limit = static_cast<std::uint32_t>(*value);
-  }
-  if (const auto backoff = node.find("restart_backoff_s")) {
-    const auto value = backoff->number();
-    if (!value.ok()) return value.error();
-    if (*value < 0.0 || *value > 60.0) {
-      return backoff->error("restart_backoff_s is " + backoff->found() + "; allowed: 0 to 60 s");
-    }
-    deployment.restart_backoff_s = *value;
-  }
-  if (const auto middleware = node.find("middleware")) {
-    auto word = middleware->string();
-    if (!word.ok()) return word.error();
-    if (!is_middleware(*word)) return middleware->error(unknown_middleware(*word));
-    deployment.middleware = *word;
+  CLEW_RETURN_IF_ERROR(node.check_keys(kProcessSettings));
+  const auto entries = node.entries();
+  if (!entries.ok()) return entries.error();
+  for (const auto& entry : *entries) {
+    CLEW_RETURN_IF_ERROR(read_process_setting(entry.key, entry.value, deployment));
   }
   return {};
 }
@@ -214,6 +199,37 @@ Result<std::optional<RawStage>> read_mission(const YamlNode& root,
 
 }  // namespace
 
+Result<void> read_process_setting(const std::string& key, const YamlNode& value,
+                                  Deployment& deployment) {
+  if (key == "restart_limit") {
+    const auto limit = value.integer();
+    if (!limit.ok()) return limit.error();
+    if (*limit < 0 || *limit > kMaxRestarts) {
+      return value.error("restart_limit is " + value.found() + "; allowed: 0 to " +
+                         std::to_string(kMaxRestarts));
+    }
+    deployment.restart_limit = static_cast<std::uint32_t>(*limit);
+    return {};
+  }
+  if (key == "restart_backoff_s") {
+    const auto backoff = value.number();
+    if (!backoff.ok()) return backoff.error();
+    if (*backoff < 0.0 || *backoff > 60.0) {
+      return value.error("restart_backoff_s is " + value.found() + "; allowed: 0 to 60 s");
+    }
+    deployment.restart_backoff_s = *backoff;
+    return {};
+  }
+  if (key != "middleware") {
+    return value.error(core::unknown_name("setting of process", key, kProcessSettings));
+  }
+  auto word = value.string();
+  if (!word.ok()) return word.error();
+  if (!is_middleware(*word)) return value.error(unknown_middleware(*word));
+  deployment.middleware = *word;
+  return {};
+}
+
 Place place_of(const YamlNode& node) { return {node.file(), node.line(), node.column()}; }
 
 const PartInfo* find_part(const StageInfo& stage, const std::string& name) {
@@ -237,13 +253,18 @@ Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& n
                                 const std::vector<StageInfo>& stages) {
   const auto root = YamlNode::parse(file.text, file.file);
   if (!root.ok()) return root.error();
-  std::vector<std::string> keys = {"about",     "world",           "robot",  "seed",
-                                   "max_ticks", "start_timeout_s", "mission"};
+  std::vector<std::string> keys = {"name", "about",     "world",           "robot",
+                                   "seed", "max_ticks", "start_timeout_s", "mission"};
   for (const StageInfo& stage : stages) keys.push_back(stage.name);
   CLEW_RETURN_IF_ERROR(root->check_keys(keys));
 
   RawGraph graph{{}, *root, {}};
   graph.head.name = name;
+  if (const auto own_name = root->find("name")) {
+    auto text = own_name->string();
+    if (!text.ok()) return text.error();
+    graph.head.name = std::move(text).value();
+  }
   CLEW_RETURN_IF_ERROR(read_head(*root, graph.head));
   auto short_form = read_mission(*root, stages);
   if (!short_form.ok()) return short_form.error();

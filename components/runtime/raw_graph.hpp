@@ -47,6 +47,9 @@ struct RawGraph {
 
 core::Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& name,
                                       const std::vector<StageInfo>& stages);
+/// One setting of a stage's `process`: middleware, restart_limit or restart_backoff_s.
+core::Result<void> read_process_setting(const std::string& key, const core::YamlNode& value,
+                                        Deployment& deployment);
 core::Result<void> apply_overrides(const GraphOverrides& overrides, RawGraph& graph);
 
 /// The values of declared parameters: given ones, checked, else defaults. What is given but not

@@ -104,6 +104,14 @@ Result<void> check_parts_fit(const RunPlan& plan) {
   return {};
 }
 
+/// Who has only the bundle knows the graph's name from this. In single quotes, where only a quote
+/// has to be doubled.
+std::string name_line(const std::string& name) {
+  std::string quoted;
+  for (const char c : name) quoted += c == '\'' ? std::string("\'\'") : std::string(1, c);
+  return "name: '" + quoted + "'\n";
+}
+
 bool knows_world(const Graph& graph, const std::string& stage) {
   const GraphStage* found = graph.find(stage);
   return found != nullptr && found->info->knows_world;
@@ -124,7 +132,7 @@ Result<RunPlan> read_run(const std::string& graph_name, const GraphOverrides& ov
   if (!only || knows_world(plan.graph, *only)) CLEW_RETURN_IF_ERROR(load_world(source, plan));
   CLEW_RETURN_IF_ERROR(load_data_files(source, plan));
   fill_setup(plan);
-  plan.bundle["graph.yaml"] = plan.graph.expanded_yaml();
+  plan.bundle["graph.yaml"] = name_line(plan.graph.name) + plan.graph.expanded_yaml();
   return plan;
 }
 

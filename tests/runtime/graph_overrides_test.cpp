@@ -129,10 +129,9 @@ TEST(With, IsRefusedWhereItMakesNoSense) {
   EXPECT_EQ(refused("sens=ray"),
             "--with sens: unknown stage of this graph 'sens' (did you mean 'sense'?); allowed: "
             "sense, classify, recover, control, drive");
-  EXPECT_EQ(
-      refused("sense=rya"),
-      "--with sense:1:1: unknown sense behaviour 'rya' (did you mean 'ray'?); allowed: cones, "
-      "ray");
+  EXPECT_EQ(refused("sense=rya"),
+            "--with sense: unknown sense behaviour 'rya' (did you mean 'ray'?); allowed: cones, "
+            "ray");
   EXPECT_EQ(refused("recover.detecter=by_time"),
             "--with recover.detecter: unknown part of recover 'detecter' (did you mean "
             "'detector'?); allowed: detector, escape, shadow");
@@ -146,7 +145,7 @@ TEST(With, IsRefusedWhereItMakesNoSense) {
   EXPECT_EQ(refused("recover.escape=wait,follow,wait"),
             "--with recover.escape: 'wait' stands twice in the list of escape");
   EXPECT_EQ(refused("recover.escape=wait,,follow"),
-            "--with recover.escape:1:1: unknown recover escape ''; allowed: follow, wait");
+            "--with recover.escape: unknown recover escape ''; allowed: follow, wait");
 }
 
 TEST(With, IsRefusedForAStageThatIsNotInTheGraph) {
@@ -234,10 +233,9 @@ TEST(Set, IsRefusedWhereItMakesNoSense) {
   EXPECT_EQ(refused("sens.range_m=4"),
             "--set sens.range_m: unknown stage of this graph 'sens' (did you mean 'sense'?); "
             "allowed: sense, classify, recover, control, drive");
-  EXPECT_EQ(
-      refused("sense.rnage_m=4"),
-      "--set sense.rnage_m:1:1: unknown parameter of sense 'rnage_m' (did you mean 'range_m'?); "
-      "allowed: range_m, count, noisy, side");
+  EXPECT_EQ(refused("sense.rnage_m=4"),
+            "--set sense.rnage_m: unknown parameter of sense 'rnage_m' (did you mean 'range_m'?); "
+            "allowed: range_m, count, noisy, side");
   EXPECT_EQ(refused("recover.escapes.gap_m=4"),
             "--set recover.escapes.gap_m: unknown part of recover 'escapes' (did you mean "
             "'escape'?); allowed: detector, escape, shadow");
@@ -245,6 +243,31 @@ TEST(Set, IsRefusedWhereItMakesNoSense) {
             "--set sense.behaviour: 'behaviour' is no parameter; choose it by --with "
             "sense.behaviour=NAME");
   EXPECT_EQ(refused("sense.exec=[./a]"), "--set sense.exec: 'exec' is no parameter");
+}
+
+TEST(Set, NamesTheParameterOfAPartThatWasMeant) {
+  const auto refused = [](const std::string& text) { return refusal(kFullGraph, set({text})); };
+
+  EXPECT_EQ(refused("recover.gap=0.2"),
+            "--set recover.gap: unknown parameter of recover 'gap' (did you mean "
+            "'recover.escape.gap_m'?); 'clew list recover' tells all");
+  EXPECT_EQ(refused("recover.radus_m=0.2"),
+            "--set recover.radus_m: unknown parameter of recover 'radus_m' (did you mean "
+            "'recover.detector.radius_m'?); 'clew list recover' tells all");
+}
+
+TEST(Set, GivesAProcessItsSettings) {
+  const auto graph = load_fake(
+      kFullGraph, set({"control.process.middleware=fastdds", "control.process.restart_limit=7"}));
+
+  ASSERT_TRUE(graph.ok()) << graph.error().text();
+  EXPECT_EQ(graph->find("control")->deployment.middleware, "fastdds");
+  EXPECT_EQ(graph->find("control")->deployment.restart_limit, 7u);
+  EXPECT_EQ(refusal(kFullGraph, set({"control.process.middleware=opendds"})).substr(0, 34),
+            "--set control.process.middleware: ");
+  EXPECT_EQ(refusal(kFullGraph, set({"control.process.midleware=fastdds"})),
+            "--set control.process.midleware: unknown setting of process 'midleware' (did you mean "
+            "'middleware'?); allowed: middleware, restart_limit, restart_backoff_s");
 }
 
 TEST(Set, IsRefusedForABehaviourThatWasNotChosen) {
@@ -271,14 +294,14 @@ TEST(Set, ChecksValuesAsTheFilesAreChecked) {
   const auto refused = [](const std::string& text) { return refusal(kFullGraph, set({text})); };
 
   EXPECT_EQ(refused("sense.range_m=far"),
-            "--set sense.range_m:1:1: range_m: found 'far', expected a finite number");
+            "--set sense.range_m: range_m: found 'far', expected a finite number");
   EXPECT_EQ(refused("sense.range_m=20.5"),
-            "--set sense.range_m:1:1: range_m is 20.5; allowed: 0.1 to 20 m");
+            "--set sense.range_m: range_m is 20.5; allowed: 0.1 to 20 m");
   EXPECT_EQ(refused("recover.detector.tick=4"),
-            "--set recover.detector.tick:1:1: unknown parameter of recover.detector.by_place "
+            "--set recover.detector.tick: unknown parameter of recover.detector.by_place "
             "'tick'; allowed: radius_m");
   EXPECT_EQ(refused("classify.networks=[som"),
-            "--set classify.networks:1:1: broken YAML: end of sequence flow not found");
+            "--set classify.networks: broken YAML: end of sequence flow not found");
 }
 
 TEST(Overrides, OfAComponentOfSomeoneElsesAreRefused) {

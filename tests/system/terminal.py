@@ -12,7 +12,8 @@ import time
 class Terminal:
     """A pseudo-terminal; what is written to it are keys."""
 
-    def __init__(self):
+    def __init__(self, kind="xterm"):
+        self.kind = kind  # as TERM says it
         self.keys, self.end = pty.openpty()
         self.shown = b""
 
@@ -20,7 +21,8 @@ class Terminal:
         """Starts a command whose controlling terminal this is. Streams that are not named are on it,
         too."""
         streams = {"stdin": self.end, "stdout": self.end, "stderr": self.end, **streams}
-        return subprocess.Popen(command, start_new_session=True, preexec_fn=take_terminal, **streams)
+        return subprocess.Popen(command, start_new_session=True, preexec_fn=take_terminal,
+                                env={**os.environ, "TERM": self.kind}, **streams)
 
     def press(self, keys):
         """Types."""

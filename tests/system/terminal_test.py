@@ -35,6 +35,21 @@ class OnATerminal(unittest.TestCase):
         return terminal, process
 
 
+class Dumb(unittest.TestCase):
+    def test_a_terminal_without_control_codes_gets_none(self):
+        terminal = Terminal("dumb")
+        self.addCleanup(terminal.close)
+        run = terminal.start([CLEW, "run", "krishna_kalra", "--world", "u-trap", "--layout",
+                              "composed", "--pace", "200x"], stdout=subprocess.PIPE)
+        while terminal.read(0.1) or run.poll() is None:
+            pass
+        out, _ = run.communicate()
+
+        self.assertEqual(run.returncode, 0)
+        self.assertIn(b"reached in u-trap", out)
+        self.assertEqual(terminal.shown, b"")
+
+
 class Progress(OnATerminal):
     def test_is_shown_on_a_terminal(self):
         for layout in LAYOUTS:

@@ -88,8 +88,11 @@ Result<std::optional<std::string>> WorldBench::run(const Variant& variant, std::
   line["variant"] = variant.text();
   line["world"] = world_.name;
   line["family"] = world_.family;
-  const auto as_run =
+  auto as_run =
       ordered_json::parse(tools::report_json(*report, *run, {"composed", "inprocess", ""}));
+  // As the suite names them, which may be by a path.
+  as_run["graph"] = line["graph"];
+  as_run["world"] = line["world"];
   line.update(as_run);
   const auto success = is_success(as_run["outcome"], world);
   line["success"] = success ? ordered_json(*success) : ordered_json(nullptr);

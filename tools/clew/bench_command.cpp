@@ -10,6 +10,7 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/terminal.hpp"
 #include "clew/version.hpp"
 #include "core/hash128.hpp"
 #include "stages/all.hpp"
@@ -77,7 +78,7 @@ std::string duration_text(double seconds) {
 
 /// A line on the terminal, now and then; nothing in a pipe.
 std::function<void(std::size_t, std::size_t, std::size_t)> terminal_progress() {
-  if (::isatty(STDERR_FILENO) == 0) return {};
+  if (!is_terminal(STDERR_FILENO)) return {};
   const auto started_at = Clock::now();
   return [started_at, shown_at = started_at](std::size_t found, std::size_t done,
                                              std::size_t total) mutable {
@@ -92,7 +93,7 @@ std::function<void(std::size_t, std::size_t, std::size_t)> terminal_progress() {
 }
 
 void clear_progress() {
-  if (::isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
+  if (is_terminal(STDERR_FILENO)) std::fputs("\r\033[K", stderr);
 }
 
 int write_worlds_of(const bench::BenchPlan& plan, const std::string& directory) {

@@ -16,6 +16,9 @@ void add_component(CLI::App& main, int& status);
 void add_recorder(CLI::App& main, int& status);
 void add_plot(CLI::App& main, int& status);
 void add_info(CLI::App& main, int& status);
+void add_events(CLI::App& main, int& status);
+void add_echo(CLI::App& main, int& status);
+void add_world(CLI::App& main, int& status);
 void add_diff(CLI::App& main, int& status);
 void add_replay(CLI::App& main, int& status);
 

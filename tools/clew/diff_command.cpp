@@ -35,6 +35,11 @@ ordered_json to_json(const RecordingDiff& diff) {
         {"samples_a", found.samples_a}, {"samples_b", found.samples_b}, {"equal", found.equal},
         {"different", found.different}, {"only_a", found.only_a},       {"only_b", found.only_b}};
   }
+  json["topics_only_a"] = ordered_json::array();
+  json["topics_only_b"] = ordered_json::array();
+  for (const auto& [topic, is_of_a] : diff.topics_of_one) {
+    json[is_of_a ? "topics_only_a" : "topics_only_b"].push_back(domain::topic_name(topic));
+  }
   json["configuration"] = ordered_json::array();
   for (const auto& found : diff.configuration) {
     json["configuration"].push_back({{"what", found.what}, {"a", found.a}, {"b", found.b}});
@@ -43,6 +48,9 @@ ordered_json to_json(const RecordingDiff& diff) {
 }
 
 void print(const RecordingDiff& diff) {
+  for (const auto& [topic, is_of_a] : diff.topics_of_one) {
+    fmt::print("only {} has the topic {}\n", is_of_a ? 'a' : 'b', domain::topic_name(topic));
+  }
   if (diff.first) {
     fmt::print("first difference:\n");
     print_difference(*diff.first, "a", "b");

@@ -126,7 +126,8 @@ void print_configuration(const RunRecording& recording) {
     fmt::print("graph      not one of this version: {}\n", graph.error().text());
     return;
   }
-  fmt::print("world      {}\nrobot      {}\n", graph->world, graph->robot);
+  fmt::print("graph      {}\nworld      {}\nrobot      {}\n", graph->name, graph->world,
+             graph->robot);
   for (const auto& stage : graph->stages) {
     fmt::print("{:<10} {}\n", stage.info->name, stage_text(stage));
   }
@@ -227,6 +228,7 @@ ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts)
   json["idl_fingerprint"] = description.idl_fingerprint;
   json["idl_is_ours"] = facts.types_match;
   const auto graph = graph_of(recording);
+  json["graph"] = graph.ok() ? ordered_json(graph->name) : nullptr;
   json["world"] = graph.ok() ? ordered_json(graph->world) : nullptr;
   json["robot"] = graph.ok() ? ordered_json(graph->robot) : nullptr;
   json["stages"] = graph.ok() ? stages_json(*graph) : ordered_json(nullptr);

@@ -24,6 +24,10 @@ using runtime::PortInfo;
 using runtime::StageInfo;
 using runtime::VariantInfo;
 
+/// Those of configs/ that have names to choose from.
+const std::vector<std::string> kFolders = {"graphs", "worlds",    "suites",  "robots",
+                                           "maps",   "rulebases", "training"};
+
 struct ValueText {
   std::string operator()(bool v) const { return v ? "true" : "false"; }
   std::string operator()(std::int64_t v) const { return std::to_string(v); }
@@ -117,7 +121,7 @@ int list_stage(const StageInfo& stage, const std::string& part_name, const std::
 }
 
 int list_all() {
-  fmt::print("graphs, worlds, or a stage:\n");
+  fmt::print("{}, or a stage:\n", fmt::join(kFolders, ", "));
   for (const StageInfo& stage : stages::all()) {
     fmt::print("  {:<9} {}\n", stage.name, stage.summary);
   }
@@ -126,12 +130,12 @@ int list_all() {
 
 int list_command(const ListOptions& options) {
   if (options.what.empty()) return list_all();
-  if (options.what == "graphs" || options.what == "worlds") {
+  std::vector<std::string> known = kFolders;
+  if (std::find(known.begin(), known.end(), options.what) != known.end()) {
     return list_files(options.what, options.name);
   }
   const std::size_t dot = options.what.find('.');
   const std::string stage_name = options.what.substr(0, dot);
-  std::vector<std::string> known = {"graphs", "worlds"};
   for (const StageInfo& stage : stages::all()) {
     if (stage.name == stage_name) {
       return list_stage(stage, dot == std::string::npos ? "" : options.what.substr(dot + 1),
@@ -146,8 +150,10 @@ int list_command(const ListOptions& options) {
 
 void add_list(CLI::App& main, int& status) {
   const auto options = std::make_shared<ListOptions>();
-  CLI::App* app = main.add_subcommand("list", "List graphs, worlds, stages and behaviours");
-  app->add_option("what", options->what, "graphs | worlds | STAGE[.PART]");
+  CLI::App* app = main.add_subcommand(
+      "list", "List what there is: graphs, worlds, suites, stages, behaviours, ...");
+  app->add_option("what", options->what,
+                  "graphs | worlds | suites | robots | maps | rulebases | training | STAGE[.PART]");
   app->add_option("name", options->name, "only this one");
   app->callback([options, &status] { status = list_command(*options); });
 }

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "clew/terminal.hpp"
+
 namespace clew::tools {
 
 using bridge::Playback;
@@ -20,7 +22,7 @@ constexpr std::uint64_t kMostSteps = 1000000000;
 
 /// Reading a terminal from the background would stop the process.
 bool terminal_is_ours() {
-  return ::isatty(STDIN_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0 &&
+  return is_terminal(STDIN_FILENO) && is_terminal(STDERR_FILENO) &&
          ::tcgetpgrp(STDIN_FILENO) == ::getpgrp();
 }
 
@@ -91,7 +93,7 @@ std::optional<PlaybackRequest> read_playback_command(const std::string& line) {
 }
 
 PlaybackTerminal::PlaybackTerminal(Input input)
-    : input_(input), display_(::isatty(STDERR_FILENO) != 0) {
+    : input_(input), display_(is_terminal(STDERR_FILENO)) {
   if (input_ != Input::kKeys) return;
   termios settings{};
   if (!terminal_is_ours() || ::tcgetattr(STDIN_FILENO, &settings) != 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <future>
 #include <nlohmann/json.hpp>
 
 #include "clew/command_line.hpp"
@@ -115,9 +116,17 @@ Result<std::vector<ReplayReport>> replay_all(const bridge::RunRecording& recordi
     fmt::print(stderr, "clew: {}: branched at tick {} off another run; compared from there\n",
                recording.path(), own_tick);
   }
-  std::vector<ReplayReport> reports;
+  // At a rate they go on side by side, each on a thread of its own; else one after another.
+  const auto policy = range.rate > 0.0 ? std::launch::async : std::launch::deferred;
+  std::vector<std::future<Result<ReplayReport>>> replays;
   for (const std::string& stage : stages_of(options, plan.graph)) {
-    auto report = bridge::replay_component(recording, plan, stage, range);
+    replays.push_back(std::async(policy, [&recording, &plan, &range, stage] {
+      return bridge::replay_component(recording, plan, stage, range);
+    }));
+  }
+  std::vector<ReplayReport> reports;
+  for (auto& replay : replays) {
+    auto report = replay.get();
     if (!report.ok()) return report.error();
     reports.push_back(std::move(report).value());
   }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <set>
+#include <sstream>
 
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
@@ -181,6 +184,32 @@ Result<void> check_options(const RunOptions& options) {
   return {};
 }
 
+bool is_program(const std::string& word) {
+  if (word.find('/') != std::string::npos) return ::access(word.c_str(), X_OK) == 0;
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (::access((folder + '/' + word).c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+/// Programs of someone else's are there before anything starts.
+Result<void> check_programs(const runtime::Graph& graph, const std::vector<std::string>& external) {
+  for (const auto& stage : graph.stages) {
+    if (stage.deployment.exec.empty()) continue;
+    const bool is_external =
+        std::find(external.begin(), external.end(), stage.info->name) != external.end();
+    const std::string& program = stage.deployment.exec.front();
+    if (is_external || is_program(program)) continue;
+    return stage.place.error(
+        fmt::format("exec of {}: there is no program '{}' ({})", stage.info->name, program,
+                    program.find('/') == std::string::npos ? "looked for in PATH"
+                                                           : "a path from the working directory"));
+  }
+  return {};
+}
+
 /// A run and where it begins: with a graph, or with what was recorded of it.
 struct Job {
   runtime::RunPlan plan;
@@ -275,6 +304,8 @@ int run_command(const RunOptions& options) {
   if (!job.ok()) return complain(job.error());
   const auto layout = read_layout(options, job->plan.graph, *speed);
   if (!layout.ok()) return complain(layout.error());
+  const auto programs = check_programs(job->plan.graph, options.external);
+  if (!programs.ok()) return complain(programs.error());
   const auto claimed = claim_recording(options, *job);
   if (!claimed.ok()) return complain(claimed.error());
 
@@ -291,6 +322,11 @@ int run_command(const RunOptions& options) {
   const RunFacts facts{options.layout,
                        composed ? "inprocess" : middleware_text(job->plan.graph, *layout),
                        wrote ? job->recording->path : ""};
+  if (!options.json) {
+    for (const std::string& note : notes_on(*report, job->plan)) {
+      std::fprintf(stderr, "clew: %s\n", note.c_str());
+    }
+  }
   fmt::print("{}\n", options.json ? report_json(*report, job->plan, facts)
                                   : report_line(*report, job->plan));
   return exit_status(*report);

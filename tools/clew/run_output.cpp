@@ -9,6 +9,7 @@
 
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/terminal.hpp"
 #include "world/world.hpp"
 
 namespace clew::tools {
@@ -93,12 +94,75 @@ int exit_status(const RunReport& report) {
   return kExitFailed;
 }
 
+namespace {
+
+constexpr double kLongStand_s = 60.0;
+
+bool stood_long(const RunTruth& truth) {
+  const bool arrived = truth.outcome == Outcome::kReached;
+  return !arrived && truth.sim_time_s - truth.standstill.since_s >= kLongStand_s;
+}
+
+/// What kept a robot that stands where it is, as far as the run tells.
+std::string reason_of_standstill(const RunReport& report, const RunTruth& truth) {
+  const auto& statistics = report.statistics;
+  const std::uint32_t stops = truth.safety_stops - truth.standstill.safety_stops;
+  if (stops > 0) return "the safety layer has stopped it " + count_text(stops, "time") + " since";
+  if (truth.collisions > truth.standstill.collisions) return "it pushes against an obstacle";
+  std::string reason = "its controller leads nowhere, and ";
+  if (!statistics.mode) return reason + "the graph has no recover";
+  if (*statistics.mode == domain::GuidanceMode::kSeek) {
+    reason += "recovery notices no trap";
+  } else {
+    reason = fmt::format("{} leads nowhere", mode_word(statistics));
+  }
+  return statistics.why.empty() ? reason : reason + ": " + statistics.why;
+}
+
+std::string standstill_note(const RunReport& report, const RunTruth& truth) {
+  return fmt::format(
+      "the robot has stood on one spot, ({:.2f}, {:.2f}), since tick {} ({:.1f} s), "
+      "for {:.0f} s: {}",
+      truth.standstill.x_m, truth.standstill.y_m, truth.standstill.since_tick,
+      truth.standstill.since_s, truth.sim_time_s - truth.standstill.since_s,
+      reason_of_standstill(report, truth));
+}
+
+/// The parameters that make odometry err: `drive.drift_rad_per_sqrt_m 0.03`; empty without any.
+std::string drift_text(const runtime::Graph& graph) {
+  const runtime::GraphStage* drive = graph.find("drive");
+  if (drive == nullptr) return {};
+  std::string text;
+  for (const auto& [name, value] : drive->config.parameters) {
+    const double* number = std::get_if<double>(&value);
+    if (name.compare(0, 6, "drift_") != 0 || number == nullptr || *number == 0.0) continue;
+    text += fmt::format("{}drive.{} {}", text.empty() ? "" : ", ", name, *number);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> notes_on(const RunReport& report, const runtime::RunPlan& plan) {
+  std::vector<std::string> notes;
+  const RunTruth truth = truth_of(report);
+  if (stood_long(truth)) notes.push_back(standstill_note(report, truth));
+  const std::string drift = drift_text(plan.graph);
+  if (truth.outcome == Outcome::kUnreachable && !drift.empty()) {
+    notes.push_back("odometry may be the reason for 'unreachable': it errs (" + drift +
+                    "), and the proof holds in its frame");
+  }
+  return notes;
+}
+
 std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
                         const RunFacts& facts) {
   const RunTruth truth = truth_of(report);
   const auto shortest_m = plan.setup.world->shortest_path_m();
   nlohmann::ordered_json json;
   json["outcome"] = outcome_word(report);
+  json["graph"] = plan.graph.name;
+  json["world"] = plan.graph.world;
   json["ticks"] = truth.tick;
   json["sim_time_s"] = truth.sim_time_s;
   json["path_length_m"] = truth.path_length_m;
@@ -108,6 +172,15 @@ std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
   json["collisions"] = truth.collisions;
   json["hit_by"] = truth.hit_by;
   json["safety_stops"] = truth.safety_stops;
+  json["late_commands"] = truth.late_commands;
+  json["still_since"] = nullptr;
+  if (stood_long(truth)) {
+    json["still_since"] = {{"tick", truth.standstill.since_tick},
+                           {"time_s", truth.standstill.since_s},
+                           {"x_m", truth.standstill.x_m},
+                           {"y_m", truth.standstill.y_m}};
+  }
+  json["notes"] = notes_on(report, plan);
   json["restarts"] = report.restarts;
   json["wall_s"] = report.wall_s;
   json["ticks_per_s"] = report.ticks_per_s;
@@ -129,7 +202,15 @@ std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {
   std::string line =
       fmt::format("{} in {}: {} ticks ({:.1f} s), path {:.2f} m", outcome_word(report),
                   plan.graph.world, truth.tick, truth.sim_time_s, truth.path_length_m);
-  if (shortest_m) line += fmt::format(" ({:.2f} x shortest)", truth.path_length_m / *shortest_m);
+  const bool has_outcome = report.aborted.empty() && truth.outcome != Outcome::kRunning;
+  if (!has_outcome && truth.tick == 0) {
+    line = fmt::format("{} in {}: before the first tick had ended", outcome_word(report),
+                       plan.graph.world);
+  } else if (!has_outcome) {
+    line += fmt::format(", at ({:.2f}, {:.2f})", truth.x_m, truth.y_m);
+  }
+  if (has_outcome && shortest_m)
+    line += fmt::format(" ({:.2f} x shortest)", truth.path_length_m / *shortest_m);
   line +=
       ", " + count_text(report.statistics.traps_detected, "trap") + alarms_text(report.statistics);
   line += ", " + count_text(truth.collisions, "collision") + ", " +
@@ -143,7 +224,7 @@ std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {
 }
 
 bridge::ProgressDisplay terminal_display(const runtime::RunPlan& plan) {
-  if (::isatty(STDERR_FILENO) == 0) return {};
+  if (!is_terminal(STDERR_FILENO)) return {};
   const core::Vec2 target = plan.setup.world->target();
   return [target](const RunStatistics& statistics, double ticks_per_s) {
     if (!statistics.truth) return;
@@ -156,7 +237,7 @@ bridge::ProgressDisplay terminal_display(const runtime::RunPlan& plan) {
 }
 
 void clear_display() {
-  if (::isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
+  if (is_terminal(STDERR_FILENO)) std::fputs("\r\033[K", stderr);
 }
 
 }  // namespace clew::tools

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "run/run_report.hpp"
 #include "runtime/run_plan.hpp"
@@ -24,6 +25,10 @@ std::string outcome_word(const bridge::RunReport& report);
 
 /// The exit status that the outcome asks for.
 int exit_status(const bridge::RunReport& report);
+
+/// What a reader of the result should know besides, in sentences: that the robot stood still for
+/// the last minute and more, since when and why; that `unreachable` may be odometry's error.
+std::vector<std::string> notes_on(const bridge::RunReport& report, const runtime::RunPlan& plan);
 
 /// The object that `run --json` prints, on one line.
 std::string report_json(const bridge::RunReport& report, const runtime::RunPlan& plan,

@@ -26,6 +26,8 @@ using core::Result;
 struct Trained {
   std::string file;
   std::string curves;
+  double begun_mps = 0.0;  ///< root mean squared error over the test groups, before training
+  double ended_mps = 0.0;  ///< and after it
 };
 
 plot::LineChart chart_of(const train::NeuroFuzzyTraining& training,
@@ -75,22 +77,33 @@ Result<Trained> train(const TrainNeuroFuzzyOptions& options) {
   const auto training = train::train_neuro_fuzzy(*recipe, *start, *groups);
   const auto errors = train::compare(training, *start, *groups);
   return Trained{train::trained_file(*recipe, training, errors, command_of(options), shown->origin),
-                 plot::draw(chart_of(training, errors))};
+                 plot::draw(chart_of(training, errors)), errors.rules_mps, errors.trained_mps};
+}
+
+/// Writes what was asked for; the trained file, in stdout's place, last.
+Result<void> deliver(const Trained& trained, const TrainNeuroFuzzyOptions& options) {
+  if (!options.curves.empty()) {
+    CLEW_RETURN_IF_ERROR(files::write_file(options.curves, trained.curves));
+  }
+  if (!options.output.empty()) return files::write_file(options.output, trained.file);
+  fmt::print("{}", trained.file);
+  return {};
 }
 
 int train_neuro_fuzzy_command(const TrainNeuroFuzzyOptions& options) {
   const auto trained = train(options);
   if (!trained.ok()) return complain(trained.error());
-  if (!options.curves.empty()) {
-    const auto written = files::write_file(options.curves, trained->curves);
-    if (!written.ok()) return complain(written.error());
-  }
-  if (options.output.empty()) {
-    fmt::print("{}", trained->file);
-    return kExitGood;
-  }
-  const auto written = files::write_file(options.output, trained->file);
-  return written.ok() ? kExitGood : complain(written.error());
+  const auto delivered = deliver(*trained, options);
+  if (!delivered.ok()) return complain(delivered.error());
+  fmt::print(stderr, "clew: error over the test groups: {:.3f} m/s before training, {:.3f} after\n",
+             trained->begun_mps, trained->ended_mps);
+  if (trained->ended_mps <= trained->begun_mps) return kExitGood;
+  return complain({"training made it worse; the recipe's learning rates, iterations and groups "
+                   "decide",
+                   {},
+                   0,
+                   0},
+                  kExitFailed);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "plot/run_picture.hpp"
 #include "plot/run_track.hpp"
 #include "plot/tick_picture.hpp"
+#include "plot/world_picture.hpp"
 #include "world/world.hpp"
 
 namespace clew::plot {
@@ -16,15 +17,16 @@ namespace {
 
 core::Result<void> check_ending(const std::string& output) {
   const std::string ending = std::filesystem::path(output).extension().string();
-  if (ending == ".svg" || ending == ".png") return {};
-  return core::Error{"found ending '" + ending + "'; allowed: .svg, .png", output, 0, 0};
+  if (ending == ".svg" || ending == ".png" || ending == ".pdf") return {};
+  return core::Error{"found ending '" + ending + "'; allowed: .svg, .png, .pdf", output, 0, 0};
 }
 
 core::Result<void> write_picture(std::string picture, const std::string& output) {
-  if (std::filesystem::path(output).extension() == ".png") {
-    auto png = render_png(picture);
-    if (!png) return png.error();
-    picture = std::move(png).value();
+  const std::filesystem::path ending = std::filesystem::path(output).extension();
+  if (ending != ".svg") {
+    auto rendered = ending == ".png" ? render_png(picture) : render_pdf(picture);
+    if (!rendered) return rendered.error();
+    picture = std::move(rendered).value();
   }
   return files::write_file(output, picture);
 }
@@ -60,6 +62,12 @@ core::Result<void> plot_tick(const std::string& recording, const InsideView& ins
   const auto world = world::World::parse(track->world, track->path + ":world.yaml");
   if (!world) return world.error();
   return write_picture(draw_tick(*world, *track, inside), output);
+}
+
+core::Result<void> plot_world(const world::World& world, double robot_radius_m,
+                              const std::vector<core::Vec2>& traps, const std::string& output) {
+  CLEW_RETURN_IF_ERROR(check_ending(output));
+  return write_picture(draw_empty_world(world, robot_radius_m, traps), output);
 }
 
 }  // namespace clew::plot

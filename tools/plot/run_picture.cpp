@@ -52,7 +52,8 @@ std::string details_text(const world::World& world, const RunTrack& track) {
   if (track.last_state.safety_stops > 0) {
     text += count_text(track.last_state.safety_stops, "safety stop");
   }
-  return text + ", seed " + std::to_string(track.seed);
+  text += ", seed " + std::to_string(track.seed);
+  return track.graph.empty() ? text : track.graph + "; " + text;
 }
 
 std::string shortened(const std::string& name) {
@@ -123,6 +124,7 @@ void draw_legend(SvgWriter& svg, const Point& upper_left, const world::World& wo
       legend.path(paint.seek, "path");
     } else {
       legend.path(paint.seek, shortened(tracks[run].name));
+      if (!tracks[run].graph.empty()) legend.note(shortened(tracks[run].graph));
       legend.note(outcome_text(tracks[run]));
       legend.note("path " + short_number(tracks[run].last_state.path_length_m) + " m");
     }
@@ -146,7 +148,7 @@ void draw_legend(SvgWriter& svg, const Point& upper_left, const world::World& wo
 }
 
 double legend_height_px(const world::World& world, const std::vector<RunTrack>& tracks) {
-  const std::size_t runs = tracks.size() == 1 ? 1 : 3 * tracks.size();
+  const std::size_t runs = tracks.size() == 1 ? 1 : 4 * tracks.size();
   const std::size_t lines =
       runs + 3 + (world.moving().empty() ? 0 : 2) + symbols_of_all(tracks).size();
   return static_cast<double>(lines) * kLegendLinePx;

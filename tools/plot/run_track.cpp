@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/yaml_reader.hpp"
 #include "recording/run_recording.hpp"
 #include "runtime/run_plan.hpp"
 #include "wire/codec.hpp"
@@ -68,6 +69,7 @@ class TrackReader {
   }
 
   void enter_state(RunTrack& track) {
+    if (track.poses.empty()) track.first_tick = state_->stamp.tick;
     const domain::State& before = track.last_state;
     const Vec2 position = state_->pose_world_robot.position();
     if (state_->safety_stops > before.safety_stops) track.safety_stops.push_back(position);
@@ -146,6 +148,36 @@ core::Result<void> read_samples(const bridge::RunRecording& recording, RunTrack&
   }
 }
 
+/// The behaviours that a part of the graph names: a word, a list of words, or maps from the words
+/// to parameters.
+std::string names_of(const std::optional<core::YamlNode>& part) {
+  if (!part) return {};
+  std::string names;
+  const auto add = [&](const std::string& name) { names += (names.empty() ? "" : "+") + name; };
+  if (const auto word = part->string(); word.ok()) add(*word);
+  if (const auto entries = part->entries(); entries.ok()) {
+    for (const auto& entry : *entries) add(entry.key);
+  }
+  if (const auto items = part->items(); items.ok()) {
+    for (const auto& item : *items) add(names_of(item));
+  }
+  return names;
+}
+
+/// `default: no_progress, remembered_map`; what the graph does not say is left out.
+std::string graph_text(const std::string& yaml) {
+  const auto root = core::YamlNode::parse(yaml, "graph.yaml");
+  if (!root.ok()) return {};
+  std::string text = names_of(root->find("name"));
+  const auto recover = root->find("recover");
+  if (!recover) return text;
+  for (const char* part : {"detector", "escape"}) {
+    const std::string names = names_of(recover->find(part));
+    if (!names.empty()) text += (text.empty() ? "" : ", ") + names;
+  }
+  return text;
+}
+
 core::Result<void> read_configuration(const bridge::RunDescription& description, RunTrack& track) {
   const auto world = description.bundle.find("world.yaml");
   const auto robot = description.bundle.find("robot.yaml");
@@ -153,6 +185,8 @@ core::Result<void> read_configuration(const bridge::RunDescription& description,
     return core::Error{"does not hold the run's world.yaml and robot.yaml", {}, 0, 0};
   }
   track.world = world->second;
+  const auto graph = description.bundle.find("graph.yaml");
+  if (graph != description.bundle.end()) track.graph = graph_text(graph->second);
   track.seed = description.seed;
   track.tick_s = description.tick_s;
   const auto body = runtime::read_robot({"robot.yaml", robot->second}, "robot");

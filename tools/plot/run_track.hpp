@@ -46,10 +46,12 @@ struct RunTrack {
   std::string path;   ///< of the file
   std::string world;  ///< the world file's text
   double robot_radius_m = 0.0;
+  std::string graph;  ///< its name, detector and escapes, as far as the recording tells
   std::uint64_t seed = 0;
   double tick_s = 0.0;
   bool cut_off = false;  ///< the recording is not whole
 
+  std::uint64_t first_tick = 0;
   std::vector<core::Pose2> poses;  ///< at the start of each tick, from the first to the last
   std::vector<bool> recovering;    ///< in each tick; as many as poses
   domain::State last_state;

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/track_layer.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "plot/palette.hpp"
 
@@ -36,6 +41,13 @@ Symbol symbol_of(domain::Network network) {
 
 Symbol symbol_of(const TrapMark& trap) { return trap.shadow ? Symbol::kShadowTrap : Symbol::kTrap; }
 
+/// The least of 1, 2, 5, 10, 20, 50, ... that is no less.
+double round_up(double value) {
+  double step = 1.0;
+  for (int i = 0; step < value; ++i) step *= i % 3 == 1 ? 2.5 : 2.0;
+  return step;
+}
+
 /// Draws the stretches of the path of ticks in which recovery was at work, or of the others. What
 /// was commanded in tick k moves the robot from pose k to pose k + 1.
 void draw_stretches(SvgWriter& svg, const MapView& view, const RunTrack& track, bool recovering,
@@ -63,6 +75,41 @@ void draw_trap(SvgWriter& svg, const MapView& view, const TrapMark& trap,
   const Point sign{place.x + kAsidePx, place.y - kAsidePx};
   svg.line(place, sign, {"none", trap.shadow ? kMovingGrey : outline, 1.2});
   draw_symbol(svg, symbol_of(trap), sign, outline);
+}
+
+/// Virtual targets of an escape that sets hundreds would bury the path: then each is a dot.
+void draw_virtual_targets(SvgWriter& svg, const MapView& view, const RunTrack& track,
+                          std::string_view outline) {
+  constexpr std::size_t kMostStars = 24;
+  for (const auto& target : track.virtual_targets) {
+    if (track.virtual_targets.size() <= kMostStars) {
+      draw_symbol(svg, Symbol::kVirtualTarget, view.at(target), outline);
+    } else {
+      svg.circle(view.at(target), 2.0, {kPurple, outline, 0.5, "", 0.8});
+    }
+  }
+}
+
+/// Small marks with the tick's number along the path, at a round number of ticks.
+void draw_tick_marks(SvgWriter& svg, const MapView& view, const RunTrack& track,
+                     std::string_view colour) {
+  constexpr double kMostMarks = 12.0;
+  constexpr double kApartPx = 26.0;
+  const auto ticks = static_cast<double>(track.poses.size());
+  const auto step =
+      static_cast<std::size_t>(std::max(1.0, std::ceil(round_up(ticks / kMostMarks))));
+  std::vector<Point> labelled;
+  for (std::size_t tick = step; tick + 1 < track.poses.size(); tick += step) {
+    const Point at = view.at(track.poses[tick].position());
+    svg.circle(at, 2.4, {kWhite, colour, 1.4});
+    const bool crowded = std::any_of(labelled.begin(), labelled.end(), [&](const Point& other) {
+      return std::abs(at.x - other.x) < kApartPx && std::abs(at.y - other.y) < kApartPx / 2.0;
+    });
+    if (crowded) continue;
+    labelled.push_back(at);
+    svg.text({at.x + 5.0, at.y - 4.0}, std::to_string(track.first_tick + tick),
+             {9.5, Anchor::kStart, colour});
+  }
 }
 
 void draw_all(SvgWriter& svg, const MapView& view, const std::vector<core::Vec2>& positions,
@@ -108,6 +155,7 @@ void draw_track(SvgWriter& svg, const MapView& view, const RunTrack& track,
     draw_stretches(svg, view, track, false, paint.seek);
     draw_stretches(svg, view, track, true, paint.recover);
   }
+  draw_tick_marks(svg, view, track, paint.seek.stroke);
   svg.end_group();
 }
 
@@ -122,7 +170,7 @@ void draw_over_track(SvgWriter& svg, const MapView& view, const RunTrack& track,
   for (const auto& mark : track.marks) {
     draw_symbol(svg, symbol_of(mark.kind), view.at(mark.position), paint.outline);
   }
-  draw_all(svg, view, track.virtual_targets, Symbol::kVirtualTarget, paint.outline);
+  draw_virtual_targets(svg, view, track, paint.outline);
   draw_all(svg, view, track.safety_stops, Symbol::kSafetyStop, paint.outline);
   draw_all(svg, view, track.collisions, Symbol::kCollision, paint.outline);
   draw_all(svg, view, track.hits, Symbol::kHitBy, paint.outline);

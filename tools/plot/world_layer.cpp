@@ -38,6 +38,25 @@ void draw_grid(SvgWriter& svg, const MapView& view, const world::World& world) {
   svg.segments(lines, {"none", kGridGrey, 1.0});
 }
 
+/// The grid's metres along the lower and the left border, inside the map.
+void draw_axes(SvgWriter& svg, const MapView& view, const world::World& world) {
+  constexpr double kLabelPx = 9.5;
+  constexpr double kCornerPx = 24.0;  // free of labels of the other axis
+  const Vec2& low = world.bounds_min();
+  const Vec2& high = world.bounds_max();
+  const double step_m = round_length_m((high - low).maxCoeff() / 2.0);
+  for (const double x_m : multiples_between(step_m, low.x(), high.x())) {
+    const Point at = view.at({x_m, low.y()});
+    if (at.x < view.left() + kCornerPx || at.x > view.right() - kCornerPx) continue;
+    svg.text({at.x, at.y - 5.0}, short_number(x_m), {kLabelPx, Anchor::kMiddle, kMovingGrey});
+  }
+  for (const double y_m : multiples_between(step_m, low.y(), high.y())) {
+    const Point at = view.at({low.x(), y_m});
+    if (at.y < view.top() + kCornerPx || at.y > view.bottom() - kCornerPx) continue;
+    svg.text({at.x + 5.0, at.y + 3.5}, short_number(y_m), {kLabelPx, Anchor::kStart, kMovingGrey});
+  }
+}
+
 void draw_obstacles(SvgWriter& svg, const MapView& view, const world::World& world) {
   const Paint filled{kObstacleGrey, kWallGrey, 1.5};
   for (const auto& polygon : world.polygons()) svg.polygon(view.at(polygon), filled);
@@ -93,6 +112,7 @@ void draw_world(SvgWriter& svg, const MapView& view, const world::World& world, 
   draw_obstacles(svg, view, world);
   for (const auto& obstacle : world.moving()) draw_moving(svg, view, obstacle, end_time_s);
   svg.rectangle({view.left(), view.top()}, view.width(), view.height(), {"none", kWallGrey, 3.0});
+  draw_axes(svg, view, world);
   svg.end_group();
 }
 

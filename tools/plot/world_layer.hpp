@@ -11,8 +11,8 @@ namespace clew::plot {
 /// power of ten, at most a fifth of it.
 double round_length_m(double extent_m);
 
-/// Draws grid, obstacles, boundary and target. Moving obstacles are drawn where they stand at time
-/// 0 (dashed) and at `end_time_s`, with their whole way.
+/// Draws grid and its metres, obstacles, boundary and target. Moving obstacles are drawn where they
+/// stand at time 0 (dashed) and at `end_time_s`, with their whole way.
 void draw_world(SvgWriter& svg, const MapView& view, const world::World& world, double end_time_s);
 
 /// Draws the robot's body as it stands at the start.

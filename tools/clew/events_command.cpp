@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
+#include "clew/json_line.hpp"
+#include "clew/recorded_fields.hpp"
+#include "replay/recorded_plan.hpp"
+#include "stages/all.hpp"
+
+namespace clew::tools {
+namespace {
+
+using core::Result;
+using nlohmann::ordered_json;
+
+struct EventsOptions {
+  std::string recording;
+  bool json = false;
+};
+
+/// The stage that writes events.
+std::string writer_of_events() {
+  for (const runtime::StageInfo& stage : stages::all()) {
+    for (const runtime::PortInfo& port : stage.ports) {
+      const bool writes = port.direction == runtime::PortInfo::Direction::kOutput;
+      if (writes && port.topic == domain::Topic::kEvent) return stage.name;
+    }
+  }
+  return {};
+}
+
+const char* kind_word(domain::EventKind kind) {
+  switch (kind) {
+    case domain::EventKind::kLandmark:
+      return "landmark";
+    case domain::EventKind::kReflex:
+      return "reflex";
+    case domain::EventKind::kTrap:
+      return "trap";
+    case domain::EventKind::kEscapeBegun:
+      return "escape_begun";
+    case domain::EventKind::kEscapeEnded:
+      return "escape_ended";
+    case domain::EventKind::kEscapeFailed:
+      return "escape_failed";
+    case domain::EventKind::kVirtualTarget:
+      return "virtual_target";
+    case domain::EventKind::kUnreachable:
+      return "unreachable";
+  }
+  return "unknown";  // a later version's
+}
+
+ordered_json number_json(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+std::string to_json(const domain::TickStamp& stamp, const domain::EventEntry& entry,
+                    const std::string& stage) {
+  ordered_json json = {{"tick", stamp.tick},
+                       {"time_s", number_json(stamp.sim_time_s)},
+                       {"stage", stage},
+                       {"kind", kind_word(entry.kind)},
+                       {"rule", entry.rule},
+                       {"x_m", number_json(entry.x_m)},
+                       {"y_m", number_json(entry.y_m)},
+                       {"text", entry.text},
+                       {"shadow", entry.shadow},
+                       {"earlier", nullptr}};
+  if (entry.has_earlier) {
+    json["earlier"] = {{"tick", entry.earlier_tick},
+                       {"x_m", number_json(entry.earlier_x_m)},
+                       {"y_m", number_json(entry.earlier_y_m)}};
+  }
+  return json_line(json);
+}
+
+std::string to_text(const domain::TickStamp& stamp, const domain::EventEntry& entry) {
+  std::string text = fmt::format(
+      "tick {:>6}  {:>8.1f} s  {:<14} {:<22} at ({:.2f}, {:.2f})", stamp.tick, stamp.sim_time_s,
+      kind_word(entry.kind), entry.rule + (entry.shadow ? " (shadow)" : ""), entry.x_m, entry.y_m);
+  if (entry.has_earlier) {
+    text += fmt::format(", as at tick {} at ({:.2f}, {:.2f})", entry.earlier_tick,
+                        entry.earlier_x_m, entry.earlier_y_m);
+  }
+  return entry.text.empty() ? text : text + "  " + entry.text;
+}
+
+/// Prints all events; the number of them.
+Result<std::size_t> print_events(const bridge::RunRecording& recording, bool json) {
+  CLEW_RETURN_IF_ERROR(bridge::check_message_types(recording));
+  const std::string stage = writer_of_events();
+  auto samples = recording.samples({{domain::Topic::kEvent}});
+  bridge::Codec<domain::Event> codec;
+  domain::Event event;
+  std::size_t count = 0;
+  while (true) {
+    const auto sample = samples.next();
+    if (!sample.ok()) return sample.error();
+    if (!*sample) return count;
+    const auto decoded = codec.decode_unvalidated((*sample)->cdr, event);
+    if (!decoded.ok()) {
+      return core::Error{fmt::format("tick {}: {}", (*sample)->tick, decoded.error().message),
+                         recording.path(), 0, 0};
+    }
+    for (const domain::EventEntry& entry : event.entries) {
+      ++count;
+      fmt::print("{}\n", json ? to_json(event.stamp, entry, stage) : to_text(event.stamp, entry));
+    }
+  }
+}
+
+int events_command(const EventsOptions& options) {
+  const auto recording = bridge::RunRecording::open(options.recording);
+  if (!recording.ok()) return complain(recording.error());
+  const auto count = print_events(*recording, options.json);
+  if (!count.ok()) return complain(count.error());
+  if (const std::string why = recording->cut_off(); !why.empty()) {
+    fmt::print(stderr, "clew: {}: {}; told is what is there\n", recording->path(), why);
+  }
+  if (recording->description().schemas.count(domain::Topic::kEvent) == 0) {
+    fmt::print(stderr, "clew: {}: its graph has no recover, which alone tells events\n",
+               recording->path());
+  } else if (*count == 0 && !options.json) {
+    fmt::print("no events\n");
+  }
+  return kExitGood;
+}
+
+}  // namespace
+
+void add_events(CLI::App& main, int& status) {
+  const auto options = std::make_shared<EventsOptions>();
+  CLI::App* app =
+      main.add_subcommand("events", "Tell the traps, escapes and virtual targets of a recording");
+  app->add_option("recording", options->recording, "of a run")->required();
+  app->add_flag("--json", options->json, "print one JSON object an event");
+  app->callback([options, &status] { status = events_command(*options); });
+}
+
+}  // namespace clew::tools
