@@ -5,6 +5,7 @@
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/parameter_table.hpp"
 #include "core/nearest_name.hpp"
 #include "core/yaml_reader.hpp"
 #include "runtime/config_source.hpp"
@@ -17,6 +18,7 @@ namespace {
 struct ListOptions {
   std::string what;  ///< `graphs`, `worlds`, a stage, or `STAGE.PART`; empty: what there is
   std::string name;
+  bool markdown = false;  ///< tables for a README
 };
 
 using runtime::PartInfo;
@@ -28,29 +30,12 @@ using runtime::VariantInfo;
 const std::vector<std::string> kFolders = {"graphs", "worlds",    "suites",  "robots",
                                            "maps",   "rulebases", "training"};
 
-struct ValueText {
-  std::string operator()(bool v) const { return v ? "true" : "false"; }
-  std::string operator()(std::int64_t v) const { return std::to_string(v); }
-  std::string operator()(double v) const { return fmt::format("{}", v); }
-  std::string operator()(const std::string& v) const { return v.empty() ? "\"\"" : v; }
-  std::string operator()(const std::vector<std::string>& v) const {
-    return fmt::format("[{}]", fmt::join(v, ", "));
-  }
-};
-
-std::string allowed_text(const core::ParameterInfo& info) {
-  if (info.range) return fmt::format("{} to {}", info.range->min, info.range->max);
-  if (!info.choices.empty()) return fmt::format("{}", fmt::join(info.choices, " | "));
-  if (!info.folder.empty()) return "a file of configs/" + info.folder;
-  return {};
-}
-
 void print_parameters(const std::vector<core::ParameterInfo>& infos) {
   for (const core::ParameterInfo& info : infos) {
     const std::string unit = info.unit.empty() || info.unit == "1" ? "" : ' ' + info.unit;
     const std::string allowed = allowed_text(info);
-    fmt::print("    {} = {}{}{}  {}\n", info.name, std::visit(ValueText{}, info.default_value),
-               unit, allowed.empty() ? "" : " (" + allowed + ")", info.doc);
+    fmt::print("    {} = {}{}{}  {}\n", info.name, default_text(info), unit,
+               allowed.empty() ? "" : " (" + allowed + ")", info.doc);
   }
 }
 
@@ -70,6 +55,25 @@ void print_port(const PortInfo& port) {
 void print_variant(const StageInfo& stage, const PartInfo& part, const VariantInfo& variant) {
   fmt::print("  {}.{} {}: {}\n", stage.name, part.name, variant.name, variant.summary);
   print_parameters(variant.parameters);
+}
+
+// The parameters of a stage itself, or of one behaviour, as a table.
+int print_table(const StageInfo& stage, const std::string& part_name, const std::string& name) {
+  if (name.empty()) {
+    fmt::print("{}", parameter_table(stage.parameters));
+    return kExitGood;
+  }
+  for (const PartInfo& part : stage.parts) {
+    if (!part_name.empty() && part.name != part_name) continue;
+    for (const VariantInfo& variant : part.variants) {
+      if (variant.name != name) continue;
+      fmt::print("{}", parameter_table(variant.parameters));
+      return kExitGood;
+    }
+  }
+  return complain(
+      {"found '" + name + "'; allowed: a behaviour that `clew list " + stage.name + "` names",
+       "--markdown", 0, 0});
 }
 
 int list_files(const std::string& folder, const std::string& name) {
@@ -138,8 +142,9 @@ int list_command(const ListOptions& options) {
   const std::string stage_name = options.what.substr(0, dot);
   for (const StageInfo& stage : stages::all()) {
     if (stage.name == stage_name) {
-      return list_stage(stage, dot == std::string::npos ? "" : options.what.substr(dot + 1),
-                        options.name);
+      const std::string part = dot == std::string::npos ? "" : options.what.substr(dot + 1);
+      return options.markdown ? print_table(stage, part, options.name)
+                              : list_stage(stage, part, options.name);
     }
     known.push_back(stage.name);
   }
@@ -155,6 +160,8 @@ void add_list(CLI::App& main, int& status) {
   app->add_option("what", options->what,
                   "graphs | worlds | suites | robots | maps | rulebases | training | STAGE[.PART]");
   app->add_option("name", options->name, "only this one");
+  app->add_flag("--markdown", options->markdown,
+                "the parameters of a stage, or of the behaviour NAME, as a table for a README");
   app->callback([options, &status] { status = list_command(*options); });
 }
 
