@@ -175,8 +175,8 @@ class Whole(Published):
             self.assert_published([a + b for a, b in zip(curve(noise), curve(drift))])
 
     def test_our_own_recovery(self):
-        readme = (SOURCE / "components/recover/README.md").read_text(encoding="utf-8")
-        for suite, text in (("own", readme), ("own_traps", RESULTS)):
+        notes = (SOURCE / "docs/notes/recover.md").read_text(encoding="utf-8")
+        for suite, text in (("own", notes), ("own_traps", RESULTS)):
             runs, report = self.bench(suite, name=suite)
 
             self.assert_published(own_lines(runs, report), text)
@@ -186,9 +186,9 @@ class Whole(Published):
 
     def test_the_static_worlds(self):
         paper_table = load_tool("paper-table")
-        readme = (SOURCE / "components/recover/README.md").read_text(encoding="utf-8")
+        notes = (SOURCE / "docs/notes/recover.md").read_text(encoding="utf-8")
 
-        self.assertIn(paper_table.matrix(), readme)
+        self.assertIn(paper_table.matrix(), notes)
 
     def test_workers_and_kills_change_nothing(self):
         once, _ = self.bench(*TRAPS, "--jobs", "1", name="one")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What Lagoudakis & Maida 1999 say of their figures, and the table in control's README."""
+"""What Lagoudakis & Maida 1999 say of their figures, and the table in docs/notes/control.md."""
 import pathlib
 import tempfile
 import unittest
@@ -65,11 +65,11 @@ class Figures(unittest.TestCase):
 
 
 class Table(unittest.TestCase):
-    def test_the_readme_holds_what_the_command_prints(self):
-        readme = (SOURCE / "components/control/README.md").read_text(encoding="utf-8")
+    def test_the_notes_hold_what_the_command_prints(self):
+        notes = (SOURCE / "docs/notes/control.md").read_text(encoding="utf-8")
 
         self.assertIn(paper_table.table(paper_table.worlds("lm-*"), paper_table.POLAR_VARIANTS),
-                      readme)
+                      notes)
 
 
 class Inside(unittest.TestCase):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What Krishna & Kalra 2000 say of their figures, and what the tables in recover's README say."""
+"""What Krishna & Kalra 2000 say of their figures, and what the tables in docs/notes/recover.md say."""
 import unittest
 
 from clew_command import SOURCE, load_tool
@@ -106,12 +106,12 @@ class WangYangMeng(unittest.TestCase):
         # Start and target are 8.40 m apart and the target has 0.2 m.
         self.assertGreater(report["path_length_m"], 8.4)
 
-    def test_the_readme_holds_what_the_command_prints(self):
-        readme = (SOURCE / "components/control/README.md").read_text(encoding="utf-8")
+    def test_the_notes_hold_what_the_command_prints(self):
+        notes = (SOURCE / "docs/notes/control.md").read_text(encoding="utf-8")
 
         self.assertIn(paper_table.table(paper_table.worlds("w-fig*"), paper_table.NEURO_FUZZY,
-                                        paper_table.contact_cell), readme)
-        self.assertIn(paper_table.neuro_fuzzy_totals(paper_table.WITH_TARGET), readme)
+                                        paper_table.contact_cell), notes)
+        self.assertIn(paper_table.neuro_fuzzy_totals(paper_table.WITH_TARGET), notes)
 
 
 class Worlds(unittest.TestCase):
@@ -134,10 +134,10 @@ class Worlds(unittest.TestCase):
 
 
 class Tables(unittest.TestCase):
-    def test_the_readme_holds_what_the_command_prints(self):
-        readme = (SOURCE / "components/recover/README.md").read_text(encoding="utf-8")
+    def test_the_notes_hold_what_the_command_prints(self):
+        notes = (SOURCE / "docs/notes/recover.md").read_text(encoding="utf-8")
 
-        self.assertIn(paper_table.table(paper_table.worlds("kk-*"), paper_table.VARIANTS), readme)
+        self.assertIn(paper_table.table(paper_table.worlds("kk-*"), paper_table.VARIANTS), notes)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What plan's README says of the neural map's paths beside those of other methods, but for the times."""
+"""What docs/notes/plan.md says of the neural map's paths beside those of other methods, but for the times."""
 import os
 import subprocess
 import unittest
@@ -17,10 +17,10 @@ def rows(text):
 
 
 class PathTable(unittest.TestCase):
-    def test_the_readme_tells_the_table(self):
+    def test_the_notes_tell_the_table(self):
         printed = rows(subprocess.run([PATH_TABLE], capture_output=True, text=True,
                                       check=True).stdout)
-        told = rows((SOURCE / "components/plan/README.md").read_text(encoding="utf-8"))
+        told = rows((SOURCE / "docs/notes/plan.md").read_text(encoding="utf-8"))
 
         self.assertEqual(len(printed), 8)
         for method, cells in printed.items():

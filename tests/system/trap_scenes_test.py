@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the papers say of the scenes that show their recovery, and recover's README of it."""
+"""What the papers say of the scenes that show their recovery, and what docs/notes/recover.md says of it."""
 import unittest
 
 from clew_command import SOURCE, load_tool
 
 paper_table = load_tool("paper-table")
 
-# Why is in components/recover/README.md.
+# Why is in docs/notes/recover.md.
 NOT_AS_TOLD = {("Krishna & Kalra 16c", "the same, mirrored"),
                ("Nakhaeinia 10", "two virtual targets lead out of the recursive U")}
 
@@ -25,10 +25,10 @@ class TrapScenes(unittest.TestCase):
         for (figure, *_), reports in zip(paper_table.SCENES, self.reports):
             self.assertEqual(sum(report["collisions"] for report in reports), 0, figure)
 
-    def test_are_told_by_the_readme(self):
-        readme = (SOURCE / "components/recover/README.md").read_text(encoding="utf-8")
+    def test_are_told_by_the_notes(self):
+        notes = (SOURCE / "docs/notes/recover.md").read_text(encoding="utf-8")
 
-        self.assertIn(self.table, readme)
+        self.assertIn(self.table, notes)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Prints a table in Markdown that compares the neural map's paths with other methods', for
-/// components/plan/README.md: over the shipped worlds in which nothing moves and the target can be
+/// docs/notes/plan.md: over the shipped worlds in which nothing moves and the target can be
 /// reached, on cells of 0.1 m.
 #include <fmt/format.h>
 
