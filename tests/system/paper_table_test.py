@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What Krishna & Kalra 2000 say of their figures, and what the tables in docs/notes/recover.md say."""
+"""What Krishna & Kalra 2000 say of their figures, and the tables in docs/notes/recover.md."""
 import unittest
 
 from clew_command import SOURCE, load_tool

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What docs/notes/plan.md says of the neural map's paths beside those of other methods, but for the times."""
+"""The table of paths in docs/notes/plan.md is what build/path-table prints, but for the times."""
 import os
 import subprocess
 import unittest

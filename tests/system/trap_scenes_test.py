@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the papers say of the scenes that show their recovery, and what docs/notes/recover.md says of it."""
+"""What the papers say of the scenes that show their recovery, and docs/notes/recover.md of it."""
 import unittest
 
 from clew_command import SOURCE, load_tool
