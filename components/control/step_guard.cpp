@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "domain/motion_conversion.hpp"
+#include "scan/nearest_return.hpp"
 
 namespace clew::control {
 namespace {
@@ -109,8 +110,7 @@ double StepGuard::nearest_bearing_rad(const domain::Odometry& odometry,
   if (!state_.contacts_odom_rad.empty()) {
     return core::wrap_angle_rad(state_.contacts_odom_rad[0] - odometry.pose_odom_robot.heading_rad);
   }
-  const auto shortest = std::min_element(scan.ranges_m.begin(), scan.ranges_m.end());
-  return scan.bearing_rad(static_cast<std::size_t>(shortest - scan.ranges_m.begin()));
+  return scan::nearest_return(scan).bearing_rad;
 }
 
 }  // namespace clew::control

@@ -42,6 +42,14 @@ core::Result<void> SevenCones::check(const domain::ScanLayout& layout,
   return {};
 }
 
+bool SevenCones::are(const domain::ScanLayout& layout) {
+  constexpr double kTolerance_rad = core::radians(0.1);
+  return layout.beam_count == kCount &&
+         std::fabs(layout.bearing_first_rad - sector_rad(0)) < kTolerance_rad &&
+         std::fabs(layout.bearing_step_rad + kWidth_rad) < kTolerance_rad &&
+         layout.range_max_m > 0.0;
+}
+
 const domain::Scan& SevenCones::see(const domain::Scan& scan) {
   cones_.stamp = scan.stamp;
   cones_.bearing_first_rad = sector_rad(0);

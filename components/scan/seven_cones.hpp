@@ -19,6 +19,9 @@ class SevenCones {
   /// Refuses, in the name of `behaviour`, a layout that leaves a sector without a beam.
   static core::Result<void> check(const domain::ScanLayout& layout, const std::string& behaviour);
 
+  /// Whether a sensor's beams are these cones themselves, to within 0.1 degrees.
+  static bool are(const domain::ScanLayout& layout);
+
   /// Sees `range_m` far, or less if the sensor does.
   explicit SevenCones(double range_m) : range_m_(range_m) {}
 

@@ -61,5 +61,23 @@ TEST(SevenCones, AskForABeamInEachSector) {
   EXPECT_FALSE(SevenCones::check(rays, "it").ok());
 }
 
+TEST(SevenCones, AreOnlyThoseOfSevenBeamsAtTheirBearings) {
+  const domain::ScanLayout cones = {
+      "cones", 7, core::radians(45.05), core::radians(-15.0), core::radians(15.0), 1.5};
+  domain::ScanLayout six = cones;
+  six.beam_count = 6;
+  domain::ScanLayout turned = cones;
+  turned.bearing_first_rad = core::radians(45.2);
+  domain::ScanLayout counter_clockwise = cones;
+  counter_clockwise.bearing_step_rad = core::radians(15.0);
+  domain::ScanLayout blind = cones;
+  blind.range_max_m = 0.0;
+
+  EXPECT_TRUE(SevenCones::are(cones));
+  for (const auto& other : {six, turned, counter_clockwise, blind}) {
+    EXPECT_FALSE(SevenCones::are(other));
+  }
+}
+
 }  // namespace
 }  // namespace clew::scan

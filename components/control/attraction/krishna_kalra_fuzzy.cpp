@@ -5,23 +5,12 @@
 #include <cmath>
 
 #include "core/fuzzy.hpp"
+#include "scan/seven_cones.hpp"
 
 namespace clew::control {
-namespace {
-
-bool is_seven_cones(const domain::ScanLayout& scan) {
-  const double tolerance_rad = core::radians(0.1);
-  return scan.beam_count == KrishnaKalraRules::kSensors &&
-         std::fabs(scan.bearing_first_rad - core::radians(45.0)) < tolerance_rad &&
-         std::fabs(scan.bearing_step_rad + core::radians(15.0)) < tolerance_rad &&
-         scan.range_max_m > 0.0;
-}
-
-}  // namespace
-
 core::Result<std::unique_ptr<KrishnaKalraFuzzy>> KrishnaKalraFuzzy::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
-  if (!is_seven_cones(setup.scan)) {
+  if (!scan::SevenCones::are(setup.scan)) {
     return core::Error{
         "krishna_kalra_fuzzy needs seven beams, 15 degrees apart from 45 on the left "
         "to 45 on the right; '" +

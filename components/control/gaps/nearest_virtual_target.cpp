@@ -1,43 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "control/gaps/nearest_virtual_target.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/angle.hpp"
+#include "scan/nearest_return.hpp"
+#include "scan/scan_needs.hpp"
 
 namespace clew::control {
 namespace {
 
-/// Whether gaps can be told: no blind sector over 15 degrees, and 45 degrees seen on each side.
-bool shows_gaps(const domain::ScanLayout& scan) {
-  if (scan.beam_count < 2) return false;
-  constexpr double kMostBlindRad = core::radians(15.1);
-  constexpr double kLeastSideRad = core::radians(44.9);
-  return scan.between_beams_rad() <= kMostBlindRad && scan.leftmost_rad() >= kLeastSideRad &&
-         scan.rightmost_rad() <= -kLeastSideRad;
+/// Gaps can be told where no blind sector is over 15 degrees, and 45 degrees are seen on each side.
+scan::ScanNeeds gap_needs() {
+  scan::ScanNeeds needs;
+  needs.least_beams = 2;
+  needs.most_unseen_rad = core::radians(15.0);
+  needs.least_axis_rad = core::radians(45.0);
+  return needs;
 }
 
 }  // namespace
 
 core::Result<std::unique_ptr<NearestVirtualTarget>> NearestVirtualTarget::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
-  if (!shows_gaps(setup.scan)) {
-    return core::Error{
-        fmt::format("nearest_virtual_target needs beams that leave at most 15 degrees between them "
-                    "unseen, over 45 degrees on each side or more; '{}' gives {} beams of {:.4g} "
-                    "degrees, {:.4g} degrees apart from {:.4g} on",
-                    setup.scan.sensor, setup.scan.beam_count,
-                    core::degrees(setup.scan.beam_width_rad),
-                    core::degrees(std::fabs(setup.scan.bearing_step_rad)),
-                    core::degrees(setup.scan.bearing_first_rad)),
-        {},
-        0,
-        0};
-  }
+  CLEW_RETURN_IF_ERROR(scan::check_needs(gap_needs(), setup.scan, "nearest_virtual_target"));
   const auto resource = setup.resources.find("rulebases", parameters.rules);
   if (!resource.ok()) return resource.error();
   const auto rules = VirtualTargetRules::parse(*resource);
@@ -114,13 +102,12 @@ core::Vec2 NearestVirtualTarget::nearest_gap(const core::Pose2& pose, const core
 
 /// Table 1, toward a virtual target at this bearing.
 domain::Motion NearestVirtualTarget::steer(double bearing_rad, const domain::Scan& scan) const {
-  const auto nearest = std::min_element(scan.ranges_m.begin(), scan.ranges_m.end());
-  const double nearest_rad =
-      scan.bearing_rad(static_cast<std::size_t>(nearest - scan.ranges_m.begin()));
-  const double position_rad = *nearest < scan.range_max_m
-                                  ? std::fabs(core::wrap_angle_rad(nearest_rad - bearing_rad))
-                                  : core::kPi;
-  const VirtualTargetRules::Output output = rules_.infer(position_rad, *nearest);
+  const scan::Return nearest = scan::nearest_return(scan);
+  const double position_rad =
+      nearest.range_m < scan.range_max_m
+          ? std::fabs(core::wrap_angle_rad(nearest.bearing_rad - bearing_rad))
+          : core::kPi;
+  const VirtualTargetRules::Output output = rules_.infer(position_rad, nearest.range_m);
   domain::Motion motion;
   motion.kind = domain::CommandKind::kVelocities;
   const double most_radps = std::min(output.turn_rate_radps, std::fabs(bearing_rad) / tick_s_);

@@ -1,29 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "control/polar/polar_neural_map.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "control/polar/polar_picture.hpp"
 #include "core/angle.hpp"
+#include "scan/scan_needs.hpp"
 
 namespace clew::control {
 namespace {
 
 constexpr double kAtRest_radps = 1e-6;
 
-/// Whether a scan tells what is ahead of and beside the robot: beams at most 30 degrees apart, over
-/// 90 degrees on each side.
-bool shows_surroundings(const domain::ScanLayout& scan) {
-  if (scan.beam_count < 2) return false;
-  constexpr double kMostApartRad = core::radians(30.1);
-  constexpr double kLeastSideRad = core::radians(89.9);
-  const double half_width_rad = 0.5 * scan.beam_width_rad;
-  return std::fabs(scan.bearing_step_rad) <= kMostApartRad &&
-         scan.leftmost_rad() + half_width_rad >= kLeastSideRad &&
-         scan.rightmost_rad() - half_width_rad <= -kLeastSideRad;
+/// What tells what is ahead of and beside the robot.
+scan::ScanNeeds polar_needs() {
+  scan::ScanNeeds needs;
+  needs.least_beams = 2;
+  needs.most_apart_rad = core::radians(30.0);
+  needs.least_seen_rad = core::radians(90.0);
+  return needs;
 }
 
 /// A place of the world in the frame of a pose.
@@ -49,19 +45,7 @@ PolarLattice lattice_of(const PolarNeuralMapParameters& p) {
 
 core::Result<std::unique_ptr<PolarNeuralMap>> PolarNeuralMap::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
-  const domain::ScanLayout& scan = setup.scan;
-  if (!shows_surroundings(scan)) {
-    return core::Error{
-        fmt::format("polar_neural_map needs beams that are at most 30 degrees apart, over 90 "
-                    "degrees on each side or more; '{}' gives {} beams of {:.4g} degrees, {:.4g} "
-                    "degrees apart from {:.4g} on",
-                    scan.sensor, scan.beam_count, core::degrees(scan.beam_width_rad),
-                    core::degrees(std::fabs(scan.bearing_step_rad)),
-                    core::degrees(scan.bearing_first_rad)),
-        {},
-        0,
-        0};
-  }
+  CLEW_RETURN_IF_ERROR(scan::check_needs(polar_needs(), setup.scan, "polar_neural_map"));
   return std::make_unique<PolarNeuralMap>(parameters, setup);
 }
 

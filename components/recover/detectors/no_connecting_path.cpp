@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recover/detectors/no_connecting_path.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/angle.hpp"
 #include "core/segment.hpp"
+#include "scan/scan_needs.hpp"
 
 namespace clew::recover {
 namespace {
@@ -36,20 +35,11 @@ std::optional<double> free_toward_m(const scan::SafeRegions& regions, double bea
 
 core::Result<std::unique_ptr<NoConnectingPath>> NoConnectingPath::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
-  const domain::ScanLayout& scan = setup.scan;
-  constexpr double kMostBetweenBeams_rad = core::radians(15.0);
-  constexpr double kLeastField_rad = core::radians(90.0);
-  if (scan.between_beams_rad() > kMostBetweenBeams_rad + 1e-9 ||
-      scan.field_rad() < kLeastField_rad - 1e-9) {
-    return core::Error{
-        fmt::format("no_connecting_path needs a field of view of 90 degrees with at most 15 "
-                    "between beams; '{}' has {:.4g} degrees with {:.4g} between",
-                    scan.sensor, core::degrees(scan.field_rad()),
-                    core::degrees(scan.between_beams_rad())),
-        {},
-        0,
-        0};
-  }
+  scan::ScanNeeds needs;
+  needs.least_beams = 2;
+  needs.most_unseen_rad = core::radians(15.0);
+  needs.least_field_rad = core::radians(90.0);
+  CLEW_RETURN_IF_ERROR(scan::check_needs(needs, setup.scan, "no_connecting_path"));
   return std::make_unique<NoConnectingPath>(parameters, setup.robot.radius_m);
 }
 

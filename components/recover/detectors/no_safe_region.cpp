@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "scan/scan_needs.hpp"
+
 namespace clew::recover {
 namespace {
 
@@ -16,27 +18,11 @@ std::string in_degrees(double angle_rad) {
 
 core::Result<std::unique_ptr<NoSafeRegion>> NoSafeRegion::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
-  const domain::ScanLayout& scan = setup.scan;
-  constexpr double kMostBetweenBeams_rad = core::radians(15.0);
-  const double between_rad = scan.between_beams_rad();
-  if (scan.beam_count > 1 && between_rad > kMostBetweenBeams_rad + 1e-9) {
-    return core::Error{"no_safe_region needs beams with at most " +
-                           in_degrees(kMostBetweenBeams_rad) + " between them; '" + scan.sensor +
-                           "' leaves " + in_degrees(between_rad),
-                       {},
-                       0,
-                       0};
-  }
-  const double field_rad = scan.field_rad();
-  const double needed_rad = 2.0 * parameters.sector_rad * parameters.seen_ratio;
-  if (field_rad < needed_rad - 1e-9) {
-    return core::Error{"no_safe_region needs a field of view of " + in_degrees(needed_rad) +
-                           " (seen_ratio of twice sector_deg); '" + scan.sensor + "' has " +
-                           in_degrees(field_rad),
-                       {},
-                       0,
-                       0};
-  }
+  scan::ScanNeeds needs;
+  needs.most_unseen_rad = core::radians(15.0);
+  needs.least_field_rad = 2.0 * parameters.sector_rad * parameters.seen_ratio;
+  needs.field_reason = "seen_ratio of twice sector_deg";
+  CLEW_RETURN_IF_ERROR(scan::check_needs(needs, setup.scan, "no_safe_region"));
   return std::make_unique<NoSafeRegion>(parameters, setup.robot.radius_m);
 }
 

@@ -169,10 +169,11 @@ TEST(NearestVirtualTarget, RefusesASensorThatShowsNoGaps) {
   const auto made = NearestVirtualTarget::create({}, setup);
 
   ASSERT_FALSE(made.ok());
-  EXPECT_EQ(made.error().message,
-            "nearest_virtual_target needs beams that leave at most 15 degrees between them unseen, "
-            "over 45 degrees on each side or more; 'infrared' gives 4 beams of 0 degrees, 90 "
-            "degrees apart from 90 on");
+  EXPECT_EQ(
+      made.error().message,
+      "nearest_virtual_target needs 2 beams or more, at most 15 degrees unseen between beams, "
+      "beams out to 45 degrees on each side; 'infrared' gives 4 beams of 0 degrees, 90 "
+      "degrees apart from 90 on");
 }
 
 }  // namespace

@@ -154,9 +154,9 @@ TEST(PolarNeuralMap, RefusesASensorThatDoesNotShowWhatIsAround) {
 
   ASSERT_FALSE(with_four.ok());
   EXPECT_EQ(with_four.error().message,
-            "polar_neural_map needs beams that are at most 30 degrees apart, over 90 degrees on "
-            "each side or more; 'infrared' gives 4 beams of 0 degrees, 90 degrees apart from 90 "
-            "on");
+            "polar_neural_map needs 2 beams or more, at most 30 degrees from beam to beam, a view "
+            "out to 90 degrees on each side; 'infrared' gives 4 beams of 0 degrees, 90 degrees "
+            "apart from 90 on");
   ASSERT_FALSE(with_front.ok());
   EXPECT_NE(with_front.error().message.find("'cones' gives 7 beams of 15 degrees"),
             std::string::npos);

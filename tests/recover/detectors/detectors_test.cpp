@@ -304,10 +304,10 @@ TEST_F(NoSafeRegionTest, LooksTowardTheTargetInForce) {
 
 TEST_F(NoSafeRegionTest, RefusesEyesThatSeeTooLittle) {
   EXPECT_EQ(NoSafeRegion::create({}, setup(4, 90, 0)).error().message,
-            "no_safe_region needs beams with at most 15 deg between them; 'eyes' leaves 90 deg");
-  EXPECT_EQ(NoSafeRegion::create({}, setup(5, 15, 15)).error().message,
-            "no_safe_region needs a field of view of 90 deg (seen_ratio of twice sector_deg); "
-            "'eyes' has 75 deg");
+            "no_safe_region needs at most 15 degrees unseen between beams, a field of view of 90 "
+            "degrees (seen_ratio of twice sector_deg); 'eyes' gives 4 beams of 0 degrees, 90 "
+            "degrees apart from 0 on");
+  EXPECT_FALSE(NoSafeRegion::create({}, setup(5, 15, 15)).ok());  // 75 degrees
   EXPECT_TRUE(NoSafeRegion::create({}, setup(7, -15, 15)).ok());
 }
 

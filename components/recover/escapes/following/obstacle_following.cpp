@@ -4,20 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan/nearest_return.hpp"
+
 namespace clew::recover {
 namespace {
 
 // A bearing beyond this is behind the robot.
 constexpr double kBehind_rad = core::radians(90.0);
 
-double nearest_bearing_rad(const domain::Scan& scan) {
-  const auto nearest = std::min_element(scan.ranges_m.begin(), scan.ranges_m.end());
-  return scan.bearing_rad(static_cast<std::size_t>(nearest - scan.ranges_m.begin()));
-}
-
 /// The side of the nearest obstacle; one straight ahead is taken to be on the target's side.
 Side obstacle_side(const Situation& situation) {
-  const double bearing_rad = nearest_bearing_rad(situation.scan);
+  const double bearing_rad = scan::nearest_return(situation.scan).bearing_rad;
   const bool ahead = std::fabs(bearing_rad) < 0.5 * situation.scan.beam_width_rad;
   return side_of(ahead ? situation.target_bearing_rad() : bearing_rad);
 }
@@ -81,7 +78,7 @@ void ObstacleFollowing::enter(Phase phase, const Situation& situation) {
 /// Turns toward the obstacle, until it is abeam on the other side.
 void ObstacleFollowing::begin_turning_about(const Situation& situation) {
   const double off_ahead_rad =
-      std::max(0.0, sign(state_.wall) * nearest_bearing_rad(situation.scan));
+      std::max(0.0, sign(state_.wall) * scan::nearest_return(situation.scan).bearing_rad);
   state_.turn_left_rad = sign(state_.wall) * (0.5 * core::kPi + off_ahead_rad);
   state_.wall = opposite(state_.wall);
   enter(Phase::kTurnAbout, situation);

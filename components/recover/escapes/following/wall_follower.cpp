@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/fuzzy.hpp"
+#include "scan/nearest_return.hpp"
 
 namespace clew::recover {
 namespace {
@@ -56,8 +57,7 @@ bool WallFollower::at_break(const domain::Scan& scan, Side side) const {
 }
 
 bool WallFollower::sees_obstacle(const domain::Scan& scan) const {
-  const double nearest_m = *std::min_element(scan.ranges_m.begin(), scan.ranges_m.end());
-  return nearest_m / scan.range_max_m <= rules_.break_ratio;
+  return scan::nearest_return(scan).range_m / scan.range_max_m <= rules_.break_ratio;
 }
 
 }  // namespace clew::recover
