@@ -12,10 +12,6 @@ namespace {
 using tests::rule_base;
 using tests::with;
 
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
-
 std::string refusal_of(const std::string& from, const std::string& to) {
   const auto rules = KrishnaKalraRules::parse(
       {"rules.yaml", with(rule_base("krishna_kalra_control").text, from, to)});

@@ -110,7 +110,7 @@ TEST_P(RememberedWayTest, TurnsOnTheSpotBeforeItStepsToTheSide) {
 TEST_P(RememberedWayTest, LeavesTheMotionToTheControllerAsLongAsThatGetsOn) {
   MapFollowing::Parameters parameters = patient();
   parameters.patience_s = 2.0;
-  parameters.way.replan_s = 60.0;
+  parameters.path.replan_s = 60.0;
   parameters.held_s = 100.0;
   const auto escape = make(parameters);
   escape->begin(before_a_wall().situation(), {});
