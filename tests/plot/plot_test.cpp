@@ -116,11 +116,11 @@ TEST_F(Plot, RefusesRunsInDifferentWorlds) {
 }
 
 TEST_F(Plot, RefusesOutputsThatItCannotWrite) {
-  const auto wrong_ending = plot_recordings({recording_}, "out.pdf");
+  const auto wrong_ending = plot_recordings({recording_}, "out.gif");
   const auto nowhere = plot_recordings({recording_}, scratch_.file("no/where.svg"));
 
   ASSERT_FALSE(wrong_ending);
-  EXPECT_EQ(wrong_ending.error().text(), "out.pdf: found ending '.pdf'; allowed: .svg, .png");
+  EXPECT_EQ(wrong_ending.error().text(), "out.gif: found ending '.gif'; allowed: .svg, .png, .pdf");
   ASSERT_FALSE(nowhere);
   EXPECT_EQ(nowhere.error().text(),
             scratch_.file("no/where.svg") + ": cannot be written: No such file or directory");

@@ -92,10 +92,10 @@ TEST_F(TickPicture, RefusesATickWithoutAPose) {
 }
 
 TEST_F(TickPicture, RefusesAnotherEnding) {
-  const auto plotted = plot::plot_tick(recording_, view_of(2), "out.pdf");
+  const auto plotted = plot::plot_tick(recording_, view_of(2), "out.gif");
 
   ASSERT_FALSE(plotted);
-  EXPECT_EQ(plotted.error().text(), "out.pdf: found ending '.pdf'; allowed: .svg, .png");
+  EXPECT_EQ(plotted.error().text(), "out.gif: found ending '.gif'; allowed: .svg, .png, .pdf");
 }
 
 }  // namespace
