@@ -91,7 +91,8 @@ TEST_F(ConfigPathTest, AnswersAnUnknownNameWithTheKnownOnes) {
 
   EXPECT_EQ(both().find("worlds", "u-tarp").error().text(),
             "unknown world 'u-tarp' (did you mean 'u-trap'?); allowed: comb, u-trap (in " +
-                path("first/worlds") + ", " + path("second/worlds") + ")");
+                path("first/worlds") + ", " + path("second/worlds") +
+                "; CLEW_PATH adds directories)");
 }
 
 TEST_F(ConfigPathTest, ListsEachNameOnce) {
