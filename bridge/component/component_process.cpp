@@ -128,12 +128,17 @@ Result<Prepared> prepare(const Assignment& assignment, const std::string& stage,
 
 Result<bool> take_part(Link& link, const Assignment& assignment, const std::string& stage,
                        const std::vector<runtime::StageInfo>& stages) {
+  const auto still_preparing = [&] {
+    link.post(FrameType::kPreparing, Text{stage + " still makes its component"});
+  };
   std::optional<Heartbeat> alive;
-  alive.emplace(
-      [&] { link.post(FrameType::kPreparing, Text{stage + " still makes its component"}); });
+  alive.emplace(still_preparing);
   auto prepared = prepare(assignment, stage, stages);
   if (!prepared.ok()) return prepared.error();
+  // A heartbeat of ordinary priority would wait behind the steps, and the process be killed.
+  alive.reset();
   CLEW_RETURN_IF_ERROR(take_realtime_priority(assignment.realtime_priority));
+  alive.emplace(still_preparing);
 
   const auto say = [&link](FrameType type) {
     return [&link, type](std::string text) { link.post(type, Text{std::move(text)}); };

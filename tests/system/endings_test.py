@@ -161,15 +161,15 @@ class Endings(unittest.TestCase):
 
             run.assert_nothing_left(self)
 
-    def test_a_program_that_cannot_be_started_is_named(self):
+    def test_a_missing_program_is_bad_input_with_its_place(self):
         graph = write_file("world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n"
                            "control: {exec: [./no-such-program]}\n"
                            "drive: {behaviour: turn_then_step}\n")
 
         run = Run(["run", graph])
 
-        self.assertEqual(run.status, 1)
-        self.assertIn("control: ./no-such-program: cannot be started: No such file or directory",
+        self.assertEqual(run.status, 2)
+        self.assertIn(f"{graph}:4:10: exec of control: there is no program './no-such-program'",
                       run.err)
 
     def test_an_external_component_that_never_comes_does_not_hang_an_interrupt(self):
