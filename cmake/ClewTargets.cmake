@@ -23,6 +23,15 @@ endif()
 add_compile_options(-ffp-contract=off)
 # Everywhere, so that every target may use the same precompiled header.
 add_compile_options(-pthread)
+# What is loaded at run time (a plug-in, a module) is linked from the same static libraries as the
+# command. It exports what it says alone.
+add_compile_options(-fPIC)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_C_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+# Two clones give the same bytes. A debugger needs the paths, so only Release leaves them out.
+add_compile_options($<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=>
+  $<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_BINARY_DIR}/=build/>)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2")
 set(CMAKE_C_FLAGS_RELEASE "-O2")
 # In a debugger every argument and local has its value, and macros are known. tools/test asks for
