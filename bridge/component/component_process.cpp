@@ -103,8 +103,8 @@ Result<Assignment> take_assignment(Link& link, const std::string& stage) {
 Result<void> take_realtime_priority(int priority) {
   const sched_param parameters{priority};
   if (priority == 0 || ::sched_setscheduler(0, SCHED_FIFO, &parameters) == 0) return {};
-  return Error{fmt::format("real-time priority {}: {}; 'ulimit -r' tells what is allowed", priority,
-                           std::strerror(errno)),
+  return Error{fmt::format("real-time priority {}: {}; see 'ulimit -r' for what is allowed",
+                           priority, std::strerror(errno)),
                {},
                0,
                0};

@@ -21,7 +21,7 @@ namespace clew::bridge {
 enum class FrameType : std::uint8_t {
   // from a component
   kHello,
-  kPreparing,  ///< with what it is busy before it can say for whom it waits
+  kPreparing,  ///< busy preparing; the text says with what
   kAlive,      ///< every tenth of a second, whatever it does
   kWaiting,    ///< which endpoints are not there yet; none: ready
   kProgress,

@@ -16,7 +16,7 @@ namespace {
 using core::Result;
 using domain::Topic;
 
-/// How a run ended that did not reach its target; empty for any other state.
+/// Text for an outcome other than reached; empty while running or reached.
 const char* bad_end(domain::Outcome outcome) {
   switch (outcome) {
     case domain::Outcome::kCollided:

@@ -19,8 +19,8 @@ core::Result<std::optional<BlackBoxStart>> black_box_for(const RunRecording& rec
                                                          const runtime::RunPlan& plan);
 
 /// Lets a node of `plan` begin where the recording does: after a black box's first tick, in the
-/// state that the box has of it. Without a past begins a node for which the box has none, and one
-/// with other behaviours than those recorded. Does nothing if the recording begins at tick 0.
+/// state that the box has of it. A node without a saved state starts fresh, and so does one with
+/// other behaviours than those recorded. Does nothing if the recording begins at tick 0.
 /// Refused: a state that is not one of the component's.
 core::Result<void> begin_in_black_box(const RunRecording& recording, const runtime::RunPlan& plan,
                                       FedNode& fed);

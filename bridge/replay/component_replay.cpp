@@ -70,8 +70,7 @@ Result<runtime::Node> node_of(const runtime::RunPlan& plan, const std::string& s
   const auto found = find_stage(plan, stage);
   if (!found) return found.error();
   if (!(*found)->deployment.exec.empty()) {
-    return core::Error{
-        stage + " is a component of someone else's, and cannot be replayed", {}, 0, 0};
+    return core::Error{stage + " is a third-party component, and cannot be replayed", {}, 0, 0};
   }
   return runtime::make_node(plan, **found);
 }

@@ -15,7 +15,7 @@ using domain::Topic;
 }  // namespace
 
 /// The reader of one output. Samples are brought into the form in which they are recorded, since
-/// the padding of a component of someone else's may hold anything.
+/// the padding of a third-party component may hold anything.
 template <typename Message>
 class LiveComparison::Output : public SampleListener {
  public:

@@ -120,7 +120,7 @@ void LiveReplay::look_after_others() {
   if (phase_ != Phase::kFeeding || !audience_.news()) return;
   const auto missing = audience_.barrier().missing();
   if (missing.empty() || (component_ && component_->socket() >= 0)) return;
-  stop(fmt::format("somebody left after tick {}: {}", published(), fmt::join(missing, "; ")));
+  stop(fmt::format("a participant left after tick {}: {}", published(), fmt::join(missing, "; ")));
 }
 
 // ---- what goes on ----
@@ -165,7 +165,7 @@ void LiveReplay::advance() {
     if (everybody_ready()) {
       begin();
     } else if (now_() - asked_at_ > std::chrono::duration<double>(wait_s())) {
-      stop(fmt::format("not everybody was there within {} s:{}", wait_s(), missing_text()));
+      stop(fmt::format("startup timed out after {} s:{}", wait_s(), missing_text()));
     }
   }
   for (int i = 0; i < kTicksPerRound && phase_ == Phase::kFeeding; ++i) {

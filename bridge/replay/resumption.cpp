@@ -74,12 +74,11 @@ Result<void> check_rest(TickReader& reader, TopicSet missing, std::uint64_t tick
     const TopicSet goes_on = missing & (*later)->present();
     for (Topic topic : domain::kAllTopics) {
       if (!goes_on[index_of(topic)]) continue;
-      return Error{
-          fmt::format("lacks '{}' of tick {}, and has later ones: it cannot be gone on with",
-                      domain::topic_name(topic), tick),
-          {},
-          0,
-          0};
+      return Error{fmt::format("lacks '{}' of tick {}, and has later ones: it cannot be continued",
+                               domain::topic_name(topic), tick),
+                   {},
+                   0,
+                   0};
     }
   }
 }
@@ -88,7 +87,7 @@ Result<void> check_in_time(const RecordedPast& past, std::uint64_t tick) {
   if (!std::get<domain::State>(past.messages()).command_late) return {};
   return Error{
       fmt::format("was recorded in real time, and the command of tick {} was late: what the "
-                  "wall clock decides cannot be gone on with",
+                  "wall clock decides cannot be continued",
                   tick - 1),
       {},
       0,
@@ -106,7 +105,7 @@ Result<std::uint64_t> feed(const RunRecording& recording, std::uint64_t checked_
     if (*found == nullptr) return tick;
     const RecordedTick& recorded = **found;
     if (recorded.tick() != tick) {
-      return Error{fmt::format("has no tick {}: it cannot be gone on with", tick), {}, 0, 0};
+      return Error{fmt::format("has no tick {}: it cannot be continued", tick), {}, 0, 0};
     }
     if (recorded.present() != topics) {
       CLEW_RETURN_IF_ERROR(check_rest(reader, topics & ~recorded.present(), tick));
@@ -126,7 +125,7 @@ Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan&
   const auto in_recording = [&](const Error& error) {
     return Error{error.text(), recording.path(), 0, 0};
   };
-  CLEW_RETURN_IF_ERROR(refuse_black_box(recording, "it cannot be gone on with"));
+  CLEW_RETURN_IF_ERROR(refuse_black_box(recording, "it cannot be continued"));
   const auto branch = branch_of(recording);
   if (!branch) return branch.error();
   const std::uint64_t branched_at = *branch ? (*branch)->tick : 0;

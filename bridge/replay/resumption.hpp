@@ -23,7 +23,7 @@ struct Resumption {
 /// not whole, at the end, are passed over: they will be written again.
 ///
 /// Refused: a plan with someone else's component, a recording in which a command was late (what the
-/// wall clock decided cannot be gone on with), in which a tick in between lacks a sample, of whose
+/// wall clock decided cannot be continued), in which a tick in between lacks a sample, of whose
 /// components this version's write something else, or that ends before it branched off another.
 core::Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan& plan);
 

@@ -24,7 +24,7 @@ core::Result<TopicPublisher> TopicPublisher::create(Participant& participant,
     const runtime::GraphStage* stage = graph.writer_of(topic);
     CLEW_CHECK(stage != nullptr, std::string(domain::topic_name(topic)) + " has no writer");
     UserData user_data{std::string(idl_fingerprint()), stage->info->name};
-    // Components of someone else's do not tell their stage.
+    // Third-party components do not tell their stage.
     if (!stage->deployment.exec.empty()) user_data.stage.clear();
     auto writer = participant.create_writer({std::string(domain::topic_name(topic)),
                                              std::string(domain::type_name(topic)),

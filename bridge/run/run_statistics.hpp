@@ -46,7 +46,7 @@ struct RuleAlarms {
 /// What is counted and shown of a run, gathered from the samples of whichever topics pass by.
 /// Tallies of several processes add up to the whole.
 struct RunStatistics {
-  static constexpr std::size_t kMostRules = 64;  ///< a component of someone else's may say anything
+  static constexpr std::size_t kMostRules = 64;  ///< a third-party component may say anything
 
   std::optional<RunTruth> truth;             ///< from `state`
   std::optional<domain::GuidanceMode> mode;  ///< from `guidance`

@@ -34,7 +34,7 @@ std::string middleware_of(const runtime::GraphStage& stage, const ProcessLayout&
 ChildCommand command_of(const Member& member, const runtime::GraphStage& stage,
                         const ProcessLayout& layout, int domain, const std::string& run_id);
 
-/// What a process of a run is told: all that a component of someone else's needs.
+/// What a process of a run is told: all that a third-party component needs.
 std::map<std::string, std::string> environment_of(int domain, const std::string& run_id);
 
 /// How a program is started: ChildProcess::start but in tests.
@@ -59,9 +59,9 @@ class Launcher {
   Assignment assignment_for(const std::string& stage, const std::string& middleware) const;
   Assignment assignment_for(const Member& member) const;
 
-  /// Whether a person at a debugger takes part, who may take his time.
+  /// Whether a person at a debugger takes part. Then the run waits longer.
   bool patient() const { return !layout_.external.empty() || !layout_.prefix.empty(); }
-  /// How long everybody may take to be there.
+  /// How long the processes of a run may take to start.
   std::chrono::steady_clock::duration start_timeout() const;
 
  private:

@@ -23,7 +23,7 @@ bool is_third_party(const runtime::GraphStage& stage);
 /// One stage's place in a run, as the supervisor sees it.
 struct Member {
   std::string stage;
-  bool third_party = false;  ///< a component of someone else's: no line, seen only on the wire
+  bool third_party = false;  ///< a third-party component: no line, seen only on the wire
   bool external = false;     ///< a person starts it
   bool starts_ticks = false;
   std::optional<ChildProcess> child;

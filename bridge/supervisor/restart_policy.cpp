@@ -15,7 +15,7 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 std::string RestartPolicy::take(Member& member, Time now) {
-  if (member.third_party) return "; a component of someone else's is not restarted";
+  if (member.third_party) return "; a third-party component is not restarted";
   if (!member.child) return "; a person started it";
   if (member.restarts >= graph_.find(member.stage)->deployment.restart_limit) {
     return "; it was restarted " + std::to_string(member.restarts) + " times, which is its limit";

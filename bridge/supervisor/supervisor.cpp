@@ -274,7 +274,7 @@ void Supervisor::abort_start() {
   std::vector<std::string> missing;
   if (observer_) missing = observer_->missing();
   if (recording_ && !recording_->ready()) missing.push_back("the recorder has not reported");
-  abort(fmt::format("not everybody was there within {} s:{}", plan_.graph.start_timeout_s,
+  abort(fmt::format("startup timed out after {} s:{}", plan_.graph.start_timeout_s,
                     missing_text(members_, missing)));
 }
 

@@ -16,7 +16,7 @@
 
 namespace clew::bridge {
 
-/// Reads the topics that components of someone else's write, so that their samples are hashed,
+/// Reads the topics that third-party components write, so that their samples are hashed,
 /// counted and recorded like those of components that keep their own account.
 class ThirdPartyObserver {
  public:

@@ -32,25 +32,29 @@ struct KrishnaKalraParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, KrishnaKalraParameters& p) {
-  visit.words("networks", p.networks, {"som", "art"}, "second layer: which networks run");
+  visit.words("networks", p.networks, {"som", "art"},
+              "which networks of the second layer run; []: spatial classes only");
   visit.number("near_full_ratio", p.nearness.near_full_ratio, "1", {0.0, 1.0},
-               "eq. 4: near is 1 up to this share of the range");
+               "eq. 4: nearness is 1 up to this share of the range");
   visit.number("near_none_ratio", p.nearness.near_none_ratio, "1", {0.0, 1.0},
-               "eq. 4: near is 0 from this share of the range on");
+               "eq. 4: nearness is 0 beyond this share of the range");
   visit.number("very_near_degree", p.nearness.very_near_degree, "1", {0.0, 1.0},
                "a reading is very near above this degree of nearness");
   visit.number("near_degree", p.nearness.near_degree, "1", {0.0, 1.0},
-               "a reading is near from this degree of nearness on");
-  visit.flag("sliding", p.sliding, "whether the window of three runs moves on by one, or by three");
+               "a reading is near at or above this degree of nearness");
+  visit.flag("sliding", p.sliding,
+             "true: the window of three runs moves by one run; false: by three");
   visit.file("som", p.som, "rulebases", "trained map");
   visit.number("som_tolerance_classes", p.som_tolerance_classes, "1", {0.0, 8.0},
-               "most distance at which a neuron of the map recognises a landmark vector");
-  visit.number("vigilance", p.art.vigilance, "1", {0.0, 1.0}, "ART: rho");
-  visit.number("learning_rate", p.art.learning_rate, "1", {0.0, 1.0}, "ART: beta");
-  visit.number("choice_delta", p.art.choice_delta, "1", {0.0, 1.0}, "ART: delta");
-  visit.integer("capacity", p.art.capacity, "1", {1, 4096}, "ART: categories at most");
+               "greatest distance, in classes, at which a neuron recognises a landmark vector");
+  visit.number("vigilance", p.art.vigilance, "1", {0.0, 1.0}, "ART: rho of appendix B");
+  visit.number("learning_rate", p.art.learning_rate, "1", {0.0, 1.0}, "ART: beta of appendix B");
+  visit.number("choice_delta", p.art.choice_delta, "1", {0.0, 1.0}, "ART: delta of appendix B");
+  visit.integer(
+      "capacity", p.art.capacity, "1", {1, 4096},
+      "ART: greatest number of categories; then the one that won least recently is replaced");
   visit.integer("forget_ticks", p.art.forget_ticks, "ticks", {0, 1e9},
-                "ART: a category without a win for this long is forgotten; 0 is never");
+                "ART: a category that has not won for this long is forgotten; 0: never");
   visit.integer("min_first_run", p.min_first_run, "ticks", {1, 1000},
                 "ART: least length of a landmark's first run");
   visit.integer("min_second_run", p.min_second_run, "ticks", {1, 1000},

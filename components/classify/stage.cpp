@@ -20,15 +20,14 @@ core::Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfi
 }  // namespace
 
 const runtime::StageInfo& stage() {
-  static const runtime::StageInfo info = {
-      "classify",
-      "what place this is, from what is sensed and was just sensed",
-      ClassifyComponent::ports(),
-      {},
-      {{"behaviour", false, classifiers().variants()}},
-      [](const runtime::StageConfig&) { return 0.0; },
-      nullptr,
-      make};
+  static const runtime::StageInfo info = {"classify",
+                                          "tells what kind of place this is, from the scans so far",
+                                          ClassifyComponent::ports(),
+                                          {},
+                                          {{"behaviour", false, classifiers().variants()}},
+                                          [](const runtime::StageConfig&) { return 0.0; },
+                                          nullptr,
+                                          make};
   return info;
 }
 

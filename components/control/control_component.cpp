@@ -10,11 +10,12 @@ namespace clew::control {
 using domain::Topic;
 
 std::vector<runtime::PortInfo> ControlComponent::ports() {
-  return {runtime::required_input(Topic::kOdometry, "where the robot believes it is; contacts"),
-          runtime::required_input(Topic::kScan, "what is around"),
-          runtime::optional_input(Topic::kGuidance, "the target in force, and what recovery asks"),
-          runtime::fallback_input(Topic::kTarget, Topic::kGuidance, "the mission's target"),
-          runtime::output(Topic::kCommand, "the motion for this tick")};
+  return {
+      runtime::required_input(Topic::kOdometry, "where the robot believes it is; contacts"),
+      runtime::required_input(Topic::kScan, "what is around"),
+      runtime::optional_input(Topic::kGuidance, "the active target, and what recovery asks for"),
+      runtime::fallback_input(Topic::kTarget, Topic::kGuidance, "the mission's target"),
+      runtime::output(Topic::kCommand, "the motion for this tick")};
 }
 
 ControlComponent::ControlComponent(std::unique_ptr<Controller> controller,

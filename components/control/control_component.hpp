@@ -11,7 +11,7 @@
 
 namespace clew::control {
 
-/// Turns the target in force and the scan into a motion. What recovery asks for is done here, not
+/// Turns the active target and the scan into a motion. What recovery asks for is done here, not
 /// in the controller, so that any escape goes with any controller: its virtual obstacles are
 /// applied to the scan, its override replaces the controller's motion, *unreachable* becomes giving
 /// up. The step guard has the last word.

@@ -15,7 +15,7 @@ class Controller {
  public:
   virtual ~Controller() = default;
 
-  /// The motion toward `target_odom`, the target in force. Called once a tick, but not while
+  /// The motion toward `target_odom`, the active target. Called once a tick, but not while
   /// recovery overrides the motion.
   virtual domain::Motion step(const domain::Odometry& odometry, const domain::Scan& scan,
                               const core::Vec2& target_odom) = 0;

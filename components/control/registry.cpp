@@ -24,7 +24,7 @@ const runtime::Registry<Controller>& controllers() {
       runtime::registration<Controller, NeuroFuzzy>(
           "neuro_fuzzy", "four infrared readings through four networks (Wang, Yang & Meng)"),
       runtime::registration<Controller, InfraredExpert>(
-          "infrared_expert", "the expert whose opinion neuro_fuzzy is trained on"),
+          "infrared_expert", "the expert whose opinion trains the networks of neuro_fuzzy"),
       runtime::registration<Controller, PolarNeuralMap>(
           "polar_neural_map",
           "a polar neural map, sonar memory and a dynamic window (Lagoudakis & Maida 1999)"),

@@ -22,7 +22,7 @@ core::Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfi
 
 const runtime::StageInfo& stage() {
   static const runtime::StageInfo info = {"control",
-                                          "the motion toward the target in force",
+                                          "chooses the motion toward the active target",
                                           ControlComponent::ports(),
                                           core::describe_parameters<StepGuardParameters>(),
                                           {{"behaviour", false, controllers().variants()}},

@@ -20,13 +20,13 @@ struct StepGuardParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, StepGuardParameters& p) {
-  visit.flag("guard", p.enabled, "whether steps are cut to what the scan shows free");
+  visit.flag("guard", p.enabled, "whether the step guard cuts steps to what the scan shows free");
   visit.number("guard_margin_m", p.margin_m, "m", {0.0, 0.5},
-               "room kept beside and before the body");
+               "clearance that is kept beside and before the body");
   visit.number("guard_least_step_m", p.least_step_m, "m", {0.0, 0.1},
-               "what is left of a step, if less, counts as nothing");
+               "a step that is cut to less than this is not made");
   visit.angle("guard_turn_deg", p.turn_away_rad, {1.0, 90.0},
-              "turn away from the nearest return where no step is left");
+              "turn in a tick, away from the nearest return, if no step is left");
 }
 
 /// Cuts a step to what is known to be free: the control law of Krishna & Kalra 2000 takes no step

@@ -146,7 +146,7 @@ inline constexpr std::size_t kMaxVirtualObstacles = 16;
 inline constexpr std::size_t kMaxTextLength = 96;
 inline constexpr std::size_t kMaxNameLength = 48;
 
-/// What recovery asks of control: the target in force, obstacles to imagine, or a motion instead.
+/// What recovery asks of control: the active target, obstacles to imagine, or a motion instead.
 struct Guidance {
   TickStamp stamp;
   double target_x_m = 0.0;

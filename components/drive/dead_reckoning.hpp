@@ -24,11 +24,11 @@ struct DriftParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, DriftParameters& p) {
   visit.number("drift_m_per_m", p.m_per_m, "m/m", {-0.5, 0.5},
-               "systematic error of the distance, a metre travelled");
+               "systematic error of the distance, for each metre travelled");
   visit.number("drift_rad_per_rad", p.rad_per_rad, "rad/rad", {-0.5, 0.5},
-               "systematic error of the heading, a radian turned");
+               "systematic error of the heading, for each radian turned");
   visit.number("drift_rad_per_m", p.rad_per_m, "rad/m", {-0.5, 0.5},
-               "systematic error of the heading, a metre travelled");
+               "systematic error of the heading, for each metre travelled");
   visit.number("drift_m_per_sqrt_m", p.m_per_sqrt_m, "m/m^0.5", {0.0, 0.5},
                "standard deviation of the distance after a metre");
   visit.number("drift_rad_per_sqrt_rad", p.rad_per_sqrt_rad, "rad/rad^0.5", {0.0, 0.5},

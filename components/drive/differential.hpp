@@ -16,10 +16,11 @@ struct DifferentialParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, DifferentialParameters& p) {
-  visit.number("tick_s", p.tick_s, "s", {0.01, 10.0}, "simulated time that a command is in force");
-  visit.number("wheel_base_m", p.wheel_base_m, "m", {0.01, 5.0}, "between the wheels");
+  visit.number("tick_s", p.tick_s, "s", {0.01, 10.0},
+               "simulated time of a tick, in which a command is active");
+  visit.number("wheel_base_m", p.wheel_base_m, "m", {0.01, 5.0}, "distance between the wheels");
   visit.number("max_wheel_speed_mps", p.max_wheel_speed_mps, "m/s", {0.01, 10.0},
-               "fastest that a wheel turns, ahead and back");
+               "greatest speed of a wheel, ahead and back");
 }
 
 /// Two driven wheels on one axle: Wang, Yang & Meng, eq. 1,

@@ -9,10 +9,10 @@ using domain::Topic;
 
 std::vector<runtime::PortInfo> DriveComponent::ports() {
   return {runtime::delayed_input(Topic::kCommand, "what to do during the tick"),
-          runtime::output(Topic::kState, "the truth, for sensing and for judging"),
+          runtime::output(Topic::kState, "the truth, for the sensors and the referee"),
           // Recover waits for it, and who reads odometry would interrupt its sending.
           runtime::fallback_output(Topic::kTarget, "where the mission wants the robot"),
-          runtime::output(Topic::kOdometry, "what the wheels and the bumpers tell")};
+          runtime::output(Topic::kOdometry, "where the robot believes it is; contacts")};
 }
 
 DriveComponent::DriveComponent(std::unique_ptr<DriveModel> model, const SafetyParameters& safety,

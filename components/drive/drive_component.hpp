@@ -18,7 +18,8 @@ namespace clew::drive {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, SafetyParameters& p) {
   visit.flag("safety", p.enabled, "whether the safety layer stops the robot short of contact");
-  visit.number("safety_margin_m", p.margin_m, "m", {0.0001, 0.1}, "how far short of contact");
+  visit.number("safety_margin_m", p.margin_m, "m", {0.0001, 0.1},
+               "distance from contact at which it stops the robot");
 }
 
 /// Which random numbers are this component's, of those that a seed gives.

@@ -19,8 +19,8 @@ struct TurnThenStepParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, TurnThenStepParameters& p) {
   visit.number("tick_s", p.tick_s, "s", {0.01, 10.0}, "simulated time of a turn and its step");
-  visit.angle("max_turn_deg", p.max_turn_rad, {1.0, 180.0}, "most that it turns in a tick");
-  visit.number("max_step_m", p.max_step_m, "m", {0.001, 10.0}, "most that it steps in a tick");
+  visit.angle("max_turn_deg", p.max_turn_rad, {1.0, 180.0}, "greatest turn in a tick");
+  visit.number("max_step_m", p.max_step_m, "m", {0.001, 10.0}, "greatest step in a tick");
 }
 
 /// Turns on the spot, then steps straight ahead, once a tick: Krishna & Kalra 2000, sections 2.1

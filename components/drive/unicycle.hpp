@@ -19,14 +19,16 @@ struct UnicycleParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, UnicycleParameters& p) {
-  visit.number("tick_s", p.tick_s, "s", {0.01, 10.0}, "simulated time that a command is in force");
+  visit.number("tick_s", p.tick_s, "s", {0.01, 10.0},
+               "simulated time of a tick, in which a command is active");
   visit.number("max_speed_mps", p.max_speed_mps, "m/s", {0.01, 10.0},
-               "fastest way ahead, and back");
-  visit.number("max_turn_rate_radps", p.max_turn_rate_radps, "rad/s", {0.01, 20.0}, "fastest turn");
+               "greatest speed, ahead and back");
+  visit.number("max_turn_rate_radps", p.max_turn_rate_radps, "rad/s", {0.01, 20.0},
+               "greatest turn rate");
   visit.number("max_acceleration_mps2", p.max_acceleration_mps2, "m/s^2", {0.01, 100.0},
-               "greatest change of speed");
+               "greatest acceleration");
   visit.number("max_turn_acceleration_radps2", p.max_turn_acceleration_radps2, "rad/s^2",
-               {0.01, 100.0}, "greatest change of the turn's rate");
+               {0.01, 100.0}, "greatest turn acceleration");
 }
 
 /// A unicycle with limited velocities and accelerations. The defaults are the Nomad 200's of

@@ -24,20 +24,22 @@ struct LocalPathParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, LocalPathParameters& p) {
-  visit.number("replan_s", p.replan_s, "s", {0.0, 60.0}, "a way is sought again after this time");
+  visit.number("replan_s", p.replan_s, "s", {0.0, 60.0},
+               "the path is planned again after this time");
   visit.number("look_ahead_m", p.look_ahead_m, "m", {0.0, 100.0},
-               "or if something seen since lies on so much of it");
-  visit.number("comfortable_m", p.comfortable_m, "m", {0.0, 1.0},
-               "room beside the body from which on more is not better");
+               "the path is planned again if a new obstacle lies on it within this distance ahead");
+  visit.number(
+      "comfortable_m", p.comfortable_m, "m", {0.0, 1.0},
+      "inflation radius: clearance beside the body beyond this lowers the cost no further");
   visit.number("narrow_cost", p.narrow_cost, "1", {1.0, 20.0},
-               "a metre with no room beside the body counts as this many");
+               "cost of a metre without any clearance beside the body");
   visit.number("known_cost", p.seen_free_cost, "1", {1.0, 100.0},
-               "a metre through what was seen free counts as this many");
+               "cost of a metre through space that was seen free; unseen space costs 1");
   visit.number("suspected_cost", p.suspected_cost, "1", {1.0, 100.0},
-               "a metre through suspected obstacles counts as this many");
+               "cost of a metre through suspected obstacles");
 }
 
-/// A way that is asked for: where the robot is and where it wants to go, on what map.
+/// A request for a path: where the robot is, where it wants to go, on what map.
 struct PathRequest {
   std::uint64_t tick = 0;
   Vec2 from = Vec2::Zero();  ///< the robot's place

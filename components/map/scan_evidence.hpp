@@ -9,11 +9,11 @@ namespace clew::map {
 /// Turns what a robot of one radius sees and feels into marks of a map, in the odometry frame.
 ///
 /// A beam of opening w that reads d tells the least distance of anything in it: the sector of
-/// radius d + r is free, and something is somewhere on its arc. What is left of the arc after all
-/// that was ever seen free is taken off is where it can be. If that is at most `hit_spread_m` long,
-/// its middle is a hit, and else all of it is suspected: near arcs are short, and the arcs that
-/// overlap while the robot goes by cut each other down. A ray has no width, and hits. If nothing is
-/// left, something has changed, and all of the arc counts.
+/// radius d + r is free, and something is somewhere on its arc. The obstacle lies on the part of
+/// the arc that was never observed free. If that part is at most `hit_spread_m` long, its middle is
+/// a hit; otherwise all of it is suspected. Near arcs are short, and arcs that overlap while the
+/// robot passes shorten each other. A ray has no width, and hits. If no part is left, something has
+/// changed, and the whole arc counts.
 ///
 /// Beams side by side are taken together at their borders, so that no cell is left out between
 /// them: two cones, or rays with at most a few degrees between them, are free as far as the

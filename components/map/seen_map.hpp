@@ -18,7 +18,7 @@ using core::Vec2;
 /// What is known of a cell. A cell that nothing was learnt of is unknown: none of the three.
 enum class Mark : std::uint8_t {
   kFree,      ///< all of it lay within a beam's free part
-  kHit,       ///< an obstacle is here: a place known to within kHitSpread_m / 2
+  kHit,       ///< an obstacle is here, known to within half of hit_spread_m
   kSuspected  ///< an obstacle may be here, or elsewhere on the same arc
 };
 inline constexpr std::size_t kMarks = 3;

@@ -89,13 +89,15 @@ void visit_parameters(Visitor& visit, NeuralMapPlanner::Parameters& p) {
   visit.number(
       "gain", p.gain, "1", {0.001, 0.25},
       "steepest slope of the activation, below 0.25 (four), 0.146 (eight), 0.166 (hexagonal)");
-  visit.flag("smooth", p.smooth, "whether the path is interpolated, or leads from cell to cell");
-  visit.number("look_ahead_m", p.look_ahead_m, "m", {0.1, 100.0}, "how far off a subgoal may be");
-  visit.number("arrive_m", p.arrive_m, "m", {0.01, 10.0}, "this near to a subgoal, take the next");
+  visit.flag("smooth", p.smooth,
+             "true: the path is interpolated; false: it leads from cell to cell");
+  visit.number("look_ahead_m", p.look_ahead_m, "m", {0.1, 100.0}, "greatest distance of a subgoal");
+  visit.number("arrive_m", p.arrive_m, "m", {0.01, 10.0},
+               "a subgoal is reached within this distance; then the next one is taken");
   visit.number("replan_s", p.replan_s, "s", {0.0, 60.0},
-               "how long a subgoal may be out of straight reach before the path is made anew");
+               "the path is planned again if no straight line reaches the subgoal for this time");
   visit.number("refresh_s", p.refresh_s, "s", {0.0, 60.0},
-               "where the map changes, the path is made anew after this time");
+               "for map: seen, the path is planned again after this time");
 }
 
 template <typename Visitor>

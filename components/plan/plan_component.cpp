@@ -13,7 +13,7 @@ std::vector<runtime::PortInfo> PlanComponent::ports() {
   return {
       runtime::required_input(Topic::kOdometry, "where the robot believes it is; contacts"),
       runtime::required_input(Topic::kScan, "what is around, for a map of what was seen"),
-      runtime::output(Topic::kTarget, "where to steer for, on the way to the mission's target")};
+      runtime::output(Topic::kTarget, "where to steer for: a subgoal, or the mission's target")};
 }
 
 PlanComponent::PlanComponent(std::unique_ptr<Planner> planner, std::unique_ptr<MapSource> map,

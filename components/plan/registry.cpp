@@ -10,8 +10,8 @@ const runtime::Registry<Planner>& planners() {
   static const runtime::Registry<Planner> registry = {
       runtime::registration<Planner, NeuralMapPlanner>(
           "neural_map", "subgoals along the ascent of a neural map (Lagoudakis & Maida 1999)"),
-      runtime::registration<Planner, WorldSubgoals>(
-          "world_subgoals", "the subgoals that the world gives, in their order"),
+      runtime::registration<Planner, WorldSubgoals>("world_subgoals",
+                                                    "the world's own subgoals, in their order"),
   };
   return registry;
 }

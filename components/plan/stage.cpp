@@ -26,18 +26,19 @@ struct MapParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, MapParameters& p) {
-  visit.choice(
-      "map", p.map,
-      {{"world", MapKind::kWorld}, {"file", MapKind::kFile}, {"seen", MapKind::kSeen}},
-      "what is known: the world's obstacles that do not move, the map in map_file, or what "
-      "the robot has seen so far");
+  visit.choice("map", p.map,
+               {{"world", MapKind::kWorld}, {"file", MapKind::kFile}, {"seen", MapKind::kSeen}},
+               "source of the map: the world's obstacles that do not move, the map in map_file, or "
+               "what the robot has seen so far");
   visit.file("map_file", p.map_file, "maps", "a map of ROS's map_server, for map: file");
   visit.number("cell_m", p.cell_m, "m", {0.01, 1.0}, "side of the cells, for map: world and seen");
-  visit.number("margin_m", p.margin_m, "m", {0.0, 2.0}, "room to spare beside the robot");
+  visit.number("margin_m", p.margin_m, "m", {0.0, 2.0},
+               "clearance beside the robot that is left to its controller");
   visit.integer("capacity_tiles", p.capacity_tiles, "1", {1, 1000000},
-                "tiles of 32 by 32 cells that are remembered, for map: seen");
-  visit.number("hit_spread_m", p.hit_spread_m, "m", {0.0, 0.3},
-               "an obstacle on a piece of arc at most this long is certain, for map: seen");
+                "greatest number of tiles of 32 by 32 cells that are kept, for map: seen");
+  visit.number(
+      "hit_spread_m", p.hit_spread_m, "m", {0.0, 0.3},
+      "an obstacle is certain if the arc on which it must lie is at most this long, for map: seen");
 }
 
 template <typename Map>
@@ -78,7 +79,7 @@ core::Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfi
 
 const runtime::StageInfo& stage() {
   static const runtime::StageInfo info = {"plan",
-                                          "subgoals on the way to the mission's target",
+                                          "leads to the mission's target by subgoals",
                                           PlanComponent::ports(),
                                           core::describe_parameters<MapParameters>(),
                                           {{"behaviour", false, planners().variants()}},

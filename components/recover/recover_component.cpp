@@ -73,8 +73,8 @@ std::vector<runtime::PortInfo> RecoverComponent::ports() {
   return {runtime::required_input(Topic::kOdometry, "where the robot believes it is"),
           runtime::required_input(Topic::kScan, "what is around"),
           runtime::required_input(Topic::kTarget, "where the mission wants the robot"),
-          runtime::optional_input(Topic::kLandmark, "what place this is"),
-          runtime::output(Topic::kGuidance, "the target in force, and what control must do"),
+          runtime::optional_input(Topic::kLandmark, "what kind of place this is"),
+          runtime::output(Topic::kGuidance, "the active target, and what control must do"),
           runtime::output(Topic::kEvent, "landmarks, traps and escapes, for people")};
 }
 

@@ -23,14 +23,14 @@ struct RecoverParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, RecoverParameters& p) {
   visit.flag("immediate_memory", p.immediate_memory,
-             "whether landmarks that the map knows fire their actions");
+             "whether landmarks that the trained map knows trigger their actions");
   visit.file("actions", p.actions, "rulebases", "action table of the immediate memory");
   visit.number("seen_cell_m", p.local_map.cell_m, "m", {0.01, 0.1},
-               "side of a cell of what was seen; ways are sought in cells of twice the side");
+               "side of a cell of the local map; paths are planned in cells of twice the side");
   visit.integer("seen_capacity_tiles", p.local_map.capacity_tiles, "1", {1, 1000000},
-                "tiles of 64 by 64 cells that are remembered");
+                "greatest number of tiles of 64 by 64 cells that are kept; a tile takes 1.5 KiB");
   visit.number("seen_hit_spread_m", p.local_map.hit_spread_m, "m", {0.0, 0.3},
-               "an obstacle on a piece of arc at most this long is certain");
+               "an obstacle is certain if the arc on which it must lie is at most this long");
 }
 
 /// A behaviour and the name that it goes by in events.

@@ -25,11 +25,12 @@ const runtime::Registry<TrapDetector>& detectors() {
   static const runtime::Registry<TrapDetector> registry = {
       runtime::registration<TrapDetector, LandmarkRevisit>(
           "landmark_revisit",
-          "the same landmark at the same place: distant memory (Krishna & Kalra 2000, section 4.3)",
+          "the same landmark at the same place: the distant memory (Krishna & Kalra 2000, section "
+          "4.3)",
           landmark),
       runtime::registration<TrapDetector, PositionRevisit>(
           "position_revisit",
-          "positions seen before, with the same heading, in a row (Pin & Bender 1996)"),
+          "known positions with the same heading, several in a row (Pin & Bender 1996)"),
       runtime::registration<TrapDetector, NoSafeRegion>(
           "no_safe_region", "no navigable gap toward the target (Nakhaeinia et al. 2015)"),
       runtime::registration<TrapDetector, NoConnectingPath>(
@@ -39,11 +40,11 @@ const runtime::Registry<TrapDetector>& detectors() {
           "heading_reversal",
           "a turn of 160 degrees (Huang & Lee 1992, as in Krishna & Kalra 2000, section 4.5)"),
       runtime::registration<TrapDetector, NoProgress>(
-          "no_progress", "nowhere else for a while (Nav2's SimpleProgressChecker)"),
+          "no_progress", "no progress within a time limit (Nav2's SimpleProgressChecker)"),
       runtime::registration<TrapDetector, Oscillation>("oscillation",
-                                                       "to and fro between the same two places"),
+                                                       "repeated turns back at the same places"),
       runtime::registration<TrapDetector, MapDetour>(
-          "known_detour", "on all that was seen, every way to the target first leads away from it"),
+          "known_detour", "on the local map, every path to the target first leads away from it"),
       runtime::registration<TrapDetector, NoDetector>("none", "never says trap"),
   };
   return registry;
@@ -59,15 +60,18 @@ const runtime::Registry<Escape>& escapes() {
           "local_minimum_planner", "a stack of virtual targets (Nakhaeinia et al. 2015)"),
       runtime::registration<Escape, BoxFilling>(
           "virtual_obstacle",
-          "fills the trap with virtual obstacles, and a stack of goals (Pin & Bender 1996)"),
+          "fills the trap with virtual obstacles, and keeps a stack of goals (Pin & Bender 1996)"),
       runtime::registration<Escape, FixedSequence>(
-          "fixed_sequence", "clear, spin, wait, back up by turns (Nav2's default behaviour tree)"),
+          "fixed_sequence",
+          "clear, spin, wait, back up, one after another (Nav2's default behaviour tree)"),
       runtime::registration<Escape, RememberedMap>(
           "remembered_map",
-          "the neural map of all that was seen (ours, on Lagoudakis & Maida 1999)"),
+          "a path on the local map, by a neural map (ours, after Lagoudakis & Maida 1999)"),
       runtime::registration<Escape, RememberedAStar>(
-          "remembered_astar", "replanning A* on all that was seen (Hart, Nilsson & Raphael 1968)"),
-      runtime::registration<Escape, NoEscape>("none", "lets the robot go on seeking"),
+          "remembered_astar",
+          "a path on the local map, by replanning A* (Hart, Nilsson & Raphael 1968)"),
+      runtime::registration<Escape, NoEscape>("none",
+                                              "ends at once; the robot goes on seeking the target"),
   };
   return registry;
 }

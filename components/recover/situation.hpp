@@ -16,7 +16,7 @@ struct Situation {
   const domain::Scan& scan;
   const domain::Landmark* landmark = nullptr;  ///< null if nobody classifies
   core::Vec2 target_odom;                      ///< the mission's
-  core::Vec2 pursued_odom;  ///< the target in force in the tick before: an escape's own, or that
+  core::Vec2 pursued_odom;       ///< the active target in the tick before: an escape's own, or that
   double target_radius_m = 0.0;  ///< arrival within this distance of the mission's
   /// All that was seen, this tick included; null if no behaviour reads_local_map().
   const map::LocalMap* local_map = nullptr;

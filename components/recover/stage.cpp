@@ -63,7 +63,7 @@ Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfig& con
 
 const runtime::StageInfo& stage() {
   static const runtime::StageInfo info = {"recover",
-                                          "notices traps and leads out of them",
+                                          "recognises traps and leads out of them",
                                           RecoverComponent::ports(),
                                           core::describe_parameters<RecoverParameters>(),
                                           {{"detector", false, detectors().variants()},

@@ -88,7 +88,7 @@ Result<void> check_beside_exec(const RawStage& raw) {
   const std::string& name = raw.info->name;
   if (raw.info->scan_layout == nullptr && !(raw.parts.empty() && raw.parameters.empty())) {
     return raw.where.error(name +
-                           " has exec: a component of someone else's takes no behaviour and no "
+                           " has exec: a third-party component takes no behaviour and no "
                            "parameters here");
   }
   if (raw.info->scan_layout != nullptr && raw.parts.count(kBehaviourPart) == 0) {
@@ -148,7 +148,7 @@ Result<void> settle_tick(const std::vector<StageInfo>& stages, Graph& graph) {
     for (const GraphStage& stage : graph.stages) {
       if (!stage.info->tick_s || stage.deployment.exec.empty()) continue;
       return stage.place.error(fmt::format(
-          "{} has exec, and a component of someone else's does not say how long a tick lasts; {} "
+          "{} has exec, and a third-party component does not say how long a tick lasts; {} "
           "has to be one of ours ('clew list {}')",
           stage.info->name, stage.info->name, stage.info->name));
     }

@@ -44,7 +44,7 @@ struct NamedFile {
 /// How a stage is run, which changes no result.
 struct Deployment {
   std::string middleware;             ///< `cyclonedds`, `fastdds`, or empty: the run's default
-  std::vector<std::string> exec;      ///< command of a component of someone else's; empty: ours
+  std::vector<std::string> exec;      ///< command of a third-party component; empty: ours
   std::uint32_t restart_limit = 100;  ///< how often its process may be restarted in a run
   double restart_backoff_s = 0.0;     ///< how long it stays down before
 };

@@ -195,7 +195,7 @@ Result<std::vector<Node>> make_nodes(const RunPlan& plan) {
   for (const GraphStage& stage : plan.graph.stages) {
     if (!stage.deployment.exec.empty()) {
       return stage.place.error(stage.info->name +
-                               " has exec: a component of someone else's is a process, and cannot "
+                               " has exec: a third-party component is a process, and cannot "
                                "be composed");
     }
     auto node = make_node(plan, stage);

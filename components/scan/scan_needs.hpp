@@ -23,8 +23,8 @@ struct ScanNeeds {
   std::string field_reason = {};  ///< where that comes from, for the message
 };
 
-/// Refuses, in the name of `behaviour`, a layout that does not give what is needed; the error says
-/// what that is, and what the sensor gives.
+/// Fails if a layout does not give what is needed; `behaviour` names the caller in the error, which
+/// says what that is, and what the sensor gives.
 core::Result<void> check_needs(const ScanNeeds& needs, const domain::ScanLayout& layout,
                                const std::string& behaviour);
 

@@ -16,7 +16,7 @@ class SevenCones {
   static constexpr std::size_t kCount = 7;
   static constexpr double kWidth_rad = core::radians(15.0);
 
-  /// Refuses, in the name of `behaviour`, a layout that leaves a sector without a beam.
+  /// Fails if a sector of the layout has no beam. `behaviour` names the caller in the error.
   static core::Result<void> check(const domain::ScanLayout& layout, const std::string& behaviour);
 
   /// Whether a sensor's beams are these cones themselves, to within 0.1 degrees.

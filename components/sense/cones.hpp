@@ -22,7 +22,7 @@ void visit_parameters(Visitor& visit, ConesParameters& p) {
   visit.number("range_m", p.range_m, "m", {0.1, 20.0},
                "how far a cone sees, from the robot's skin");
   visit.number("corner_echo_ratio", p.corner_echo_ratio, "1", {0.0, 2.0},
-               "lengthening of a reading by multiple reflection in a corner; 0 is off");
+               "how much multiple reflection in a corner lengthens a reading; 0 is off");
   visit_parameters(visit, p.noise);
 }
 

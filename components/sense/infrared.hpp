@@ -21,12 +21,13 @@ struct InfraredParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, InfraredParameters& p) {
-  visit.number("range_min_m", p.range_min_m, "m", {0.01, 0.5}, "below this it cannot measure");
+  visit.number("range_min_m", p.range_min_m, "m", {0.01, 0.5},
+               "least distance that it can measure; a smaller one reads as this");
   visit.number("range_m", p.range_m, "m", {0.51, 5.0}, "how far it sees, from the robot's skin");
   visit.number("curve_gain_m", p.curve.gain_m, "m", {0.1, 100.0},
                "K_g of the curve S = K_o + K_g / distance");
   visit.number("curve_offset", p.curve.offset, "1", {0.0, 200.0},
-               "K_o: what the sensor says of nothing");
+               "K_o of the curve: the answer if nothing is in range");
   visit_parameters(visit, p.noise);
 }
 

@@ -24,7 +24,7 @@ void visit_parameters(Visitor& visit, LaserParameters& p) {
   visit.number("range_m", p.range_m, "m", {0.1, 100.0}, "how far it sees, from the robot's skin");
   visit.angle("field_deg", p.field_rad, {1.0, 360.0}, "field of view, half of it on each side");
   visit.integer("beams", p.beams, "1", {2, static_cast<double>(domain::kMaxRanges)},
-                "rays over the field, one at each end");
+                "number of rays over the field, one at each end");
   visit_parameters(visit, p.noise);
 }
 

@@ -16,11 +16,11 @@ struct RangeNoiseParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, RangeNoiseParameters& p) {
   visit.number("noise_stddev_m", p.stddev_m, "m", {0.0, 1.0},
-               "standard deviation of the normal error of what returned");
+               "standard deviation of the normal error of a reading that returned");
   visit.number("outlier_ratio", p.outlier_ratio, "1", {0.0, 1.0},
-               "share of readings that are anything within range");
+               "share of readings that are replaced by a random distance within range");
   visit.number("drop_out_ratio", p.drop_out_ratio, "1", {0.0, 1.0},
-               "share of readings that are lost and read as free");
+               "share of readings that are lost and read as free space");
   visit.number("resolution_m", p.resolution_m, "m", {0.0, 1.0},
                "readings are rounded to multiples of it; 0 is off");
 }

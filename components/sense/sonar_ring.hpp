@@ -22,9 +22,9 @@ struct SonarRingParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, SonarRingParameters& p) {
   visit.number("range_m", p.range_m, "m", {0.1, 20.0},
-               "how far a sonar hears, from the robot's skin");
+               "how far a sonar sees, from the robot's skin");
   visit.angle("cone_deg", p.cone_rad, {1.0, 90.0}, "full opening of a sonar's cone");
-  visit.integer("sonars", p.sonars, "1", {3, 64}, "sonars on the ring, at equal angles");
+  visit.integer("sonars", p.sonars, "1", {3, 64}, "number of sonars on the ring, at equal angles");
   visit_parameters(visit, p.noise);
 }
 

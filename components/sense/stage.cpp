@@ -26,7 +26,7 @@ core::Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfi
 
 const runtime::StageInfo& stage() {
   static const runtime::StageInfo info = {"sense",
-                                          "range readings where the robot stands",
+                                          "measures ranges from the place where the robot stands",
                                           SenseComponent::ports(),
                                           {},
                                           {{"behaviour", false, sensors().variants()}},

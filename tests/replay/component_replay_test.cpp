@@ -276,7 +276,7 @@ TEST_F(ComponentReplay, RefusesAComponentOfSomeoneElse) {
   const RunRecording recording = changed();
 
   EXPECT_EQ(refused(recording, replay_plan(recording), "control"),
-            "control is a component of someone else's, and cannot be replayed");
+            "control is a third-party component, and cannot be replayed");
   EXPECT_TRUE(replayed(recording, replay_plan(recording), "sense").identical());
 }
 

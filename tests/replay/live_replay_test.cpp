@@ -165,7 +165,8 @@ TEST_P(LiveReplay, StopsWhenItsLastReaderLeaves) {
   const auto report = replay_live(*recording_, plan_, plan_, options_, script);
 
   ASSERT_TRUE(report.ok()) << report.error().text();
-  EXPECT_EQ(report->stopped, "somebody left after tick 4: replay has not found a reader of 'scan'");
+  EXPECT_EQ(report->stopped,
+            "a participant left after tick 4: replay has not found a reader of 'scan'");
   EXPECT_EQ(report->ticks, 5u);
 }
 
@@ -180,7 +181,7 @@ TEST_P(LiveReplay, NamesEveryTopicThatNobodyReads) {
 
   ASSERT_TRUE(report.ok()) << report.error().text();
   EXPECT_EQ(report->stopped,
-            "not everybody was there within 1 s:\n"
+            "startup timed out after 1 s:\n"
             "  replay has not found a reader of 'command'\n"
             "  replay has not found a reader of 'target'");
   EXPECT_EQ(report->ticks, 0u);

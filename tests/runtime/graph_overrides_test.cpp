@@ -312,7 +312,7 @@ control: {exec: [./my_control]}
 drive: {behaviour: slow}
 )";
   const std::string expected =
-      "graph.yaml:4:10: control has exec: a component of someone else's takes no behaviour and no "
+      "graph.yaml:4:10: control has exec: a third-party component takes no behaviour and no "
       "parameters here";
 
   EXPECT_EQ(refusal(graph, with({"control=straight"})), expected);

@@ -201,7 +201,7 @@ TEST(RunPlan, AComponentOfSomeoneElsesCannotBeComposed) {
   const RunPlan plan = prepare_good(bundle);
 
   EXPECT_EQ(make_nodes(plan).error().text(),
-            "graph.yaml:4:10: control has exec: a component of someone else's is a process, and "
+            "graph.yaml:4:10: control has exec: a third-party component is a process, and "
             "cannot be composed");
 }
 

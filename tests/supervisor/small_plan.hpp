@@ -13,7 +13,7 @@
 namespace clew::bridge {
 
 /// A graph of drive, sense and control in a shipped world. `exec`: of control, which then is a
-/// component of someone else's.
+/// third-party component.
 inline runtime::RunPlan small_plan(const std::string& exec = {}) {
   const std::string control =
       exec.empty() ? "{behaviour: krishna_kalra_fuzzy}" : "{exec: [" + exec + "]}";

@@ -182,7 +182,7 @@ TEST_F(Run, IsAbortedWhenTheStartTakesTooLongAndNamesWhoIsMissing) {
   pass(seconds(11));
 
   EXPECT_EQ(aborted(),
-            "not everybody was there within 10 s:\n  sense has not found the reader of 'scan'\n"
+            "startup timed out after 10 s:\n  sense has not found the reader of 'scan'\n"
             "  control has not reported");
 }
 

@@ -178,7 +178,7 @@ class Options(BadInput):
         self.assertEqual(Run([]).status, 2)
         self.refused(Run(["chekc", "reactive"]), "did you mean 'check'?")
         self.refused(Run(["train", "smo"]), "clew: unknown command 'smo' (did you mean 'som'?)")
-        self.refused(Run(["train"]), "clew: ", "--help tells more")
+        self.refused(Run(["train"]), "clew: ", "see --help")
 
     def test_the_largest_seed(self):
         run = Run(["run", "reactive", "--world", "open-field", "--layout", "composed", "--json",

@@ -308,7 +308,7 @@ class Refused(Published):
     def test_nobody_listens(self):
         run = self.replayed([self.comb, "--publish", "scan", "target", "--wait", "0.5", "--json"], 1)
 
-        self.assertIn("not everybody was there within 0.5 s", run.err)
+        self.assertIn("startup timed out after 0.5 s", run.err)
         self.assertIn("replay has not found a reader of 'scan'", run.err)
         self.assertIn("replay has not found a reader of 'target'", run.err)
         self.assertEqual(run.report["ticks"], 0)

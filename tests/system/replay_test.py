@@ -231,8 +231,8 @@ class Replay(Recordings):
 
         self.assertEqual([one["component"] for one in run.report["components"]],
                          ["drive", "sense"])
-        self.assertIn("control is a component of someone else's", run.err)
-        self.refused(["replay", recording, "--component", "control"], "someone else's")
+        self.assertIn("control is a third-party component", run.err)
+        self.refused(["replay", recording, "--component", "control"], "third-party")
         self.refused(["replay", recording, "--branch", "5"], "cannot be composed")
 
 

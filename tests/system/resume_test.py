@@ -142,7 +142,7 @@ class Refused(unittest.TestCase):
 
     def test_a_whole_recording(self):
         self.assertRegex(self.refused("--resume", self.path),
-                         r"r.mcap: is whole: the run ended at tick \d+, nothing is left")
+                         r"r.mcap: is complete: the run ended at tick \d+, nothing is left")
 
     def test_what_the_recording_decides(self):
         self.path.write_bytes(self.whole[:-100])

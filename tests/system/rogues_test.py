@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Components of someone else's that break the contract, over real DDS: what they did is named, and
+"""Third-party components that break the contract, over real DDS: what they did is named, and
 the run ends or is not changed by it."""
 import unittest
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Against a component of somebody else's: plain Cyclone DDS with the types that idlc makes, and
+/// Against a third-party component: plain Cyclone DDS with the types that idlc makes, and
 /// nothing of ours but the IDL and the configuration that the supervisor hands out.
 #include <dds/dds.h>
 #include <gtest/gtest.h>

@@ -14,7 +14,7 @@ namespace clew::bench {
 struct BenchOptions {
   std::string directory;  ///< for results, report, pictures and generated worlds
   std::size_t jobs = 1;   ///< worker processes
-  bool restart = false;   ///< drop the results that are there
+  bool restart = false;   ///< drop existing results
   /// Called after each run; `found` of the `done` ones were there before. May be null.
   std::function<void(std::size_t found, std::size_t done, std::size_t total)> progress;
 };

@@ -33,9 +33,9 @@ Table detector_table(const BenchResults& results);
 /// A table a graph, if exactly two things are varied: success in solvable worlds over both.
 std::vector<Table> matrix_tables(const BenchResults& results);
 
-/// Each variant against another one in the same worlds with the same seeds: where something is
-/// varied, against that with the first of the values of what is varied last, all else equal, and
-/// else against the first. Empty with a single variant.
+/// Each variant against a baseline in the same worlds with the same seeds: against the variant with
+/// the first value of the last `--vary`, all else equal; without `--vary`, against the first
+/// variant. Empty with a single variant.
 Table paired_table(const BenchResults& results);
 
 }  // namespace clew::bench

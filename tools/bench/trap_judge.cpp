@@ -56,7 +56,7 @@ void TrapJudge::alarm(const domain::EventEntry& entry) {
     return score.rule == entry.rule && score.shadow == entry.shadow;
   });
   const auto index = static_cast<std::size_t>(found - scores_.begin());
-  if (found == scores_.end()) {  // a component of someone else's
+  if (found == scores_.end()) {  // a third-party component
     scores_.push_back({entry.rule, entry.shadow, 0, 0, 0, {}, {}});
     has_noticed_.push_back(false);
   }

@@ -164,7 +164,7 @@ void add_bench(CLI::App& main, int& status) {
   app->add_option("--out", options->out,
                   "directory for results and report (out/bench/SUITE); results that are there are "
                   "gone on from");
-  app->add_flag("--force", options->force, "drop the results that are there");
+  app->add_flag("--force", options->force, "drop existing results");
   app->add_flag("--json", options->json, "print one JSON object a run");
   app->add_option("--write-worlds", options->write_worlds,
                   "write the generated worlds and their pictures to a directory, run nothing");

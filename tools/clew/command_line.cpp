@@ -55,8 +55,8 @@ void add_overrides(CLI::App& app, runtime::GraphOverrides& overrides) {
       ->allow_extra_args(false);
   app.add_option("--set", overrides.set, "STAGE[.PART][.NAME].PARAM=VALUE: another value")
       ->allow_extra_args(false);
-  app.add_option("--seed", overrides.seed, "of all random numbers (1)")->check(whole_number());
-  app.add_option("--max-ticks", overrides.max_ticks, "give up after so many (20000)")
+  app.add_option("--seed", overrides.seed, "seed of all random numbers (1)")->check(whole_number());
+  app.add_option("--max-ticks", overrides.max_ticks, "time out after this many ticks (20000)")
       ->check(whole_number());
 }
 

@@ -166,7 +166,7 @@ void add_echo(CLI::App& main, int& status) {
   const auto options = std::make_shared<EchoOptions>();
   CLI::App* app = main.add_subcommand("echo", "Print the samples of a recorded topic");
   app->add_option("recording", options->recording, "of a run")->required();
-  app->add_option("topic", options->topic, "state, scan, command, ...; 'clew info' tells")
+  app->add_option("topic", options->topic, "state, scan, command, ...; see 'clew info'")
       ->required();
   app->add_option("--field", options->fields,
                   "only this one, as stamp.sim_time_s or ranges_m[3]; may be repeated")

@@ -136,7 +136,7 @@ int events_command(const EventsOptions& options) {
 void add_events(CLI::App& main, int& status) {
   const auto options = std::make_shared<EventsOptions>();
   CLI::App* app =
-      main.add_subcommand("events", "Tell the traps, escapes and virtual targets of a recording");
+      main.add_subcommand("events", "Print the traps, escapes and virtual targets of a recording");
   app->add_option("recording", options->recording, "of a run")->required();
   app->add_flag("--json", options->json, "print one JSON object an event");
   app->callback([options, &status] { status = events_command(*options); });

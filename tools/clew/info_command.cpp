@@ -264,7 +264,7 @@ int info_command(const InfoOptions& options) {
 void add_info(CLI::App& main, int& status) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* app =
-      main.add_subcommand("info", "Tell what a recording holds, and whether it is whole");
+      main.add_subcommand("info", "Show what a recording holds, and whether it is complete");
   app->add_option("recording", options->recording)->required();
   app->add_flag("--json", options->json, "print it as one JSON object");
   app->callback([options, &status] { status = info_command(*options); });

@@ -95,7 +95,7 @@ int parse_and_run(int argc, char** argv) {
     const auto all_known = check_options(app);
     if (!all_known.ok()) return complain(all_known.error());
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    return complain({fmt::format("{}; --help tells more", error.what()), {}, 0, 0});
+    return complain({fmt::format("{}; see --help", error.what()), {}, 0, 0});
   }
   return status;
 }

@@ -67,7 +67,7 @@ std::vector<std::string> stages_of(const ReplayOptions& options, const runtime::
     if (stage.deployment.exec.empty()) {
       names.push_back(stage.info->name);
     } else {
-      fmt::print(stderr, "clew: {} is a component of someone else's, and is left out\n",
+      fmt::print(stderr, "clew: {} is a third-party component, and is left out\n",
                  stage.info->name);
     }
   }
@@ -169,10 +169,11 @@ void add_publish(CLI::App& app, ReplayOptions& options) {
   app.add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)");
   app.add_option("--middleware", options.middleware, "cyclonedds | fastdds (cyclonedds)");
   app.add_flag("--start", options.start, "start the component's process, too");
-  app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it with a command before");
+  app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it under a command");
   app.add_option("--reader", options.readers, "start a COMMAND that reads; may be repeated")
       ->allow_extra_args(false);
-  app.add_option("--wait", options.wait_s, "seconds to wait for readers (10; by hand started: 60)")
+  app.add_option("--wait", options.wait_s,
+                 "seconds to wait for readers (10; 60 if started by hand)")
       ->check(number_between(0.1, 86400.0));
   app.add_flag("--start-paused", options.start_paused, "wait before the first tick");
   app.add_flag("--commands", options.commands,
@@ -194,11 +195,12 @@ void add_replay(CLI::App& main, int& status) {
   app->add_option("--to", options->last_tick, "end with this tick")->check(whole_number());
   app->add_option("--rate", options->rate, "simulated over wall-clock time (as fast as it goes)")
       ->check(number_between(bridge::Playback::kLowestRate, bridge::Playback::kHighestRate));
-  app->add_option("--branch", options->branch_tick, "run the graph on from this tick")
+  app->add_option("--branch", options->branch_tick, "continue the run from this tick")
       ->check(whole_number());
   app->add_option("--record", options->record, "write a recording of the branch (MCAP)");
   app->add_flag("--force", options->force, "overwrite it");
-  app->add_option("--max-ticks", options->overrides.max_ticks, "give up the branch after so many")
+  app->add_option("--max-ticks", options->overrides.max_ticks,
+                  "time out the branch after this many ticks")
       ->check(whole_number());
   add_publish(*app, *options);
   app->add_flag("--json", options->json, "print the result as one JSON object");

@@ -38,7 +38,7 @@ Result<void> check_nothing_is_decided_anew(const RunOptions& options) {
                  0};
   }
   if (options.pace == "realtime") {
-    return Error{"a run in real time cannot be gone on with", "--resume", 0, 0};
+    return Error{"a run in real time cannot be continued", "--resume", 0, 0};
   }
   if (options.force && options.record.empty()) {
     return Error{"--force needs --record here", "--resume", 0, 0};
@@ -71,7 +71,7 @@ Result<void> take_over(const std::string& file, const std::string& becomes, bool
   }
   if (file == temporary) return {};
   if (!copy && is_file(temporary)) {
-    return Error{"is there, too: which one is to be gone on with?", temporary, 0, 0};
+    return Error{"exists, too: which one is to be resumed?", temporary, 0, 0};
   }
   std::error_code error;
   if (copy) {
@@ -96,7 +96,7 @@ Result<ResumedRun> resume_run(const RunOptions& options) {
   auto resumption = bridge::resume(*recording, *plan);
   if (!resumption.ok()) return resumption.error();
   if (resumption->has_ended && recording->complete()) {
-    return Error{fmt::format("is whole: the run ended at tick {}, nothing is left to go on with",
+    return Error{fmt::format("is complete: the run ended at tick {}, nothing is left to resume",
                              resumption->processes.next_tick - 1),
                  file, 0, 0};
   }

@@ -146,7 +146,7 @@ Result<void> check_black_box(const RunOptions& options) {
     return Error{"needs --record FILE", "--record-on", 0, 0};
   }
   if (!options.resume.empty() && wanted) {
-    return Error{"a run that is gone on with is recorded as it was", "--record-on", 0, 0};
+    return Error{"a resumed run is recorded as before", "--record-on", 0, 0};
   }
   if (options.record_last_s && !wanted) {
     return Error{"needs --record-on trap", "--record-last", 0, 0};
@@ -194,7 +194,7 @@ bool is_program(const std::string& word) {
   return false;
 }
 
-/// Programs of someone else's are there before anything starts.
+/// Third-party programs must exist before anything starts.
 Result<void> check_programs(const runtime::Graph& graph, const std::vector<std::string>& external) {
   for (const auto& stage : graph.stages) {
     if (stage.deployment.exec.empty()) continue;
@@ -219,7 +219,7 @@ struct Job {
 };
 
 Result<Job> new_job(const RunOptions& options) {
-  if (options.graph.empty()) return Error{"which graph? 'clew list graphs' tells", {}, 0, 0};
+  if (options.graph.empty()) return Error{"which graph? see 'clew list graphs'", {}, 0, 0};
   auto plan = runtime::prepare_run(options.graph, options.overrides,
                                    runtime::ConfigPath::from_environment(), stages::all());
   if (!plan.ok()) return plan.error();
@@ -349,10 +349,10 @@ void add_ways(CLI::App& app, RunOptions& options) {
       ->group("How it runs");
   app.add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)")
       ->group("How it runs");
-  app.add_option("--external", options.external, "wait for a STAGE that a person starts")
+  app.add_option("--external", options.external, "wait for a STAGE that you start yourself")
       ->allow_extra_args(false)
       ->group("Debugging");
-  app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it with a command before")
+  app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it under a command")
       ->allow_extra_args(false)
       ->group("Debugging");
 }
@@ -364,17 +364,16 @@ void add_recording(CLI::App& app, RunOptions& options) {
   add("--record", options.record, "write a recording (MCAP)")->check(file_to_write());
   app.add_flag("--force", options.force, "overwrite the recording")->group("Recording");
   add("--record-on", options.record_on,
-      "trap: a black box, which writes what it kept, and then goes on recording, when a trap is "
-      "detected, a collision happens or the run ends badly");
+      "trap: a black box. If a trap is detected, a collision happens or the run ends badly, it "
+      "writes what it kept and then records on");
   add("--record-last", options.record_last_s, "simulated seconds that a black box keeps (30)")
       ->check(number_between(0.001, 86400.0));
   add("--compression", options.compression,
       "none | zstd | lz4 (none: the fastest, and its bytes depend on no compressor's version; zstd "
       "makes it several times smaller)");
   add("--on-record-error", options.on_record_error,
-      "stop | continue: what a run does whose recording fails or lacks samples (stop)");
-  add("--resume", options.resume,
-      "go on with a recording whose run was cut off, instead of a graph");
+      "stop | continue: what the run does if its recording fails or lacks samples (stop)");
+  add("--resume", options.resume, "resume the cut-off run of a recording, instead of a graph");
 }
 
 }  // namespace
@@ -382,7 +381,7 @@ void add_recording(CLI::App& app, RunOptions& options) {
 void add_run(CLI::App& main, int& status) {
   const auto options = std::make_shared<RunOptions>();
   CLI::App* app = main.add_subcommand("run", "Run a graph with a simulated robot");
-  app->add_option("graph", options->graph, "a name or a path; 'clew list graphs' tells");
+  app->add_option("graph", options->graph, "a name or a path; see 'clew list graphs'");
   add_overrides(*app, options->overrides);
   add_ways(*app, *options);
   add_recording(*app, *options);

@@ -29,7 +29,7 @@ void visit_parameters(Visitor& visit, KrishnaKalraFuzzyParameters& p) {
                {{"clipped", TargetTurn::kClipped}, {"bang_bang", TargetTurn::kBangBang}},
                "eq. 3: the difference angle clipped to c, or always c as printed");
   visit.angle("behind_band_deg", p.behind_band_rad, {0.0, 90.0},
-              "a target this close to straight behind keeps the side it was on");
+              "a target within this angle of straight behind keeps the side it was on");
 }
 
 /// The fuzzy navigation scheme of Krishna & Kalra 2000, section 2.1: a target reaching and an

@@ -25,11 +25,11 @@ template <typename Visitor>
 void visit_parameters(Visitor& visit, NearestVirtualTargetParameters& p) {
   visit.file("rules", p.rules, "rulebases", "rule base: Table 1, with its sets and consequents");
   visit.number("clearance_m", p.clearance_m, "m", {0.0, 0.5},
-               "room beside the body in a safe region");
+               "clearance beside the body in a safe region");
   visit.number("keep_m", p.keep_m, "m", {0.0, 2.0},
                "another gap must shorten the path by more than this");
   visit.number("depth_ratio", p.depth_ratio, "1", {0.01, 1.0},
-               "a gap is free for this share of the range, or as far as the target");
+               "a gap must be free for this share of the range, or as far as the target");
 }
 
 /// The nearest virtual target method (NVT) of Nakhaeinia et al. 2015, section II.A. Where obstacles

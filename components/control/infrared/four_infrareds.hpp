@@ -25,8 +25,8 @@ inline constexpr double kNearestReading_m = 0.1;
 /// Finds the paper's four infrared rangers among a scan's beams.
 class FourInfrareds {
  public:
-  /// Refuses, in the name of `behaviour`, what is no sensor of four rays ahead, back, left and
-  /// right that answer by an infrared curve.
+  /// Fails unless the layout has four rays, ahead, back, left and right, with an infrared curve.
+  /// `behaviour` names the caller in the error.
   static core::Result<FourInfrareds> create(const domain::ScanLayout& layout,
                                             const std::string& behaviour);
 

@@ -20,12 +20,13 @@ struct InfraredExpertParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, InfraredExpertParameters& p) {
-  visit.number("cruise_mps", p.cruise_mps, "m/s", {0.0, 1.0}, "of both wheels, the way ahead free");
+  visit.number("cruise_mps", p.cruise_mps, "m/s", {0.0, 1.0},
+               "speed of both wheels if the path ahead is free");
   visit.number("turn_mps", p.turn_mps, "m/s", {0.0, 1.0},
-               "of the wheels against each other, an obstacle right ahead");
+               "speed of the wheels against each other if an obstacle is right in front");
   visit.number("side_mps", p.side_mps, "m/s", {0.0, 1.0},
-               "of one wheel more, an obstacle right beside it");
-  visit.number("far_m", p.far_m, "m", {0.11, 5.0}, "obstacles from here on are none");
+               "extra speed of one wheel if an obstacle is right beside it");
+  visit.number("far_m", p.far_m, "m", {0.11, 5.0}, "obstacles farther than this are ignored");
   visit_parameters(visit, p.target);
 }
 

@@ -20,7 +20,7 @@ struct NeuroFuzzyParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, NeuroFuzzyParameters& p) {
   visit.file("rules", p.rules, "rulebases",
-             "rule tables in words, or the parameters that clew train neuro-fuzzy gave");
+             "rule tables in words, or the parameters that clew train neuro-fuzzy wrote");
   visit_parameters(visit, p.target);
 }
 

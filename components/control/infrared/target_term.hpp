@@ -16,13 +16,14 @@ struct TargetTermParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, TargetTermParameters& p) {
   visit.flag("target_term", p.enabled,
-             "whether it seeks the target; off, it only avoids obstacles");
+             "true: it seeks the target; false: it only avoids obstacles");
   visit.number("target_speed_mps", p.speed_mps, "m/s", {0.0, 2.0},
-               "of both wheels, where the target is straight ahead and the way free");
-  visit.number("target_turn_mps", p.turn_mps, "m/s", {0.0, 2.0},
-               "of the wheels against each other, where the target is beside and that side free");
+               "speed of both wheels if the target is straight ahead and the path is free");
+  visit.number(
+      "target_turn_mps", p.turn_mps, "m/s", {0.0, 2.0},
+      "speed of the wheels against each other if the target is at a side and that side is free");
   visit.number("target_free_m", p.free_m, "m", {0.11, 5.0},
-               "a distance from here on counts as free");
+               "a side is free if its reading is at least this");
 }
 
 /// What makes a controller that only avoids obstacles go for a target: wheel speeds to be added to

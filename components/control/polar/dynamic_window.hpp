@@ -25,23 +25,25 @@ struct DynamicWindowParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, DynamicWindowParameters& p) {
   visit.number("max_speed_mps", p.max_speed_mps, "m/s", {0.01, 10.0},
-               "fastest way ahead, where the drive allows it");
+               "greatest speed, or that of the drive if lower");
   visit.number("max_turn_rate_radps", p.max_turn_rate_radps, "rad/s", {0.01, 20.0},
-               "fastest turn, where the drive allows it");
+               "greatest turn rate, or that of the drive if lower");
   visit.number("max_acceleration_mps2", p.max_acceleration_mps2, "m/s^2", {0.01, 100.0},
-               "greatest change of speed, where the drive allows it");
+               "greatest acceleration, or that of the drive if lower");
   visit.number("max_turn_acceleration_radps2", p.max_turn_acceleration_radps2, "rad/s^2",
-               {0.01, 100.0}, "greatest change of the turn's rate, where the drive allows it");
-  visit.integer("speeds", p.speeds, "1", {2, 31}, "speeds in the dynamic window");
-  visit.integer("turn_rates", p.turn_rates, "1", {3, 61}, "turn rates in the dynamic window");
+               {0.01, 100.0}, "greatest turn acceleration, or that of the drive if lower");
+  visit.integer("speeds", p.speeds, "1", {2, 31}, "number of speeds in the dynamic window");
+  visit.integer("turn_rates", p.turn_rates, "1", {3, 61},
+                "number of turn rates in the dynamic window");
   visit.number("heading_weight_m_per_rad", p.heading_weight_m_per_rad, "m/rad", {0.0, 10.0},
-               "what a radian off the subgoal's direction counts against a metre off its place");
-  visit.number("density_weight_m", p.density_weight_m, "m", {0.0, 10.0},
-               "what full density of obstacles along the way counts against a metre");
+               "weight of a radian off the subgoal's direction, against a metre off its position");
+  visit.number(
+      "density_weight_m", p.density_weight_m, "m", {0.0, 10.0},
+      "weight of full obstacle density along the path, against a metre off the subgoal's position");
   visit.number("density_reach_m", p.density_reach_m, "m", {0.01, 5.0},
-               "density falls from 1 at the stop margin to 0 this much farther away");
+               "obstacle density falls from 1 at the stop margin to 0 over this distance");
   visit.number("stop_margin_m", p.stop_margin_m, "m", {0.0, 1.0},
-               "room beside the body on the way to a stop");
+               "clearance beside the body on the path to a stop");
 }
 
 /// A point of the velocity space.

@@ -31,18 +31,19 @@ struct PolarNeuralMapParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, PolarNeuralMapParameters& p) {
   visit.integer("rings", p.rings, "1", {4, 400},
-                "rings of the map, the robot's own place included");
-  visit.integer("sectors", p.sectors, "1", {8, 256}, "sectors of the map");
+                "number of rings of the map, with the robot's own place");
+  visit.integer("sectors", p.sectors, "1", {8, 256}, "number of sectors of the map");
   visit.number("scope_m", p.scope_m, "m", {0.5, 20.0}, "radius of the outer ring");
   visit.number("gain_ratio", p.gain_ratio, "1", {0.05, 0.99},
                "beta times the greatest eigenvalue of the connectivity; stable below 1");
   visit.integer("most_patterns", p.most_patterns, "1", {1, 1000},
-                "patterns of updates in a tick, if the subgoal is not stable before");
+                "greatest number of update patterns in a tick; fewer if the subgoal is stable");
   visit.integer("memory_scans", p.memory_scans, "1", {1, 100},
-                "scans in the short-term memory, the present one included");
-  visit.flag("predict", p.predict, "whether the map is drawn where the robot will be in a cycle");
+                "number of scans in the short-term memory, with the present one");
+  visit.flag("predict", p.predict,
+             "whether the map is centred where the robot will be after a cycle");
   visit.number("clearance_m", p.clearance_m, "m", {0.0, 1.0},
-               "room beside the body where returns obstruct units");
+               "clearance beside the body: returns nearer than this to it block units");
   visit_parameters(visit, p.window);
 }
 

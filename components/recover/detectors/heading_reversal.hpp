@@ -19,8 +19,10 @@ struct HeadingReversalParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, HeadingReversalParameters& p) {
-  visit.angle("reversal_deg", p.reversal_rad, {1.0, 1080.0}, "a turn of this much is a trap");
-  visit.integer("window_ticks", p.window_ticks, "ticks", {1, 10000}, "within this time");
+  visit.angle("reversal_deg", p.reversal_rad, {1.0, 1080.0},
+              "a change of heading of more than this is a trap");
+  visit.integer("window_ticks", p.window_ticks, "ticks", {1, 10000},
+                "longest time over which the change is measured");
 }
 
 /// The trap rule of Huang & Lee 1992, as Krishna & Kalra 2000, section 4.5 tell it: the robot is

@@ -24,15 +24,15 @@ struct LandmarkRevisitParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, LandmarkRevisitParameters& p) {
   visit.number("match_radius_m", p.match_radius_m, "m", {0.0, 10.0},
-               "positions this close are the same place");
+               "positions closer than this are the same place");
   visit.number("loop_length_m", p.loop_length_m, "m", {0.0, 100.0},
-               "least travel between two visits");
+               "least path length between two visits");
   visit.integer("earlier_visits", p.earlier_visits, "1", {1, 6},
-                "visits to the same place that prove a loop, besides this one");
+                "number of earlier visits to the same place that prove a loop");
   visit.angle("heading_tolerance_deg", p.heading_tolerance_rad, {0.0, 180.0},
-              "visits count with headings this close; 180 is any");
+              "greatest difference of heading between visits; 180: any heading");
   visit.integer("capacity", p.capacity, "1", {1, 4096},
-                "neurons and categories remembered; 49 and 15 in the paper");
+                "number of neurons and categories remembered; 49 and 15 in the paper");
 }
 
 /// The distant memory of Krishna & Kalra 2000, section 4.3: each neuron and category keeps the last

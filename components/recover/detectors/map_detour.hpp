@@ -24,11 +24,11 @@ template <typename Visitor>
 void visit_parameters(Visitor& visit, MapDetourParameters& p) {
   visit_parameters(visit, p.path);
   visit.number("rise_m", p.rise_m, "m", {0.0, 100.0},
-               "a trap is where the way known leads away from the target by more than this");
+               "a trap is where the known path leads away from the target by more than this");
   visit.number("nearer_m", p.nearer_m, "m", {0.01, 100.0},
-               "the robot gets on if it comes this much nearer to the target");
+               "the robot makes progress if it comes this much nearer to the target");
   visit.number("patience_s", p.patience_s, "s", {0.1, 100000.0},
-               "and is in a trap if it does not get on for this time");
+               "the robot is in a trap if it makes no progress for this time");
 }
 
 /// Notices a trap before the robot has gone round in it: on all that was seen, the cheapest way to

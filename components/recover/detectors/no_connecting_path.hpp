@@ -22,14 +22,15 @@ struct NoConnectingPathParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, NoConnectingPathParameters& p) {
   visit.number("depth_ratio", p.depth_ratio, "1", {0.01, 1.0},
-               "a leg is this share of the range, or as far as the target");
+               "length of a leg as share of the range, or as far as the target");
   visit.number("leg_clearance_m", p.leg_clearance_m, "m", {0.0, 0.5},
-               "room on both sides of the body along a leg");
+               "clearance on both sides of the body along a leg");
   visit.number("clearance_m", p.clearance_m, "m", {0.0, 0.5},
-               "room on both sides of the body along a path that connects");
-  visit.number("close_m", p.close_m, "m", {0.01, 10.0}, "the end of a leg this near is reached");
+               "clearance on both sides of the body along a path that connects");
+  visit.number("close_m", p.close_m, "m", {0.01, 10.0},
+               "the end of a leg is reached within this distance");
   visit.number("leg_travel_ratio", p.leg_travel_ratio, "1", {1.0, 100.0},
-               "a leg ends after travel of so many times its length");
+               "a leg ends after a path of this many times its length");
 }
 
 /// The local minimum criterion of Nakhaeinia et al. 2015 in the words that they tell figures 9 to

@@ -22,9 +22,9 @@ struct NoProgressParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, NoProgressParameters& p) {
   visit.choice("of", p.of, {{"movement", Progress::kMovement}, {"target", Progress::kTarget}},
-               "progress is being elsewhere, or nearer to the target in force than ever");
-  visit.number("radius_m", p.radius_m, "m", {0.01, 100.0}, "progress that is asked for");
-  visit.number("allowance_s", p.allowance_s, "s", {0.1, 100000.0}, "within this time");
+               "measure progress by distance moved, or by distance to the active target");
+  visit.number("radius_m", p.radius_m, "m", {0.01, 100.0}, "least progress within the time limit");
+  visit.number("allowance_s", p.allowance_s, "s", {0.1, 100000.0}, "time limit");
 }
 
 /// Says trap when the robot has made no progress for a while: Nav2's SimpleProgressChecker
@@ -32,7 +32,7 @@ void visit_parameters(Visitor& visit, NoProgressParameters& p) {
 /// The robot has made progress when it is radius_m away from where it was when it last had.
 ///
 /// So measured, a robot that goes round and round makes progress. `of: target` measures the
-/// distance to the target in force instead: progress is to be radius_m nearer than when there last
+/// distance to the active target instead: progress is to be radius_m nearer than when there last
 /// was progress. That wants an allowance of the time that a way round may take.
 class NoProgress final : public TrapDetector {
  public:

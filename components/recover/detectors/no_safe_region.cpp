@@ -35,7 +35,7 @@ std::optional<TrapEvidence> NoSafeRegion::observe(const Situation& situation) {
                       "no gap within " + in_degrees(parameters_.sector_rad) + " of the target"};
 }
 
-/// Whether nothing in view leads to the target in force, and enough is in view.
+/// Whether nothing in view leads to the active target, and enough is in view.
 bool NoSafeRegion::surrounded(const Situation& situation) {
   regions_.update(situation.scan);
   const double target_rad = core::bearing_rad(situation.pose(), situation.pursued_odom);

@@ -23,14 +23,15 @@ struct NoSafeRegionParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, NoSafeRegionParameters& p) {
   visit.angle("sector_deg", p.sector_rad, {1.0, 180.0},
-              "directions this close to the target's can lead to it");
+              "a gap within this angle of the target's bearing can lead to it");
   visit.number("depth_ratio", p.depth_ratio, "1", {0.01, 1.0},
-               "a gap is free for this share of the range, or as far as the target");
+               "a gap must be free for this share of the range, or as far as the target");
   visit.number("clearance_m", p.clearance_m, "m", {0.0, 1.0},
-               "a gap leaves this room on both sides of the body");
+               "clearance of a gap on both sides of the body");
   visit.number("seen_ratio", p.seen_ratio, "1", {0.01, 1.0},
-               "no telling where less than this share of the sector is in view");
-  visit.integer("ticks", p.ticks, "ticks", {1, 1000}, "that there is no gap, in a row");
+               "least share of the sector that must be in view; below it no trap is reported");
+  visit.integer("ticks", p.ticks, "ticks", {1, 1000},
+                "number of ticks in a row without a gap that make a trap");
 }
 
 /// The local minimum criterion of Nakhaeinia et al. 2015, section II.B: *the robot is surrounded by

@@ -25,15 +25,17 @@ struct OscillationParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, OscillationParameters& p) {
   visit.angle("turn_back_deg", p.turn_back_rad, {30.0, 180.0},
-              "a turn of more than this is a turn back");
-  visit.integer("turn_ticks", p.turn_ticks, "ticks", {1, 10000}, "within this time");
+              "a change of heading of more than this is a turn back");
+  visit.integer("turn_ticks", p.turn_ticks, "ticks", {1, 10000},
+                "longest time that a turn back takes");
   visit.number("same_place_m", p.same_place_m, "m", {0.01, 100.0},
-               "turns back this close are at the same place");
+               "turns back closer than this are at the same place");
   visit.angle("same_direction_deg", p.same_direction_rad, {1.0, 180.0},
-              "turns back with headings this close are in the same direction");
+              "turns back whose headings differ by less than this have the same direction");
   visit.number("window_m", p.window_m, "m", {0.1, 1000.0},
-               "longest travel between a turn back and the same one again");
-  visit.integer("repeats", p.repeats, "1", {1, 100}, "turns back in a row made before");
+               "greatest path length between two turns back that count as the same");
+  visit.integer("repeats", p.repeats, "1", {1, 100},
+                "number of known turns back in a row that make a trap");
 }
 
 /// Says trap when the robot turns back again where it turned back before: the oscillation against

@@ -32,26 +32,27 @@ template <typename Visitor>
 void visit_parameters(Visitor& visit, PositionRevisitParameters& p) {
   visit.number("grid_m", p.grid_m, "m", {0.1, 10.0}, "width of a cell of the position memory");
   visit.number("spacing_m", p.spacing_m, "m", {0.01, 10.0},
-               "positions this far apart are remembered and compared");
+               "spacing of the positions that are stored and compared");
   visit.number("loop_length_m", p.loop_length_m, "m", {0.0, 1000.0},
-               "least travel between two visits that count");
+               "least path length between two visits that count");
   visit.number("place_full_m", p.place_full_m, "m", {0.0, 10.0},
-               "same place: fully up to this distance");
+               "same place: degree 1 up to this distance");
   visit.number("place_none_m", p.place_none_m, "m", {0.01, 10.0},
-               "same place: not at all from this distance on");
+               "same place: degree 0 beyond this distance");
   visit.number("place_drift_ratio", p.place_drift_ratio, "1", {0.0, 1.0},
-               "both distances grow by this share of the path between, at most to a cell's width");
+               "both distances grow by this share of the path between the visits, at most to a "
+               "cell's width");
   visit.angle("direction_full_deg", p.direction_full_rad, {0.0, 180.0},
-              "same direction: fully up to this angle");
+              "same direction: degree 1 up to this angle");
   visit.angle("direction_none_deg", p.direction_none_rad, {0.1, 360.0},
-              "same direction: not at all from this angle on");
+              "same direction: degree 0 beyond this angle");
   visit.number("direction_drift_radpm", p.direction_drift_radpm, "rad/m", {0.0, 1.0},
-               "both angles grow by this for a metre of the path between");
+               "both angles grow by this for each metre of path between the visits");
   visit.number("threshold", p.threshold, "1", {0.01, 1.0},
-               "a position is recognised from this degree on");
+               "a position is recognised if the smaller degree is at least this");
   visit.integer("recognitions", p.recognitions, "1", {1, 1000},
-                "recognitions in a row that make a limit cycle");
-  visit.integer("capacity", p.capacity, "1", {2, 1048576}, "cells remembered");
+                "number of recognitions in a row that make a limit cycle");
+  visit.integer("capacity", p.capacity, "1", {2, 1048576}, "greatest number of cells remembered");
 }
 
 /// A limit cycle as Pin & Bender 1996 recognise it: the robot is again and again where it was

@@ -88,7 +88,7 @@ void BoxFilling::pursue_target_anew(const Situation& situation) {
   state_.target_tick = situation.tick;
 }
 
-/// Gives way, box by box, if the target is not come nearer to.
+/// Opens the boxes, one by one, if the robot does not come nearer to the target.
 void BoxFilling::watch_target(const Situation& situation) {
   const double distance_m = situation.target_distance_m();
   if (distance_m < state_.target_least_m - kNearer_m) {

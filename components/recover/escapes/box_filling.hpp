@@ -28,23 +28,24 @@ struct BoxFillingParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, BoxFillingParameters& p) {
   visit.number("beyond_m", p.beyond_m, "m", {0.0, 10.0},
-               "a subgoal lies this far from the side of its virtual obstacle");
-  visit.number("close_m", p.close_m, "m", {0.01, 10.0}, "a subgoal this near is reached");
+               "distance from the side of a virtual obstacle to its subgoal");
+  visit.number("close_m", p.close_m, "m", {0.01, 10.0},
+               "a subgoal is reached within this distance");
   visit.number("clearance_m", p.clearance_m, "m", {0.0, 10.0},
-               "room that virtual obstacles leave around the target and subgoals");
+               "clearance that virtual obstacles keep from the target and the subgoals");
   visit.number("least_size_m", p.least_size_m, "m", {0.01, 10.0},
-               "a virtual obstacle is at least this wide and high");
+               "least width and height of a virtual obstacle");
   visit.number("recent_m", p.recent_m, "m", {0.1, 1000.0},
-               "way back that is bounded, for traps without an earlier visit");
+               "length of the path back that is boxed, for traps without an earlier visit");
   visit.number("patience_s", p.patience_s, "s", {0.1, 100000.0},
-               "a subgoal is dropped after this time without coming nearer");
+               "a subgoal is dropped if the robot does not come nearer for this time");
   visit.number("goal_patience_s", p.goal_patience_s, "s", {0.1, 100000.0},
-               "the newest virtual obstacle shrinks after this time without coming nearer to the "
-               "target");
+               "the newest virtual obstacle shrinks if the robot does not come nearer to the "
+               "target for this time");
   visit.number("trail_spacing_m", p.trail_spacing_m, "m", {0.01, 10.0},
-               "positions of the way back are this far apart");
+               "spacing of the stored positions of the path back");
   visit.integer("trail_capacity", p.trail_capacity, "1", {2, 1000000},
-                "positions of the way back that are kept");
+                "greatest number of stored positions of the path back");
 }
 
 /// Virtual obstacles and the goal stack of Pin & Bender 1996. A virtual obstacle is the bounding
@@ -55,10 +56,11 @@ void visit_parameters(Visitor& visit, BoxFillingParameters& p) {
 /// escape goes on until the target is reached, since the boxes must stay.
 ///
 /// Readings of ours, where the paper is silent: a trap without an earlier visit bounds the last
-/// recent_m of the way. Boxes are cut clear of the target and of subgoals. A subgoal that is not
-/// come nearer to is dropped. If the target is not come nearer to for goal_patience_s, the newest
-/// box, which may close the only way out, is halved, and removed when it is smaller than
-/// least_size_m. The escape fails when there are no boxes left to remove, or no room for another.
+/// recent_m of the path. Boxes keep clear of the target and of subgoals. A subgoal is dropped if
+/// the robot does not come nearer to it. If the robot does not come nearer to the target for
+/// goal_patience_s, the newest box, which may close the only way out, is halved, and removed when
+/// it is smaller than least_size_m. The escape fails when there are no boxes left to remove, or no
+/// room for another.
 class BoxFilling final : public Escape {
  public:
   using Parameters = BoxFillingParameters;

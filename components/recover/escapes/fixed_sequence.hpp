@@ -24,12 +24,14 @@ struct FixedSequenceParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, FixedSequenceParameters& p) {
   visit.number("spin_rad", p.spin_rad, "rad", {0.0, 6.2831}, "turn of the second action");
-  visit.number("spin_rate_radps", p.spin_rate_radps, "rad/s", {0.01, 10.0}, "how fast it turns");
+  visit.number("spin_rate_radps", p.spin_rate_radps, "rad/s", {0.01, 10.0},
+               "turn rate of the second action");
   visit.number("wait_s", p.wait_s, "s", {0.0, 1000.0}, "rest of the third action");
-  visit.number("back_up_m", p.back_up_m, "m", {0.0, 10.0}, "way back of the fourth action");
-  visit.number("back_up_mps", p.back_up_mps, "m/s", {0.01, 10.0}, "how fast it backs up");
-  visit.number("allowance_s", p.allowance_s, "s", {0.1, 1000.0}, "backing up ends after this time");
-  visit.integer("retries", p.retries, "1", {1, 1000000}, "actions that the mission may take");
+  visit.number("back_up_m", p.back_up_m, "m", {0.0, 10.0}, "distance of the fourth action");
+  visit.number("back_up_mps", p.back_up_mps, "m/s", {0.01, 10.0}, "speed of the fourth action");
+  visit.number("allowance_s", p.allowance_s, "s", {0.1, 1000.0}, "time limit of the fourth action");
+  visit.integer("retries", p.retries, "1", {1, 1000000},
+                "greatest number of actions in a run; then the escape fails");
 }
 
 /// The baseline: Nav2's default behaviour tree (navigation2, nav2_bt_navigator,

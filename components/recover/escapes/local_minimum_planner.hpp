@@ -25,14 +25,15 @@ struct LocalMinimumPlannerParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, LocalMinimumPlannerParameters& p) {
   visit.number("alpha_m", p.alpha_m, "m", {0.0, 10.0},
-               "a virtual target lies this far beyond the outermost return");
+               "distance from the outermost return outward to the virtual target");
   visit.angle("outermost_deg", p.outermost_rad, {1.0, 180.0},
-              "returns count up to this far off the heading");
-  visit.number("close_m", p.close_m, "m", {0.01, 10.0}, "a virtual target this near is reached");
+              "greatest angle off the heading of a return that counts");
+  visit.number("close_m", p.close_m, "m", {0.01, 10.0},
+               "a virtual target is reached within this distance");
   visit.number("same_place_m", p.same_place_m, "m", {0.0, 10.0},
-               "virtual targets this close are at the same place");
+               "virtual targets closer than this are at the same place");
   visit.number("patience_s", p.patience_s, "s", {0.1, 100000.0},
-               "a virtual target is dropped after this time without coming nearer");
+               "a virtual target is dropped if the robot does not come nearer for this time");
 }
 
 /// The local minimum planner of Nakhaeinia et al. 2015, section II.B: a stack of targets. At a trap
@@ -41,7 +42,7 @@ void visit_parameters(Visitor& visit, LocalMinimumPlannerParameters& p) {
 ///     VTD = RO + alpha (cos Theta_O, sin Theta_O)                            (eqs 1 to 3)
 ///     T = T(X_R, Y_R) R(Theta) T(-X_R, -Y_R) VTD,    Theta = RTA             (eq. 4)
 ///
-/// RTA is the bearing of the target in force; RO is the outermost return on its side: ROL on the
+/// RTA is the bearing of the active target; RO is the outermost return on its side: ROL on the
 /// left for RTA >= 0, else ROR on the right; Theta_O is its direction from the robot; R turns about
 /// the robot. Ranges are measured from the skin: RO lies the robot's radius farther off its centre.
 /// *Deviation:* eq. 4's third row is misprinted.
@@ -49,9 +50,9 @@ void visit_parameters(Visitor& visit, LocalMinimumPlannerParameters& p) {
 /// Readings of ours: returns count up to outermost_deg off the heading, since the paper's robot
 /// sees ahead in its figures; where a side has none, the end of its outermost beam stands for it. A
 /// virtual target *at the same location more than once* is not pursued: the other side's, turned
-/// the other way, is taken, and if that was had before, too, the target in force is given up. One
-/// that is not come nearer to is dropped. The escape ends when the last virtual target is reached,
-/// and fails when it is given up or dropped.
+/// the other way, is taken. If that was had before, too, the active target is given up. A virtual
+/// target is dropped if the robot does not come nearer to it. The escape ends when the last virtual
+/// target is reached, and fails when it is given up or dropped.
 class LocalMinimumPlanner final : public Escape {
  public:
   using Parameters = LocalMinimumPlannerParameters;

@@ -29,40 +29,42 @@ template <typename Visitor>
 void visit_parameters(Visitor& visit, MapFollowingParameters& p) {
   visit_parameters(visit, p.path);
   visit.number("patience_s", p.patience_s, "s", {0.0, 1000.0},
-               "the way is followed by motions after this time without getting on; 0: at once");
-  visit.number("close_m", p.close_m, "m", {0.01, 10.0}, "a virtual target this near is reached");
+               "the escape gives motions itself after this time without progress; 0: at once");
+  visit.number("close_m", p.close_m, "m", {0.01, 10.0},
+               "a virtual target is reached within this distance");
   visit.number("leave_rise_m", p.leave_rise_m, "m", {0.0, 10.0},
-               "ends where the rest of the way leads away from the target by no more than this");
+               "ends where the rest of the path leads away from the target by no more than this");
   visit.number("nearer_m", p.nearer_m, "m", {0.0, 10.0},
-               "ends where the robot is this much nearer to the target than at the last end");
+               "ends only where the robot is this much nearer to the target than at the last end");
   visit.number("shorter_m", p.shorter_m, "m", {0.001, 1.0},
-               "gets on if the way still to go becomes shorter by this");
+               "the robot makes progress if the rest of the path becomes shorter by this");
   visit.number("held_within_m", p.held_within_m, "m", {0.01, 1.0},
-               "a robot that is led and does not get farther from where it was is held there");
+               "a robot that moves less than this while it is led is held at that place");
   visit.angle("turn_first_deg", p.turn_first_rad, {1.0, 180.0},
-              "greater turns are made on the spot: the sensors must see what the step goes into");
+              "greater turns are made on the spot, so that the sensors see where the step goes");
   visit.number("held_s", p.held_s, "s", {0.1, 1000.0},
-               "a place that the robot does not get to for this time is none that it can get to");
-  visit.integer("proofs", p.proofs, "1", {1, 10},
-                "unreachable if what was seen closes every way, this many times from the start");
+               "a place is closed if the robot is held before it for this time");
+  visit.integer(
+      "proofs", p.proofs, "1", {1, 10},
+      "unreachable if the map closes every path this many times; each time it is built again");
 }
 
-/// A way out of a trap by all that was seen during the run: a way to the target is sought on it
-/// when a detector says trap, and again every second and whenever something comes to light on it.
-/// Its corners are virtual targets for the controller; a robot that does not get on so is led by
-/// motions along the way. The escape ends where the rest of the way hardly leads away from the
-/// target, and nearer to it than the escape before ended; `unreachable` where the obstacles that
-/// are certain part the robot from the target.
+/// Leads out of a trap along a path on the local map. The path is planned when a detector says
+/// trap, then every `replan_s`, and at once if a new obstacle lies on it. Its corners are virtual
+/// targets for the controller; if the robot makes no progress, the escape gives the motions itself.
+/// The escape ends where the rest of the path hardly leads away from the target, nearer to the
+/// target than at its last end. It says `unreachable` if certain obstacles separate the robot from
+/// the target.
 class MapFollowing : public Escape {
  public:
   using Parameters = MapFollowingParameters;
 
   struct State {
     double ended_at_m = std::numeric_limits<double>::infinity();  ///< from the target, at least
-    double least_length_m = 0.0;                ///< of the way still to go, so far
+    double least_length_m = 0.0;                ///< of the rest of the path, so far
     core::Vec2 held_odom = core::Vec2::Zero();  ///< where the robot was led from last
     std::uint64_t held_tick = 0;                ///< since when
-    std::int64_t proofs = 0;                    ///< times that what was seen closed every way
+    std::int64_t proofs = 0;                    ///< times that the map closed every path
     std::uint64_t progress_tick = 0;            ///< when that was last undercut
   };
 
@@ -87,7 +89,7 @@ class MapFollowing : public Escape {
   State state_;
 };
 
-/// That on the neural map of Lagoudakis & Maida 1999.
+/// The escape with paths on the neural map of Lagoudakis & Maida 1999.
 class RememberedMap final : public MapFollowing {
  public:
   using MapFollowing::MapFollowing;
@@ -95,7 +97,7 @@ class RememberedMap final : public MapFollowing {
                                                              const domain::BehaviourSetup& setup);
 };
 
-/// The honest rival: that on replanning A*.
+/// Baseline: the same escape with replanning A*.
 class RememberedAStar final : public MapFollowing {
  public:
   using MapFollowing::MapFollowing;

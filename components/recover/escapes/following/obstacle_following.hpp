@@ -33,7 +33,7 @@ struct ObstacleFollowingParameters {
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, ObstacleFollowingParameters& p) {
-  visit.file("rules", p.rules, "rulebases", "rule base that follows the obstacle");
+  visit.file("rules", p.rules, "rulebases", "rule base of the wall follower");
   visit.choice("leave", p.leave,
                {{"nearer", LeavingRule::kNearer},
                 {"paper", LeavingRule::kPaper},
@@ -41,26 +41,28 @@ void visit_parameters(Visitor& visit, ObstacleFollowingParameters& p) {
                 {"bug2", LeavingRule::kBug2},
                 {"distbug", LeavingRule::kDistBug},
                 {"tangentbug", LeavingRule::kTangentBug}},
-               "leave where nearer and clear, at breaks as the paper says, or by another's rule");
+               "leaving rule: where it is nearer and clear, the paper's, or that of another paper");
   visit.number("range_m", p.range_m, "m", {0.1, 20.0},
-               "sees no farther than this; distances scale with it");
-  visit.number("nearer_ratio", p.nearer_ratio, "1", {0.0, 10.0},
-               "leave: nearer than where following began, by this share of the range");
-  visit.number("clear_ratio", p.clear_ratio, "1", {0.0, 1.0},
-               "leave: the way toward the target is clear for this share of the range");
+               "greatest range that it uses; its distances scale with it");
+  visit.number(
+      "nearer_ratio", p.nearer_ratio, "1", {0.0, 10.0},
+      "leave: nearer to the target than where following began, by this share of the range");
+  visit.number(
+      "clear_ratio", p.clear_ratio, "1", {0.0, 1.0},
+      "leave: clear toward the target for this share of the range, or as far as the target");
   visit.number("first_seek_m", p.first_seek_m, "m", {0.0, 1000.0},
-               "step 1: following begins after this travel, whatever side the target is on");
+               "step 1: following begins after this path length, whatever side the target is on");
   visit.number("seek_m", p.seek_m, "m", {0.0, 1000.0},
-               "after leaving: the escape ends after this travel");
+               "after leaving: the escape ends after this path length");
   visit.number("open_m", p.open_m, "m", {0.0, 1000.0},
-               "after leaving: the escape ends after this travel without an obstacle in view");
+               "after leaving: the escape ends after this path length without an obstacle in view");
   visit.number("lost_wall_m", p.lost_wall_m, "m", {0.0, 1000.0},
-               "the escape fails after this travel without a wall to follow");
+               "the escape fails after this path length without a wall to follow");
   visit.number("same_place_m", p.same_place_m, "m", {0.01, 10.0},
-               "places this close close a circuit");
+               "distance below which the loop counts as closed");
   visit.number("close_share", p.close_share, "1", {0.1, 1.0},
-               "distances and steps of the second circuit, as share of the first one's");
-  visit.angle("turn_step_deg", p.turn_step_rad, {1.0, 180.0}, "turning about: turn in a tick");
+               "distances and steps of the second loop, as share of the first one's");
+  visit.angle("turn_step_deg", p.turn_step_rad, {1.0, 180.0}, "turn in a tick while turning about");
 }
 
 /// The distant memory's action space of Krishna & Kalra 2000, section 4.3 (DMAS). With the target
