@@ -3,7 +3,7 @@
 # clew_test(<folder> [EVERY_TEST] SOURCES ... LINK ... [LABELS ...])
 # One test executable a folder, clew_<folder>_test, every TEST a CTest of its own. EVERY_TEST takes
 # all files *_test.cpp from the folder and those below it besides SOURCES: a test that nobody listed
-# would never run. Tests find the project's data through the definition CLEW_SOURCE_DIR, and each
+# would never run. Tests find the project's data through tests/source_path.hpp, and each
 # other's headers by their path from the project's root. Label: unit, if none is given.
 function(clew_test name)
   cmake_parse_arguments(ARG "EVERY_TEST" "" "SOURCES;LINK;LABELS" ${ARGN})
@@ -12,11 +12,10 @@ function(clew_test name)
     list(APPEND ARG_SOURCES ${tests})
   endif()
   add_executable(clew_${name}_test ${ARG_SOURCES})
-  target_link_libraries(clew_${name}_test PRIVATE ${ARG_LINK} GTest::gtest_main clew_precompiled
-    clew_warnings)
+  target_link_libraries(clew_${name}_test PRIVATE ${ARG_LINK} GTest::gtest_main clew_source_path
+    clew_precompiled clew_warnings)
   target_precompile_headers(clew_${name}_test REUSE_FROM clew_precompiled)
   target_include_directories(clew_${name}_test PRIVATE ${PROJECT_SOURCE_DIR})
-  target_compile_definitions(clew_${name}_test PRIVATE CLEW_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
   endif()

@@ -7,12 +7,13 @@
 #include <string>
 
 #include "core/resources.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew::tests {
 
 /// By its path from the project's root.
 inline core::Resource file_of(const std::string& path) {
-  std::ifstream stream(std::string(CLEW_SOURCE_DIR) + '/' + path, std::ios::binary);
+  std::ifstream stream(tests::source_path(path), std::ios::binary);
   return {path.substr(path.rfind('/') + 1),
           {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()}};
 }

@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "stages/all.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew::bench {
 namespace {
 
-runtime::ConfigPath configs() {
-  return runtime::ConfigPath({std::string(CLEW_SOURCE_DIR) + "/configs"});
-}
+runtime::ConfigPath configs() { return runtime::ConfigPath({tests::source_path("configs")}); }
 
 Suite small_suite() {
   Suite suite;
@@ -148,7 +147,7 @@ TEST(BenchPlan, AnErrorInWhatASuiteSetsIsTheSuites) {
 
 TEST(BenchPlan, WorldsAreNamedByPathsAndWildcards) {
   Suite suite = small_suite();
-  const std::string worlds = std::string(CLEW_SOURCE_DIR) + "/configs/worlds/";
+  const std::string worlds = tests::source_path("configs/worlds/");
   suite.worlds = {{"names", {"?-trap", "kk-fig0[78]*"}},
                   {"paths", {worlds + "lm-fig08*", worlds + "u-trap.yaml"}}};
 

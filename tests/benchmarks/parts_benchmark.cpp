@@ -15,6 +15,7 @@
 #include "sense/infrared.hpp"
 #include "sense/laser.hpp"
 #include "sense/sonar_ring.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew {
 namespace {
@@ -23,7 +24,7 @@ constexpr double kRadius_m = 0.15;
 constexpr std::size_t kPoses = 256;
 
 core::Resource file_of(const std::string& path) {
-  std::ifstream stream(std::string(CLEW_SOURCE_DIR) + '/' + path, std::ios::binary);
+  std::ifstream stream(tests::source_path(path), std::ios::binary);
   return {path, {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()}};
 }
 

@@ -18,6 +18,7 @@
 #include "replay/recording_diff.hpp"
 #include "run/composed_run.hpp"
 #include "stages/all.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -31,7 +32,7 @@ class LongRecording {
     std::string name = (std::filesystem::temp_directory_path() / "clew-replay-XXXXXX").string();
     CLEW_CHECK(::mkdtemp(name.data()) != nullptr, name);
     directory_ = name;
-    const runtime::ConfigPath configs({CLEW_SOURCE_DIR "/configs"});
+    const runtime::ConfigPath configs({tests::source_path("configs")});
     runtime::GraphOverrides overrides;
     overrides.world = "unsolvable-box";
     overrides.max_ticks = kTicks;

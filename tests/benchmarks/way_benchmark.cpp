@@ -15,6 +15,7 @@
 
 #include "recover/escapes/map_following.hpp"
 #include "sense/laser.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew::recover {
 namespace {
@@ -24,7 +25,7 @@ constexpr int kMostTicks = 2000;
 
 world::World world_of(const std::string& name) {
   const std::string path = "configs/worlds/" + name + ".yaml";
-  std::ifstream stream(std::string(CLEW_SOURCE_DIR) + '/' + path, std::ios::binary);
+  std::ifstream stream(tests::source_path(path), std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   return world::World::parse(text, path).value();
 }

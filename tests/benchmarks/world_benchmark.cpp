@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "tests/source_path.hpp"
 #include "world/world.hpp"
 
 namespace clew::world {
@@ -111,7 +112,7 @@ void scan_in_a_world_of_32_m(benchmark::State& state) {
 BENCHMARK(scan_in_a_world_of_32_m)->RangeMultiplier(10)->Range(10, 100000);
 
 void scan_shipped(benchmark::State& state, const char* name) {
-  std::ifstream stream(fmt::format("{}/configs/worlds/{}.yaml", CLEW_SOURCE_DIR, name));
+  std::ifstream stream(tests::source_path(fmt::format("configs/worlds/{}.yaml", name)));
   const std::string yaml{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   const World world = *World::parse(yaml, name);
   scan(state, world);

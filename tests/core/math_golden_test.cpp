@@ -13,11 +13,12 @@
 #include <vector>
 
 #include "core/math.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew::core {
 namespace {
 
-constexpr char kGoldenFile[] = CLEW_SOURCE_DIR "/tests/core/math_golden.txt";
+const std::string kGoldenFile = tests::source_path("tests/core/math_golden.txt");
 
 // Of every size and quadrant that a run meets, and the borders of the cases in math.cpp.
 const std::vector<double> kAngles = {1e-300, 1e-9,

@@ -13,6 +13,7 @@
 #include "recording_draft.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew::replay_test {
 namespace {
@@ -261,7 +262,7 @@ TEST_F(ComponentReplay, TakesFilesThatOnlyAChangeNeedsFromTheConfiguration) {
   record_run(plan_of("reactive", changes({}, {}, 20)), scratch_.file("reactive.mcap"));
   const RunRecording reactive = open_recording(scratch_.file("reactive.mcap"));
   const std::string rules = scratch_.file("other.yaml");
-  std::filesystem::copy(CLEW_SOURCE_DIR "/configs/rulebases/krishna_kalra_control.yaml", rules);
+  std::filesystem::copy(tests::source_path("configs/rulebases/krishna_kalra_control.yaml"), rules);
 
   const auto plan = replay_plan(reactive, changes({}, {"control.rules=" + rules}));
 

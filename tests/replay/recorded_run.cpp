@@ -7,11 +7,12 @@
 #include "replay/recorded_plan.hpp"
 #include "run/composed_run.hpp"
 #include "stages/all.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew::replay_test {
 
 const runtime::ConfigPath& shipped_configs() {
-  static const runtime::ConfigPath path({CLEW_SOURCE_DIR "/configs"});
+  static const runtime::ConfigPath path({tests::source_path("configs")});
   return path;
 }
 

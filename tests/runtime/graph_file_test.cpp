@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "fake_stages.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew::runtime {
 namespace {
@@ -160,7 +161,7 @@ TEST(GraphFile, IsNotEmpty) {
 
 std::vector<std::string> invalid_files() {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(CLEW_SOURCE_DIR "/tests/runtime/invalid")) {
+  for (const auto& entry : fs::directory_iterator(tests::source_path("tests/runtime/invalid"))) {
     names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
@@ -171,7 +172,7 @@ class InvalidGraphFile : public ::testing::TestWithParam<std::string> {};
 
 /// Each file's first line is a comment with the place and the message that it must give.
 TEST_P(InvalidGraphFile, IsRefusedWithTheMessageItNames) {
-  std::ifstream stream(CLEW_SOURCE_DIR "/tests/runtime/invalid/" + GetParam() + ".yaml");
+  std::ifstream stream(tests::source_path("tests/runtime/invalid/") + GetParam() + ".yaml");
   std::ostringstream content;
   content << stream.rdbuf();
   const std::string text = content.str();

@@ -7,11 +7,12 @@
 #include "runtime/composed_executor.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew::runtime {
 namespace {
 
-ConfigPath configs() { return ConfigPath({CLEW_SOURCE_DIR "/configs"}); }
+ConfigPath configs() { return ConfigPath({tests::source_path("configs")}); }
 
 /// Test names take no hyphen.
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) {

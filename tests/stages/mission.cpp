@@ -5,12 +5,13 @@
 
 #include "core/hash128.hpp"
 #include "stages/all.hpp"
+#include "tests/source_path.hpp"
 #include "wire/codec.hpp"
 
 namespace clew::stages {
 namespace {
 
-runtime::ConfigPath configs() { return runtime::ConfigPath({CLEW_SOURCE_DIR "/configs"}); }
+runtime::ConfigPath configs() { return runtime::ConfigPath({tests::source_path("configs")}); }
 
 core::Result<runtime::RunPlan> prepare(const std::string& graph, const std::string& world,
                                        const std::vector<std::string>& with,

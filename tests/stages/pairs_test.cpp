@@ -9,6 +9,7 @@
 #include "mission.hpp"
 #include "recover/registry.hpp"
 #include "stages/all.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew::stages {
 namespace {
@@ -131,7 +132,7 @@ TEST(Pairs, AreRefusedWhereNobodyWritesLandmarks) {
                          "recover: {detector: landmark_revisit, escape: [none]}\n"
                          "control: {behaviour: krishna_kalra_fuzzy}\n"
                          "drive: {behaviour: turn_then_step}\n";
-  const runtime::ConfigPath configs({CLEW_SOURCE_DIR "/configs"});
+  const runtime::ConfigPath configs({tests::source_path("configs")});
 
   const auto plan = runtime::prepare_run(path, {}, configs, all());
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "mission.hpp"
+#include "tests/source_path.hpp"
 #include "world/world.hpp"
 
 namespace clew::stages {
@@ -21,7 +22,7 @@ void run(Mission& mission) {
 }
 
 world::World shipped_world(const std::string& name) {
-  const std::string file = std::string(CLEW_SOURCE_DIR) + "/configs/worlds/" + name + ".yaml";
+  const std::string file = tests::source_path("configs/worlds/") + name + ".yaml";
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
   return world::World::parse(text.str(), file).value();

@@ -5,6 +5,7 @@
 
 #include "include_rules.hpp"
 #include "source_tree.hpp"
+#include "tests/source_path.hpp"
 #include "text_rules.hpp"
 
 namespace clew::structure {
@@ -13,8 +14,9 @@ namespace {
 using Texts = std::vector<std::string>;
 
 const std::vector<SourceFile>& tree() {
-  static const std::vector<SourceFile> files = read_tree(
-      CLEW_SOURCE_DIR, {"bridge", "cmake", "components", "configs", "idl", "tests", "tools"});
+  static const std::vector<SourceFile> files =
+      read_tree(tests::source_path(""),
+                {"bridge", "cmake", "components", "configs", "idl", "tests", "tools"});
   return files;
 }
 

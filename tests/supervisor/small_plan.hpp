@@ -9,6 +9,7 @@
 #include "runtime/config_source.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew::bridge {
 
@@ -18,7 +19,7 @@ inline runtime::RunPlan small_plan(const std::string& exec = {}) {
   const std::string control =
       exec.empty() ? "{behaviour: krishna_kalra_fuzzy}" : "{exec: [" + exec + "]}";
   const runtime::Bundle bundle = [&] {
-    const runtime::ConfigPath shipped({CLEW_SOURCE_DIR "/configs"});
+    const runtime::ConfigPath shipped({tests::source_path("configs")});
     auto plan = runtime::prepare_run("krishna_kalra", {}, shipped, stages::all());
     EXPECT_TRUE(plan.ok()) << plan.error().text();
     runtime::Bundle files = plan->bundle;

@@ -14,6 +14,7 @@
 
 #include "core/math.hpp"
 #include "domain/message_fields.hpp"
+#include "tests/source_path.hpp"
 #include "wire/codec.hpp"
 
 namespace clew::bridge {
@@ -171,7 +172,7 @@ std::map<std::string, std::string> ranges_in_idl() {
   static const std::regex kStruct(R"(^struct (\w+) \{)");
   static const std::regex kMember(R"((\w+)(\[\d+\])?;\s*//)");
   std::map<std::string, std::string> ranges;
-  for (const auto& entry : std::filesystem::directory_iterator(CLEW_SOURCE_DIR "/idl")) {
+  for (const auto& entry : std::filesystem::directory_iterator(tests::source_path("idl"))) {
     if (entry.path().extension() != ".idl") continue;
     std::ifstream file(entry.path());
     std::string current;

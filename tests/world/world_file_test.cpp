@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "tests/source_path.hpp"
 #include "world/world.hpp"
 
 namespace clew::world {
@@ -24,7 +25,7 @@ std::string read_text(const fs::path& path) {
 
 std::vector<fs::path> yaml_files(const std::string& folder) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path(CLEW_SOURCE_DIR) / folder)) {
+  for (const auto& entry : fs::directory_iterator(tests::source_path(folder))) {
     if (entry.path().extension() == ".yaml") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

@@ -8,13 +8,14 @@
 
 #include "map/ros_map.hpp"
 #include "small_world.hpp"
+#include "tests/source_path.hpp"
 
 namespace clew::world_analysis {
 namespace {
 
 std::string read(const std::string& path) {
   std::stringstream text;
-  text << std::ifstream(std::string(CLEW_SOURCE_DIR) + path, std::ios::binary).rdbuf();
+  text << std::ifstream(tests::source_path(path), std::ios::binary).rdbuf();
   return text.str();
 }
 

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "small_world.hpp"
+#include "tests/source_path.hpp"
 #include "world_analysis/reachability.hpp"
 #include "world_analysis/shortest_path.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 std::vector<world::World> shipped_worlds() {
   std::vector<world::World> worlds;
-  const std::filesystem::path folder = std::filesystem::path(CLEW_SOURCE_DIR) / "configs/worlds";
+  const std::filesystem::path folder = tests::source_path("configs/worlds");
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     std::ostringstream text;
     text << std::ifstream(entry.path()).rdbuf();
