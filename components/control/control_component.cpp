@@ -19,9 +19,11 @@ std::vector<runtime::PortInfo> ControlComponent::ports() {
 }
 
 ControlComponent::ControlComponent(std::unique_ptr<Controller> controller,
-                                   const StepGuardParameters& guard, const runtime::RunSetup& setup)
+                                   const ControlParameters& parameters,
+                                   const runtime::RunSetup& setup)
     : controller_(std::move(controller)),
-      guard_(guard, setup.behaviour),
+      approach_(parameters.approach, setup.behaviour),
+      guard_(parameters.guard, setup.behaviour),
       radius_m_(setup.behaviour.robot.radius_m) {}
 
 void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
@@ -39,19 +41,32 @@ void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
     overlay_virtual_obstacles(*guidance, odometry.pose_odom_robot, radius_m_, seen_);
   }
   if (guidance != nullptr && guidance->has_override) {
-    motion = guidance->override_motion;
-  } else {
-    const core::Vec2 target_odom = guidance != nullptr
-                                       ? core::Vec2(guidance->target_x_m, guidance->target_y_m)
-                                       : inputs.get<domain::Target>().position();
-    motion = controller_->step(odometry, seen_, target_odom);
-    steering_ = true;
+    motion = guard_.limit(guidance->override_motion, odometry, seen_);
+    return;
   }
-  motion = guard_.limit(motion, odometry, seen_);
+  const core::Vec2 target_odom = guidance != nullptr
+                                     ? core::Vec2(guidance->target_x_m, guidance->target_y_m)
+                                     : inputs.get<domain::Target>().position();
+  motion = steer(odometry, guidance, target_odom);
+}
+
+/// The final approach where it can, else the controller.
+domain::Motion ControlComponent::steer(const domain::Odometry& odometry,
+                                       const domain::Guidance* guidance,
+                                       const core::Vec2& target_odom) {
+  if (guidance == nullptr || !guidance->target_is_virtual) {
+    if (const auto straight = approach_.step(odometry, seen_, target_odom)) {
+      const auto cut = guard_.cut_step(*straight, odometry, seen_, approach_.needs());
+      if (cut) return *cut;
+      approach_.hold(odometry);
+    }
+  }
+  steering_ = true;
+  return guard_.limit(controller_->step(odometry, seen_, target_odom), odometry, seen_);
 }
 
 void ControlComponent::save(core::StateWriter& writer) const {
-  writer(guard_.state());
+  writer(guard_.state(), approach_.state());
   controller_->save(writer);
 }
 
@@ -61,7 +76,7 @@ domain::Picture ControlComponent::picture() const {
 }
 
 void ControlComponent::load(core::StateReader& reader) {
-  reader(guard_.state());
+  reader(guard_.state(), approach_.state());
   controller_->load(reader);
 }
 

@@ -5,21 +5,33 @@
 #include <vector>
 
 #include "control/controller.hpp"
+#include "control/final_approach.hpp"
 #include "control/step_guard.hpp"
 #include "runtime/component.hpp"
 #include "runtime/stage.hpp"
 
 namespace clew::control {
 
+struct ControlParameters {
+  StepGuardParameters guard;
+  FinalApproachParameters approach;
+};
+
+template <typename Visitor>
+void visit_parameters(Visitor& visit, ControlParameters& p) {
+  visit_parameters(visit, p.guard);
+  visit_parameters(visit, p.approach);
+}
+
 /// Turns the active target and the scan into a motion. What recovery asks for is done here, not
 /// in the controller, so that any escape goes with any controller: its virtual obstacles are
 /// applied to the scan, its override replaces the controller's motion, *unreachable* becomes giving
-/// up. The step guard has the last word.
+/// up. Near the target the final approach steers in its place. The step guard has the last word.
 class ControlComponent final : public runtime::Component {
  public:
   static std::vector<runtime::PortInfo> ports();
 
-  ControlComponent(std::unique_ptr<Controller> controller, const StepGuardParameters& guard,
+  ControlComponent(std::unique_ptr<Controller> controller, const ControlParameters& parameters,
                    const runtime::RunSetup& setup);
 
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
@@ -28,7 +40,11 @@ class ControlComponent final : public runtime::Component {
   domain::Picture picture() const override;
 
  private:
+  domain::Motion steer(const domain::Odometry& odometry, const domain::Guidance* guidance,
+                       const core::Vec2& target_odom);
+
   std::unique_ptr<Controller> controller_;
+  FinalApproach approach_;
   StepGuard guard_;
   double radius_m_;
   domain::Scan seen_;      // scratch: the scan with virtual obstacles in it

@@ -14,7 +14,7 @@ core::Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfi
   auto controller = controllers().make(config.part("behaviour"), setup.behaviour);
   if (!controller.ok()) return controller.error();
   return std::unique_ptr<runtime::Component>(std::make_unique<ControlComponent>(
-      std::move(controller).value(), core::read_parameters<StepGuardParameters>(config.parameters),
+      std::move(controller).value(), core::read_parameters<ControlParameters>(config.parameters),
       setup));
 }
 
@@ -24,7 +24,7 @@ const runtime::StageInfo& stage() {
   static const runtime::StageInfo info = {"control",
                                           "chooses the motion toward the active target",
                                           ControlComponent::ports(),
-                                          core::describe_parameters<StepGuardParameters>(),
+                                          core::describe_parameters<ControlParameters>(),
                                           {{"behaviour", false, controllers().variants()}},
                                           [](const runtime::StageConfig&) { return 0.0; },
                                           nullptr,

@@ -37,6 +37,22 @@ domain::Motion in_kind_of(const domain::Motion& asked, const domain::Motion& lim
 
 domain::Motion StepGuard::limit(const domain::Motion& motion, const domain::Odometry& odometry,
                                 const domain::Scan& scan) {
+  if (const auto cut =
+          cut_step(motion, odometry, scan, {parameters_.margin_m, parameters_.least_step_m}))
+    return *cut;
+  if (state_.turning_side == 0) {
+    state_.turning_side = nearest_bearing_rad(odometry, scan) > 0.0 ? -1 : 1;
+  }
+  const double wheel_base_m = 2.0 * radius_m_;
+  domain::Motion turn = domain::to_turn_and_step(motion, tick_s_, wheel_base_m);
+  turn.step_m = 0.0;
+  turn.turn_rad = state_.turning_side * parameters_.turn_away_rad;
+  return in_kind_of(motion, turn, tick_s_, wheel_base_m);
+}
+
+std::optional<domain::Motion> StepGuard::cut_step(const domain::Motion& motion,
+                                                  const domain::Odometry& odometry,
+                                                  const domain::Scan& scan, const Needs& needs) {
   keep_contacts(odometry);
   const double wheel_base_m = 2.0 * radius_m_;
   const domain::Motion asked = domain::to_turn_and_step(motion, tick_s_, wheel_base_m);
@@ -44,20 +60,13 @@ domain::Motion StepGuard::limit(const domain::Motion& motion, const domain::Odom
   const double most_rad = limits_.turn_rate_radps * tick_s_;
   const double turn_rad = std::clamp(asked.turn_rad, -most_rad, most_rad);
   const double wanted_m = stopping_m(asked.step_m);
-  const double free = free_m(turn_rad, wanted_m, odometry, scan);
+  const double free = free_m(turn_rad, wanted_m, needs.margin_m, odometry, scan);
   domain::Motion limited = asked;
   if (free < wanted_m) limited.step_m = std::min(asked.step_m, step_that_stops_within_m(free));
-  if (limited.step_m >= std::min(asked.step_m, parameters_.least_step_m)) {
-    state_.turning_side = 0;
-    return limited.step_m < asked.step_m ? in_kind_of(motion, limited, tick_s_, wheel_base_m)
-                                         : motion;
-  }
-  if (state_.turning_side == 0) {
-    state_.turning_side = nearest_bearing_rad(odometry, scan) > 0.0 ? -1 : 1;
-  }
-  limited.step_m = 0.0;
-  limited.turn_rad = state_.turning_side * parameters_.turn_away_rad;
-  return in_kind_of(motion, limited, tick_s_, wheel_base_m);
+  if (limited.step_m < std::min(asked.step_m, needs.least_step_m)) return std::nullopt;
+  state_.turning_side = 0;
+  return limited.step_m < asked.step_m ? in_kind_of(motion, limited, tick_s_, wheel_base_m)
+                                       : motion;
 }
 
 /// The way of a tick and of braking after it.
@@ -84,14 +93,14 @@ void StepGuard::keep_contacts(const domain::Odometry& odometry) {
 }
 
 /// How far the robot may go after a turn, as far as beams and contacts tell, at most wanted_m.
-double StepGuard::free_m(double turn_rad, double wanted_m, const domain::Odometry& odometry,
-                         const domain::Scan& scan) const {
-  const double rho_m = radius_m_ + parameters_.margin_m;
+double StepGuard::free_m(double turn_rad, double wanted_m, double margin_m,
+                         const domain::Odometry& odometry, const domain::Scan& scan) const {
+  const double rho_m = radius_m_ + margin_m;
   double free_m = wanted_m;
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
     const double reading_m = scan.ranges_m[i];
     // Most beams of a laser see nothing that is near enough to matter, whichever way they look.
-    if (reading_m >= scan.range_max_m || reading_m - parameters_.margin_m >= free_m) continue;
+    if (reading_m >= scan.range_max_m || reading_m - margin_m >= free_m) continue;
     const double distance_m = (reading_m > scan.range_min_m ? reading_m : 0.0) + radius_m_;
     const double off_axis_rad = std::fabs(core::wrap_angle_rad(scan.bearing_rad(i) - turn_rad));
     const double angle_rad = std::max(0.0, off_axis_rad - 0.5 * scan.beam_width_rad);

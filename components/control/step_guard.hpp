@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/angle.hpp"
 #include "core/archive.hpp"
@@ -64,6 +65,16 @@ class StepGuard {
   /// The motion, or what is allowed of it. Called every tick.
   domain::Motion limit(const domain::Motion& motion, const domain::Odometry& odometry,
                        const domain::Scan& scan);
+  /// What a step must leave free, and what of it counts as nothing.
+  struct Needs {
+    double margin_m = 0.0;
+    double least_step_m = 0.0;
+  };
+  /// The motion, or as much of its step as there is room for; nothing where that is less than a
+  /// least step. For who knows better than to turn away.
+  std::optional<domain::Motion> cut_step(const domain::Motion& motion,
+                                         const domain::Odometry& odometry, const domain::Scan& scan,
+                                         const Needs& needs);
 
   State& state() { return state_; }
   const State& state() const { return state_; }
@@ -72,7 +83,7 @@ class StepGuard {
   void keep_contacts(const domain::Odometry& odometry);
   double stopping_m(double step_m) const;
   double step_that_stops_within_m(double free_m) const;
-  double free_m(double turn_rad, double wanted_m, const domain::Odometry& odometry,
+  double free_m(double turn_rad, double wanted_m, double margin_m, const domain::Odometry& odometry,
                 const domain::Scan& scan) const;
   double nearest_bearing_rad(const domain::Odometry& odometry, const domain::Scan& scan) const;
 

@@ -61,11 +61,12 @@ CostmapBuilder::CostmapBuilder(const Inflation& inflation, double seen_cell_m)
 }
 
 void CostmapBuilder::lay_grid(const SeenMap& seen, const Vec2& from, const Vec2& to,
-                              double margin_m) {
+                              double margin_m, double reach_m) {
   Vec2 least = from.cwiseMin(to);
   Vec2 most = from.cwiseMax(to);
   for (const auto& [key, tile] : seen.state().tiles) {
     const Vec2 corner(key.first * seen.tile_m(), key.second * seen.tile_m());
+    if (seen.distance_m(key, from) > reach_m) continue;
     least = least.cwiseMin(corner);
     most = most.cwiseMax(corner + Vec2(seen.tile_m(), seen.tile_m()));
   }
@@ -79,8 +80,8 @@ void CostmapBuilder::lay_grid(const SeenMap& seen, const Vec2& from, const Vec2&
 }
 
 Costmap& CostmapBuilder::update(const SeenMap& seen, const Vec2& from, const Vec2& to,
-                                double margin_m) {
-  lay_grid(seen, from, to, margin_m);
+                                double margin_m, double reach_m) {
+  lay_grid(seen, from, to, margin_m, reach_m);
   const Grid& grid = costs_.grid;
   hit_steps_.assign(grid.size(), kFar);
   suspected_steps_.assign(grid.size(), kFar);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "map/grid.hpp"
@@ -55,8 +56,10 @@ class CostmapBuilder {
   /// Planning cells have twice the side of the map's.
   CostmapBuilder(const Inflation& inflation, double seen_cell_m);
 
-  /// Computes the costs over all that was seen, and `margin_m` around it and around both places.
-  Costmap& update(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m);
+  /// Computes the costs over all that was seen within `reach_m` of `from`, and `margin_m` around it
+  /// and around both places.
+  Costmap& update(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m,
+                  double reach_m = std::numeric_limits<double>::infinity());
 
  private:
   struct Offset {
@@ -67,7 +70,8 @@ class CostmapBuilder {
   using Offsets = std::vector<Offset>;
 
   void charge_for_seen_free(const SeenMap& seen);
-  void lay_grid(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m);
+  void lay_grid(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m,
+                double reach_m);
 
   double cell_m_;
   float seen_free_cost_;

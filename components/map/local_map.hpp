@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "core/archive.hpp"
 #include "domain/messages.hpp"
@@ -43,6 +44,8 @@ class LocalMap {
     evidence_.mark(odometry, scan, seen_);
   }
   void forget() { seen_.state() = {}; }
+  /// What was seen is this.
+  void restore(SeenMap::State seen) { seen_.state() = std::move(seen); }
 
   double radius_m() const { return radius_m_; }
   const SeenMap& seen() const { return seen_; }

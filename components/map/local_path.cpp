@@ -13,6 +13,13 @@ namespace {
 // A centre this near to where the robot was held does not pass either.
 constexpr double kRefused_m = 0.06;
 constexpr std::size_t kMostRefused = 4096;
+// A refused place that the robot comes this near to after all was not closed.
+constexpr double kPassed_m = 0.03;
+// Paths are sought over what was seen as near as this; a target farther off than kFar_m is looked
+// for in its direction, at kToward_m.
+constexpr double kReach_m = 40.0;
+constexpr double kToward_m = 45.0;
+constexpr double kFar_m = 50.0;
 // A path ends this share of the target's radius from it: so near its last corner, the robot has
 // arrived.
 constexpr double kArrivesWithin_ratio = 0.8;
@@ -70,15 +77,76 @@ void LocalPath::plan(const PathRequest& request) {
   state_.next = 1;
   state_.corners_odom.clear();
   if (!costmap_builder_) make_costmap_builder(request.map);
-  Costmap& costs = costmap_builder_->update(request.map.seen(), request.from, request.target,
-                                            LocalMap::kAround_m);
+  if (is_open(request)) {
+    state_.corners_odom = {request.from, request.target};
+    return;
+  }
+  const Vec2 toward = request.target - request.from;
+  const double distance_m = core::length(toward);
+  const bool is_far = distance_m > kFar_m;
+  seek(request, is_far ? Vec2(request.from + kToward_m / distance_m * toward) : request.target);
+  if (!exists()) {
+    const SeenMap& seen = request.map.seen();
+    const auto& tiles = seen.state().tiles;
+    const bool saw_more = std::any_of(tiles.begin(), tiles.end(), [&](const auto& tile) {
+      return seen.distance_m(tile.first, request.from) > kReach_m;
+    });
+    if (saw_more) state_.corners_odom = {request.from, request.target};
+  } else if (is_far) {
+    state_.corners_odom.push_back(request.target);
+  } else {
+    end_within_radius(request);
+  }
+}
+
+/// Seeks a path to a place over what was seen within reach.
+void LocalPath::seek(const PathRequest& request, const Vec2& goal) {
+  Costmap& costs = costmap_builder_->update(request.map.seen(), request.from, goal,
+                                            LocalMap::kAround_m, kReach_m);
   close_refused(costs);
   open_own_place(costs, request.from);
-  const auto& path = search_->find(costs, request.from, request.target,
-                                   kArrivesWithin_ratio * request.target_radius_m);
-  if (path.empty()) return;
-  pull_tight(costs, path, request.from);
+  const auto* path =
+      &search_->find(costs, request.from, goal, kArrivesWithin_ratio * request.target_radius_m);
+  if (path->empty()) {
+    // Any place within the radius lies in a cell whose middle is at most half a diagonal off.
+    const double half_diagonal_m = std::sqrt(0.5) * costs.grid.cell_m;
+    path = &search_->find(costs, request.from, goal, request.target_radius_m + half_diagonal_m);
+  }
+  if (path->empty()) return;
+  pull_tight(costs, *path, request.from);
   centre_corners(request.map.seen(), costs.grid.cell_m);
+}
+
+/// Whether nothing that was seen, is suspected or was tried is near the straight line.
+bool LocalPath::is_open(const PathRequest& request) const {
+  const double room_m = inflation_.comfortable_m;
+  const auto& refused = state_.refused_odom;
+  const auto is_near = [&](Mark mark) {
+    return request.map.is_near(mark, request.from, request.target, room_m, LocalMap::Ends::kRound);
+  };
+  return std::none_of(refused.begin(), refused.end(),
+                      [&](const Vec2& place) {
+                        return core::distance_to_segment_m(request.from, request.target, place) <
+                               room_m;
+                      }) &&
+         !is_near(Mark::kHit) && !is_near(Mark::kSuspected);
+}
+
+/// A cell that the radius only touches stands for the places in it that are within the radius.
+void LocalPath::end_within_radius(const PathRequest& request) {
+  Vec2& end = state_.corners_odom.back();
+  const double within_m = kArrivesWithin_ratio * request.target_radius_m;
+  const Vec2 off = end - request.target;
+  const double off_m = core::length(off);
+  if (off_m > within_m) end = request.target + within_m / off_m * off;
+}
+
+void LocalPath::allow_passed(const Vec2& from_odom, const Vec2& to_odom) {
+  auto& refused = state_.refused_odom;
+  const auto is_passed = [&](const Vec2& place) {
+    return core::distance_to_segment_m(from_odom, to_odom, place) <= kPassed_m;
+  };
+  refused.erase(std::remove_if(refused.begin(), refused.end(), is_passed), refused.end());
 }
 
 void LocalPath::refuse(const Vec2& place_odom) {

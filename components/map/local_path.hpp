@@ -54,6 +54,12 @@ struct PathRequest {
 /// nothing else is left; going there shows what is the case. A missing path is proof of
 /// unreachability: hits are deflated by the worst-case rounding before they are inflated by the
 /// robot.
+///
+/// Where nothing that was seen or is suspected is near the straight line to the target, that is the
+/// path, and nothing is sought. So in the open the work does not depend on how far the target is.
+/// Paths are sought within 40 m of the robot; beyond, all counts as free: a target farther off than
+/// 50 m is looked for in its direction, and that no path leads there proves nothing if something
+/// was seen beyond those 40 m. So a step has a bound.
 class LocalPath {
  public:
   struct State {
@@ -74,6 +80,9 @@ class LocalPath {
   void plan(const PathRequest& request);
   /// The robot cannot get to this place, whatever is seen: it has tried.
   void refuse(const Vec2& place_odom);
+  const std::vector<Vec2>& refused_odom() const { return state_.refused_odom; }
+  /// The robot has gone straight from one place to the other: what it was refused there is free.
+  void allow_passed(const Vec2& from_odom, const Vec2& to_odom);
   /// Forgets the path, and where the robot could not get to.
   void forget_all() { state_ = {}; }
   /// The path is void; keep_up() seeks a new one.
@@ -98,6 +107,9 @@ class LocalPath {
   void close_refused(Costmap& costs) const;
   void open_own_place(Costmap& costs, const Vec2& place);
   bool is_cut(const PathRequest& request) const;
+  bool is_open(const PathRequest& request) const;
+  void seek(const PathRequest& request, const Vec2& goal);
+  void end_within_radius(const PathRequest& request);
   void pull_tight(const Costmap& costs, const std::vector<Vec2>& path, const Vec2& from);
   void centre_corners(const SeenMap& seen, double cell_m);
 

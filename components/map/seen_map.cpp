@@ -83,6 +83,12 @@ void SeenMap::mark_obstacle(const Vec2& point, Mark mark) {
   tile->rows[index(mark)][place.row] |= bit;
 }
 
+double SeenMap::distance_m(const TileKey& key, const Vec2& place) const {
+  const Vec2 corner(key.first * tile_m(), key.second * tile_m());
+  const Vec2 nearest = place.cwiseMax(corner).cwiseMin(corner + Vec2(tile_m(), tile_m()));
+  return core::length(place - nearest);
+}
+
 bool SeenMap::is(Mark mark, const Vec2& point) const {
   const Place place = place_of(point);
   const auto found = state_.tiles.find(place.tile);

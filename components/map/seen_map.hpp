@@ -63,6 +63,9 @@ class SeenMap {
   template <typename Visit>
   void for_each(Mark mark, const Vec2& least, const Vec2& most, Visit&& visit) const;
 
+  /// From a place to the nearest point of a tile; 0 within it.
+  double distance_m(const TileKey& key, const Vec2& place) const;
+
   State& state() { return state_; }
   const State& state() const { return state_; }
 

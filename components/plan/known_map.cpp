@@ -63,6 +63,19 @@ Result<std::unique_ptr<WorldMap>> WorldMap::create(std::shared_ptr<const world::
   return std::unique_ptr<WorldMap>(new WorldMap(std::move(world), grid, needs));
 }
 
+bool WorldMap::leads_straight(const core::Vec2& from, const core::Vec2& to) {
+  constexpr double kStep_m = 0.01;
+  // Half a step beside a place there may be less room, by so little.
+  const double room_m = needs().radius_m - 1e-3;
+  const int steps = static_cast<int>(std::ceil(core::length(to - from) / kStep_m));
+  for (int i = 0; i <= steps; ++i) {
+    const double share = steps > 0 ? static_cast<double>(i) / steps : 0.0;
+    const core::Vec2 place = from + share * (to - from);
+    if (world_->standing_clearance_m(place, needs().radius_m) < room_m) return false;
+  }
+  return true;
+}
+
 map::RoomMap WorldMap::measure(double reach_m) const {
   map::RoomMap map{cells_, std::vector<float>(cells_.size())};
   for (std::size_t i = 0; i < cells_.size(); ++i) {

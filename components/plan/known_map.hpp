@@ -28,12 +28,16 @@ class KnownMap : public MapSource {
   bool changes() const override { return false; }
   RoomView read(const core::Vec2& from, const core::Vec2& to) override;
   bool line_of_sight(const core::Vec2& from, const core::Vec2& to, map::Clearance least) override;
+  bool leads_straight(const core::Vec2& from, const core::Vec2& to) override {
+    return line_of_sight(from, to, map::Clearance::kNarrow);
+  }
   void save(core::StateWriter&) const override {}
   void load(core::StateReader&) override {}
 
  protected:
   explicit KnownMap(const RoomNeeds& needs) : needs_(needs) {}
 
+  const RoomNeeds& needs() const { return needs_; }
   /// The room around each cell, as far as `reach_m`.
   virtual map::RoomMap measure(double reach_m) const = 0;
 
@@ -53,6 +57,9 @@ class WorldMap final : public KnownMap {
   /// The error says which cells would do, if these are more than map::kMaxMapCells.
   static core::Result<std::unique_ptr<WorldMap>> create(std::shared_ptr<const world::World> world,
                                                         double cell_m, const RoomNeeds& needs);
+
+  /// Measured along the line itself: a way between two walls may be narrower than cells can tell.
+  bool leads_straight(const core::Vec2& from, const core::Vec2& to) override;
 
  private:
   WorldMap(std::shared_ptr<const world::World> world, const map::Grid& grid, const RoomNeeds& needs)

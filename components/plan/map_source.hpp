@@ -32,6 +32,10 @@ class MapSource {
   virtual bool line_of_sight(const core::Vec2& from, const core::Vec2& to,
                              map::Clearance least) = 0;
 
+  /// Whether a body gets straight from one place to the other, both included, as exactly as the map
+  /// tells it.
+  virtual bool leads_straight(const core::Vec2& from, const core::Vec2& to) = 0;
+
   virtual void save(core::StateWriter& writer) const = 0;
   virtual void load(core::StateReader& reader) = 0;
 };

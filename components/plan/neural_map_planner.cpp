@@ -12,6 +12,19 @@ namespace {
 
 // A robot that stands nearer to obstacles than a path may lead is this many radii from one at most.
 constexpr double kWithinBodies = 3.5;
+// A target beside a wall or between two is narrow as far as this from it.
+constexpr double kNarrowEnd_m = 0.75;
+
+// What is tried in turn: the room that the path has, and whether its end may be narrow.
+struct Attempt {
+  map::Clearance least;
+  bool narrow_end;
+};
+constexpr Attempt kAttempts[] = {{map::Clearance::kOpen, false},
+                                 {map::Clearance::kOpen, true},
+                                 {map::Clearance::kNarrow, false},
+                                 {map::Clearance::kSuspected, false},
+                                 {map::Clearance::kTouching, false}};
 
 // The cells around a place, all within `reach_m` and some more, and their distances from it.
 template <typename Visit>
@@ -53,8 +66,15 @@ Subgoal NeuralMapPlanner::step(const Situation& situation) {
     notice_astray(situation);
   }
   const bool is_last = state_.subgoal + 1 >= state_.path.size();
-  if (is_last) return {situation.target, situation.target_radius_m};
+  if (is_last || comes_in(situation)) return {situation.target, situation.target_radius_m};
   return {state_.path[state_.subgoal], parameters_.arrive_m};
+}
+
+/// Whether the target is near and the way to it free, whatever cells tell of it.
+bool NeuralMapPlanner::comes_in(const Situation& situation) const {
+  const core::Vec2 robot = situation.odometry.pose_odom_robot.position();
+  return core::length(situation.target - robot) <= parameters_.come_in_m &&
+         situation.map.leads_straight(robot, situation.target);
 }
 
 bool NeuralMapPlanner::is_old(const Situation& situation) const {
@@ -73,13 +93,14 @@ void NeuralMapPlanner::plan(const Situation& situation) {
   const RoomView view =
       situation.map.read(situation.odometry.pose_odom_robot.position(), situation.target);
   std::size_t tried_units = 0;
-  for (const map::Clearance least : {map::Clearance::kOpen, map::Clearance::kNarrow,
-                                     map::Clearance::kSuspected, map::Clearance::kTouching}) {
-    const std::size_t units = find_passable(view, least);
+  for (const Attempt& attempt : kAttempts) {
+    const bool narrow_end = attempt.narrow_end && parameters_.come_in_m > 0.0;
+    const double narrow_m = narrow_end ? kNarrowEnd_m : 0.0;
+    const std::size_t units = find_passable(view, attempt.least, situation.target, narrow_m);
     if (units == tried_units) continue;
     tried_units = units;
     if (!make_path(situation)) continue;
-    state_.room = least;
+    state_.room = attempt.least;
     choose_subgoal(situation);
     return;
   }
@@ -102,8 +123,10 @@ bool NeuralMapPlanner::make_path(const Situation& situation) {
   return true;
 }
 
-/// Makes passable_ tell which units have at least this room, and counts them.
-std::size_t NeuralMapPlanner::find_passable(const RoomView& view, map::Clearance least) {
+/// Makes passable_ tell which units have at least this room, narrow ones being enough this near to
+/// the target, and counts them.
+std::size_t NeuralMapPlanner::find_passable(const RoomView& view, map::Clearance least,
+                                            const core::Vec2& target, double narrow_m) {
   units_ = map::laid_out(parameters_.lattice, view.grid);
   passable_.resize(units_.size());
   std::size_t count = 0;
@@ -111,7 +134,9 @@ std::size_t NeuralMapPlanner::find_passable(const RoomView& view, map::Clearance
     // The last unit of a shifted row has its middle on the border of the map.
     const core::Vec2 middle = map::centre(parameters_.lattice, units_, units_.cell(i));
     const auto cell = view.grid.cell_at(middle);
-    passable_[i] = cell.has_value() && view.room[view.grid.index(*cell)] >= least ? 1 : 0;
+    const bool near = core::length(middle - target) < narrow_m;
+    const map::Clearance enough = near ? std::min(least, map::Clearance::kNarrow) : least;
+    passable_[i] = cell.has_value() && view.room[view.grid.index(*cell)] >= enough ? 1 : 0;
     count += passable_[i];
   }
   return count;

@@ -16,13 +16,15 @@ namespace clew::plan {
 /// places those of its figure 9 by hand).
 ///
 /// The map is spread from the target over all places where the robot has room to spare; if that
-/// leaves no way, over those where it just fits, and on what was seen over those where it is not
-/// believed, and then not proved, to touch. The ascent is followed over the interpolated landscape
-/// (map/smooth_path.hpp), or from cell to cell. The subgoal is the farthest point of the path
-/// within `look_ahead_m` that a straight line over such places leads to, and is kept until the
-/// robot is within `arrive_m` of it, or no straight line leads to it any more for `replan_s`, when
-/// the path is made anew from where the robot is. Where the map changes, that happens every
-/// `refresh_s`, too. Where there is no way, the target itself is the subgoal.
+/// leaves no way, over those where it just fits near the target, then everywhere, and on what was
+/// seen over those where it is not believed, and then not proved, to touch. So a target beside a
+/// wall does not lead the path past every corner as closely, where a guard holds the robot. The
+/// ascent is followed over the interpolated landscape (map/smooth_path.hpp), or from cell to cell.
+/// The subgoal is the farthest point of the path within `look_ahead_m` that a straight line over
+/// such places leads to, and is kept until the robot is within `arrive_m` of it, or no straight
+/// line leads to it any more for `replan_s`, when the path is made anew from where the robot is.
+/// Where the map changes, that happens every `refresh_s`, too. Where there is no way, the target
+/// itself is the subgoal.
 class NeuralMapPlanner final : public Planner {
  public:
   struct Parameters {
@@ -33,12 +35,13 @@ class NeuralMapPlanner final : public Planner {
     double arrive_m = 0.3;
     double replan_s = 1.5;
     double refresh_s = 1.0;
+    double come_in_m = 1.2;
   };
 
   struct State {
     std::vector<core::Vec2> path;                 ///< from where it was made to the target's place
     std::uint32_t subgoal = 0;                    ///< index in the path
-    map::Clearance room = map::Clearance::kOpen;  ///< that all of the path has
+    map::Clearance room = map::Clearance::kOpen;  ///< that the path has, but near the target
     bool planned = false;
     std::uint64_t planned_tick = 0;
     bool astray = false;             ///< no straight line leads to the subgoal
@@ -62,7 +65,9 @@ class NeuralMapPlanner final : public Planner {
 
   void plan(const Situation& situation);
   bool make_path(const Situation& situation);
-  std::size_t find_passable(const RoomView& view, map::Clearance least);
+  std::size_t find_passable(const RoomView& view, map::Clearance least, const core::Vec2& target,
+                            double narrow_m);
+  bool comes_in(const Situation& situation) const;
   bool is_old(const Situation& situation) const;
   std::vector<map::Cell> target_units(const Situation& situation) const;
   std::optional<map::Cell> nearest_unit(const core::Vec2& place) const;
@@ -98,6 +103,8 @@ void visit_parameters(Visitor& visit, NeuralMapPlanner::Parameters& p) {
                "the path is planned again if no straight line reaches the subgoal for this time");
   visit.number("refresh_s", p.refresh_s, "s", {0.0, 60.0},
                "for map: seen, the path is planned again after this time");
+  visit.number("come_in_m", p.come_in_m, "m", {0.0, 100.0},
+               "within this distance and with a free straight line, the target is the subgoal");
 }
 
 template <typename Visitor>

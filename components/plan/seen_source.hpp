@@ -20,6 +20,9 @@ class SeenSource final : public MapSource {
   RoomView read(const core::Vec2& from, const core::Vec2& to) override;
   /// Measured on the marks themselves, a cell short of `least`, which holds at middles of cells.
   bool line_of_sight(const core::Vec2& from, const core::Vec2& to, map::Clearance least) override;
+  bool leads_straight(const core::Vec2& from, const core::Vec2& to) override {
+    return line_of_sight(from, to, map::Clearance::kTouching);
+  }
   void save(core::StateWriter& writer) const override { local_map_.save(writer); }
   void load(core::StateReader& reader) override { local_map_.load(reader); }
 

@@ -33,7 +33,7 @@ class ControlComponentTest : public ::testing::Test {
   ControlComponentTest() {
     auto controller = std::make_unique<Recorder>();
     controller_ = controller.get();
-    component_ = std::make_unique<ControlComponent>(std::move(controller), StepGuardParameters{},
+    component_ = std::make_unique<ControlComponent>(std::move(controller), ControlParameters{},
                                                     runtime::RunSetup{});
     auto& scan = std::get<domain::Scan>(messages_);
     scan.bearing_first_rad = core::radians(45.0);

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "core/segment.hpp"
 #include "plan/known_map.hpp"
 #include "world/world.hpp"
 
@@ -108,6 +109,21 @@ TEST(NeuralMapPlanner, GoesThroughAGapThatLeavesNoMargin) {
   Room room("walls: [[3, 0, 3, 1.80], [3, 2.16, 3, 4]]");
 
   EXPECT_LE(room.walk(), 8);
+}
+
+TEST(NeuralMapPlanner, ATargetBesideAWallLetsNoPathPassCornersAsClosely) {
+  // Behind the wall, 0.17 m from it: narrow for a disc of 0.15 m.
+  const core::Vec2 target(3.17, 1.5);
+  const core::Vec2 corner(3.0, 3.2);
+  Room room(kWall, {}, "[3.17, 1.5]");
+  core::Vec2 robot(1.0, 2.0);
+
+  for (int subgoals = 0; subgoals < 20 && robot != target; ++subgoals) {
+    const core::Vec2 next = room.step(robot).place;
+    EXPECT_GT(core::distance_to_segment_m(robot, next, corner), 0.2) << next.transpose();
+    robot = next;
+  }
+  EXPECT_EQ(robot, target);
 }
 
 // The length of the way along subgoals 0.1 m and less apart.

@@ -130,10 +130,14 @@ Result<void> read_generated(const YamlNode& node, GeneratedWorlds& generated) {
     generated.seed = static_cast<std::uint64_t>(*seed);
   }
   std::vector<std::string> known;
-  for (const auto& family : trap_worlds::families()) known.push_back(family.name);
+  std::vector<std::string> of_traps;
+  for (const auto& family : trap_worlds::families()) {
+    known.push_back(family.name);
+    if (family.traps != trap_worlds::TrapClaim::kFreeWay) of_traps.push_back(family.name);
+  }
   const auto families_node = node.find("families");
   if (!families_node) {
-    generated.families = known;
+    generated.families = of_traps;
     return {};
   }
   auto families = read_texts(*families_node);

@@ -30,7 +30,12 @@ const std::vector<Family>& families() {
       {"closing-door", "wall with two doors, of which the near one closes", true, Claim::kOnTheWay,
        draw_closing_door},
       {"clutter", "round obstacles that leave no trap", true, Claim::kNone, draw_clutter},
-      {"unreachable", "the target in a closed room", false, Claim::kOnTheWay, draw_unreachable}};
+      {"unreachable", "the target in a closed room", false, Claim::kOnTheWay, draw_unreachable},
+      {"arrival-open", "target in the open", true, Claim::kFreeWay, draw_open_arrival},
+      {"arrival-wall", "target beside a wall", true, Claim::kFreeWay, draw_wall_arrival},
+      {"arrival-corner", "target in a corner", true, Claim::kFreeWay, draw_corner_arrival},
+      {"arrival-gap", "target between two walls 0.35 m apart", true, Claim::kFreeWay,
+       draw_gap_arrival}};
   return all;
 }
 

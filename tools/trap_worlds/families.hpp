@@ -13,7 +13,8 @@ namespace clew::trap_worlds {
 enum class TrapClaim {
   kOnTheWay,  ///< at least one, and a straight drive to the target runs into it
   kNone,      ///< no trap, however cluttered
-  kAny        ///< depends on the parameters
+  kAny,       ///< depends on the parameters
+  kFreeWay    ///< the straight way to the target is free: no family of traps
 };
 
 /// A kind of world. `draw` draws one with everything but the depth by chance; it may come out
@@ -26,7 +27,7 @@ struct Family {
   WorldDraft (*draw)(Dice& dice, double depth_m);
 };
 
-/// All families, in the order of the tables.
+/// All families, in the order of the tables; those of arrivals last.
 const std::vector<Family>& families();
 
 // Pockets: the robot drives in, and must turn its back to the target to get out.
@@ -50,5 +51,12 @@ WorldDraft draw_closing_door(Dice& dice, double depth_m);
 WorldDraft draw_look_alike(Dice& dice, double depth_m);
 WorldDraft draw_clutter(Dice& dice, double depth_m);
 WorldDraft draw_unreachable(Dice& dice, double depth_m);
+
+// Arrivals: nothing on the way, and the target near walls. The depth is the distance of the start
+// of two worlds in four; one starts 0.2 m from the target, one within its radius.
+WorldDraft draw_open_arrival(Dice& dice, double depth_m);
+WorldDraft draw_wall_arrival(Dice& dice, double depth_m);
+WorldDraft draw_corner_arrival(Dice& dice, double depth_m);
+WorldDraft draw_gap_arrival(Dice& dice, double depth_m);
 
 }  // namespace clew::trap_worlds

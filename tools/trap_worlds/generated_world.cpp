@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::uint32_t kMostDraws = 200;
 constexpr double kMargin_m = 0.02;
+constexpr double kFreeWay_m = 0.01;  // to spare on a straight way that is claimed to be free
 
 /// What is computed of a draft.
 struct Findings {
@@ -25,6 +26,7 @@ struct Findings {
   std::optional<double> shortest_path_m;
   double deepest_trap_m = 0.0;
   bool straight_way_hits_trap = false;
+  bool straight_way_is_free = false;
 };
 
 double depth_ranges(const WorldOrder& order) {
@@ -42,6 +44,11 @@ bool ends_in_trap(const world_analysis::ClearanceGrid& grid, const world_analysi
   return traps.trap_at(start + sweep.free_fraction * (world.target() - start)).has_value();
 }
 
+bool is_straight_way_free(const world_analysis::ClearanceGrid& grid, double radius_m) {
+  const world::World& world = grid.world();
+  return grid.is_way_free(world.start().position(), world.target(), radius_m + kFreeWay_m);
+}
+
 Findings find_out(const world::World& world, double radius_m) {
   const auto settled_s = world_analysis::settled_time_s(world);
   CLEW_CHECK(settled_s.has_value(), "a generated world that never comes to rest: " + world.name());
@@ -52,8 +59,11 @@ Findings find_out(const world::World& world, double radius_m) {
   for (const world_analysis::Trap& trap : traps.traps()) {
     findings.deepest_trap_m = std::max(findings.deepest_trap_m, trap.depth_m);
   }
+  findings.straight_way_is_free = is_straight_way_free(grid, radius_m);
   findings.straight_way_hits_trap = ends_in_trap(grid, traps, radius_m);
-  if (findings.solvable == world_analysis::Solvable::kYes && world.moving().empty()) {
+  if (findings.straight_way_is_free) {
+    findings.shortest_path_m = core::length(world.target() - world.start().position());
+  } else if (findings.solvable == world_analysis::Solvable::kYes && world.moving().empty()) {
     const auto path = world_analysis::shortest_path(grid, radius_m);
     if (path) findings.shortest_path_m = path->length_m;
   }
@@ -61,6 +71,7 @@ Findings find_out(const world::World& world, double radius_m) {
 }
 
 bool is_as_claimed(const Family& family, const WorldDraft& draft, const Findings& findings) {
+  if (family.traps == TrapClaim::kFreeWay) return findings.straight_way_is_free;
   const auto wanted =
       family.solvable ? world_analysis::Solvable::kYes : world_analysis::Solvable::kNo;
   if (findings.solvable != wanted) return false;
@@ -71,6 +82,7 @@ bool is_as_claimed(const Family& family, const WorldDraft& draft, const Findings
     case TrapClaim::kNone:
       return findings.deepest_trap_m == 0.0;
     case TrapClaim::kAny:
+    case TrapClaim::kFreeWay:
       break;
   }
   return true;

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/angle.hpp"
+
 namespace clew::trap_worlds {
 namespace {
-
-constexpr double kTargetRadius_m = 0.2;
 
 double to_millimetres(double value_m) { return std::floor(value_m * 1000.0 + 0.5) / 1000.0; }
 
@@ -131,8 +131,9 @@ WorldDraft placed(const WorldDraft& draft, bool mirrored, double angle_rad) {
 
 std::string world_text(const WorldDraft& draft, const WorldClaims& claims) {
   const Bounds bounds = bounds_of(draft);
-  const double heading_rad =
-      core::bearing_rad({draft.start.x(), draft.start.y(), 0.0}, draft.target);
+  const double heading_rad = core::wrap_angle_rad(
+      core::bearing_rad({draft.start.x(), draft.start.y(), 0.0}, draft.target) +
+      draft.off_target_rad);
   std::string text =
       fmt::format("format: clew-world/1\nname: {}\nabout: \"{}\"\n", claims.name, claims.about);
   text +=
@@ -151,7 +152,7 @@ std::string world_text(const WorldDraft& draft, const WorldClaims& claims) {
   text += list("moving", draft.moving, text_of_moving);
   text += fmt::format("start: [{}, {}, {}]\ntarget: {}\ntarget_radius: {}\nsolvable: {}\n",
                       number(draft.start.x()), number(draft.start.y()), number(heading_rad),
-                      point(draft.target), kTargetRadius_m, claims.solvable);
+                      point(draft.target), draft.target_radius_m, claims.solvable);
   text += "shortest_path: " +
           (claims.gives_shortest_path ? number(claims.shortest_path_m) : std::string("null")) +
           '\n';

@@ -20,9 +20,11 @@ struct WorldDraft {
   std::vector<world::World::Circle> circles;
   std::vector<std::vector<Vec2>> polygons;
   std::vector<world::MovingObstacle> moving;
-  std::string parameters;     ///< what was drawn, for people: `width 1.52 m, ...`
-  double border_m = 2.0;      ///< room between all this and the boundary
-  bool may_be_turned = true;  ///< by any angle; else by quarter turns, which keep it exact
+  double target_radius_m = 0.2;
+  double off_target_rad = 0.0;  ///< of the heading at the start, from the target's direction
+  std::string parameters;       ///< what was drawn, for people: `width 1.52 m, ...`
+  double border_m = 2.0;        ///< room between all this and the boundary
+  bool may_be_turned = true;    ///< by any angle; else by quarter turns, which keep it exact
 
   /// Adds walls from each point to the next.
   void add_walls(const std::vector<Vec2>& points);

@@ -2,6 +2,7 @@
 #include "recover/detectors/map_detour.hpp"
 
 #include "map/astar.hpp"
+#include "scan/certain_block.hpp"
 
 namespace clew::recover {
 
@@ -13,6 +14,7 @@ core::Result<std::unique_ptr<MapDetour>> MapDetour::create(const Parameters& par
 MapDetour::MapDetour(const Parameters& parameters, const domain::BehaviourSetup& setup)
     : parameters_(parameters),
       tick_s_(setup.tick_s),
+      radius_m_(setup.robot.radius_m),
       path_(parameters.path, setup.robot.radius_m, setup.tick_s, std::make_unique<map::AStar>()) {}
 
 std::optional<TrapEvidence> MapDetour::observe(const Situation& situation) {
@@ -23,12 +25,20 @@ std::optional<TrapEvidence> MapDetour::observe(const Situation& situation) {
   }
   // While an escape leads to targets of its own, nobody asks.
   if (situation.pursued_odom != situation.target_odom) return std::nullopt;
-  if (!path_.keep_up(situation.path_request())) return std::nullopt;
+  if (comes_in(situation) || !path_.keep_up(situation.path_request())) return std::nullopt;
   if (path_.exists() &&
       path_.rise_m(situation.pose().position(), situation.target_odom) <= parameters_.rise_m)
     return std::nullopt;
   evidence.text = "every way known leads away from the target first";
   return evidence;
+}
+
+/// Whether the target is near and in view, and nothing in the way for certain.
+bool MapDetour::comes_in(const Situation& situation) const {
+  const double distance_m = situation.target_distance_m();
+  const double bearing_rad = situation.target_bearing_rad();
+  return distance_m <= parameters_.come_in_m && scan::is_in_view(situation.scan, bearing_rad) &&
+         !scan::is_certainly_blocked(situation.scan, radius_m_, bearing_rad, distance_m);
 }
 
 bool MapDetour::gets_on(const Situation& situation) {

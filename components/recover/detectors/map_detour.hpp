@@ -18,6 +18,7 @@ struct MapDetourParameters {
   double rise_m = 0.02;
   double nearer_m = 0.3;
   double patience_s = 30.0;
+  double come_in_m = 2.5;
 };
 
 template <typename Visitor>
@@ -29,6 +30,8 @@ void visit_parameters(Visitor& visit, MapDetourParameters& p) {
                "the robot makes progress if it comes this much nearer to the target");
   visit.number("patience_s", p.patience_s, "s", {0.1, 100000.0},
                "the robot is in a trap if it makes no progress for this time");
+  visit.number("come_in_m", p.come_in_m, "m", {0.0, 20.0},
+               "no trap within this distance of the target if it is in view and the line is free");
 }
 
 /// Notices a trap before the robot has gone round in it: on all that was seen, the cheapest way to
@@ -59,9 +62,11 @@ class MapDetour final : public TrapDetector {
 
  private:
   bool gets_on(const Situation& situation);
+  bool comes_in(const Situation& situation) const;
 
   Parameters parameters_;
   double tick_s_;
+  double radius_m_;
   map::LocalPath path_;
   State state_;
 };

@@ -25,7 +25,8 @@ MapFollowing::MapFollowing(const Parameters& parameters, const domain::Behaviour
     : parameters_(parameters),
       tick_s_(setup.tick_s),
       limits_(setup.limits),
-      path_(parameters.path, setup.robot.radius_m, setup.tick_s, std::move(search)) {}
+      path_(parameters.path, setup.robot.radius_m, setup.tick_s, std::move(search)),
+      proof_(parameters.proof_s, parameters.path, setup) {}
 
 void MapFollowing::begin(const Situation& situation, const TrapEvidence&) {
   path_.forget_path();
@@ -36,14 +37,11 @@ void MapFollowing::begin(const Situation& situation, const TrapEvidence&) {
 EscapeStatus MapFollowing::step(const Situation& situation, domain::Guidance& guidance) {
   const bool planned = path_.keep_up(situation.path_request());
   if (!path_.exists()) {
-    if (++state_.proofs < parameters_.proofs) {
-      path_.forget_all();
-      guidance.why = "looks again at what closes every way";
-      return EscapeStatus::kLooksAgain;
-    }
+    if (!proof_.close(situation, path_)) return look_afresh(guidance);
     guidance.why = "what was seen closes every way";
     return EscapeStatus::kUnreachable;
   }
+  if (proof_.asks_for_last_look(situation)) return look_afresh(guidance);
   const double distance_m = situation.target_distance_m();
   if (distance_m <= state_.ended_at_m - parameters_.nearer_m &&
       path_.rise_m(situation.pose().position(), situation.target_odom) <=
@@ -64,6 +62,17 @@ EscapeStatus MapFollowing::step(const Situation& situation, domain::Guidance& gu
     note_where_held(situation, corner_odom);
   }
   return EscapeStatus::kActive;
+}
+
+/// Forgets all that was seen, and turns on the spot to see what is there now.
+EscapeStatus MapFollowing::look_afresh(domain::Guidance& guidance) {
+  path_.forget_all();
+  guidance.has_override = true;
+  guidance.override_motion.kind = domain::CommandKind::kTurnAndStep;
+  guidance.override_motion.turn_rad =
+      std::min(parameters_.turn_first_rad, limits_.turn_rate_radps * tick_s_);
+  guidance.why = "looks again at what closes every way";
+  return EscapeStatus::kLooksAgain;
 }
 
 /// A robot that is led and stays where it is, is held by what it cannot pass.
@@ -121,11 +130,13 @@ domain::Motion MapFollowing::motion_to(const Situation& situation,
 void MapFollowing::save(core::StateWriter& writer) const {
   writer(state_);
   path_.save(writer);
+  proof_.save(writer);
 }
 
 void MapFollowing::load(core::StateReader& reader) {
   reader(state_);
   path_.load(reader);
+  proof_.load(reader);
 }
 
 core::Result<std::unique_ptr<RememberedMap>> RememberedMap::create(

@@ -8,6 +8,7 @@
 #include "core/result.hpp"
 #include "domain/setup.hpp"
 #include "map/local_path.hpp"
+#include "recover/escapes/cut_proof.hpp"
 #include "recover/escapes/escape.hpp"
 
 namespace clew::recover {
@@ -22,7 +23,7 @@ struct MapFollowingParameters {
   double held_s = 8.0;
   double held_within_m = 0.12;
   double turn_first_rad = core::radians(30.0);
-  std::int64_t proofs = 2;
+  double proof_s = 60.0;
 };
 
 template <typename Visitor>
@@ -44,9 +45,8 @@ void visit_parameters(Visitor& visit, MapFollowingParameters& p) {
               "greater turns are made on the spot, so that the sensors see where the step goes");
   visit.number("held_s", p.held_s, "s", {0.1, 1000.0},
                "a place is closed if the robot is held before it for this time");
-  visit.integer(
-      "proofs", p.proofs, "1", {1, 10},
-      "unreachable if the map closes every path this many times; each time it is built again");
+  visit.number("proof_s", p.proof_s, "s", {0.0, 100000.0},
+               "unreachable if the map closes every path for this time");
 }
 
 /// Leads out of a trap along a path on the local map. The path is planned when a detector says
@@ -54,7 +54,7 @@ void visit_parameters(Visitor& visit, MapFollowingParameters& p) {
 /// targets for the controller; if the robot makes no progress, the escape gives the motions itself.
 /// The escape ends where the rest of the path hardly leads away from the target, nearer to the
 /// target than at its last end. It says `unreachable` if certain obstacles separate the robot from
-/// the target.
+/// the target, and go on to for `proof_s` (CutProof).
 class MapFollowing : public Escape {
  public:
   using Parameters = MapFollowingParameters;
@@ -64,7 +64,6 @@ class MapFollowing : public Escape {
     double least_length_m = 0.0;                ///< of the rest of the path, so far
     core::Vec2 held_odom = core::Vec2::Zero();  ///< where the robot was led from last
     std::uint64_t held_tick = 0;                ///< since when
-    std::int64_t proofs = 0;                    ///< times that the map closed every path
     std::uint64_t progress_tick = 0;            ///< when that was last undercut
   };
 
@@ -72,12 +71,14 @@ class MapFollowing : public Escape {
                std::unique_ptr<map::PathSearch> search);
 
   bool reads_local_map() const override { return true; }
+  void watch(const Situation& situation) override { proof_.watch(situation); }
   void begin(const Situation& situation, const TrapEvidence& evidence) override;
   EscapeStatus step(const Situation& situation, domain::Guidance& guidance) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
 
  private:
+  EscapeStatus look_afresh(domain::Guidance& guidance);
   void note_where_held(const Situation& situation, const core::Vec2& corner_odom);
   bool gets_on(const Situation& situation, bool planned);
   domain::Motion motion_to(const Situation& situation, const core::Vec2& place_odom) const;
@@ -86,6 +87,7 @@ class MapFollowing : public Escape {
   double tick_s_;
   domain::MotionLimits limits_;
   map::LocalPath path_;
+  CutProof proof_;
   State state_;
 };
 
@@ -107,7 +109,7 @@ class RememberedAStar final : public MapFollowing {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, MapFollowing::State& s) {
-  visit(s.ended_at_m, s.least_length_m, s.held_odom, s.held_tick, s.proofs, s.progress_tick);
+  visit(s.ended_at_m, s.least_length_m, s.held_odom, s.held_tick, s.progress_tick);
 }
 
 }  // namespace clew::recover

@@ -40,6 +40,11 @@ class Memory {
     if (answer.status == EscapeStatus::kLooksAgain) local_map_.forget();
     return answer;
   }
+  /// As the component does it: whoever is at work or not watches first.
+  Answer tick(Escape& escape, const Situation& situation) {
+    escape.watch(seen(situation));
+    return step(escape, situation);
+  }
   map::LocalMap& local_map() { return local_map_; }
 
  private:
@@ -164,15 +169,57 @@ class Held : public Scene {
   domain::Odometry odometry_;
 };
 
-TEST_P(RememberedWayTest, IsUnreachableOnlyWhenTheProofHoldsTwice) {
+TEST_P(RememberedWayTest, IsUnreachableOnlyWhenTheCutHasStoodForAMinuteAndIsSeenOnceMore) {
   const auto escape = make();
   const Held held;
   escape->begin(held.situation(0), {});
 
-  EXPECT_EQ(memory_.step(*escape, held.situation(0)).status, EscapeStatus::kLooksAgain);
-  const Answer answer = memory_.step(*escape, held.situation(1));
+  // 60 s are 120 ticks; then it looks for the last time.
+  for (std::uint64_t tick = 0; tick <= 120; ++tick) {
+    const Answer answer = memory_.tick(*escape, held.situation(tick));
+    EXPECT_EQ(answer.status, EscapeStatus::kLooksAgain) << tick;
+    EXPECT_GT(std::fabs(answer.guidance.override_motion.turn_rad), 0.0) << tick;
+  }
+  const Answer answer = memory_.tick(*escape, held.situation(121));
+
   EXPECT_EQ(answer.status, EscapeStatus::kUnreachable);
   EXPECT_FALSE(answer.guidance.why.empty());
+}
+
+TEST_P(RememberedWayTest, ACutThatOpenedProvesNothing) {
+  const auto escape = make();
+  const Held held;
+  escape->begin(held.situation(0), {});
+  for (std::uint64_t tick = 0; tick < 50; ++tick) memory_.tick(*escape, held.situation(tick));
+
+  // Whoever stood ahead has gone.
+  for (std::uint64_t tick = 50; tick < 60; ++tick) {
+    memory_.tick(*escape, Scene().at(0, 0, 0).target(5, 0).tick(tick).situation());
+  }
+
+  // Now they are back, and stay: another 120 ticks, and one.
+  for (std::uint64_t tick = 60; tick <= 180; ++tick) {
+    EXPECT_NE(memory_.tick(*escape, held.situation(tick)).status, EscapeStatus::kUnreachable)
+        << tick;
+  }
+  EXPECT_EQ(memory_.tick(*escape, held.situation(181)).status, EscapeStatus::kUnreachable);
+}
+
+TEST_P(RememberedWayTest, KeepsItsProofInItsState) {
+  const auto escape = make();
+  const Held held;
+  escape->begin(held.situation(0), {});
+  for (std::uint64_t tick = 0; tick <= 100; ++tick) memory_.tick(*escape, held.situation(tick));
+  core::StateWriter writer;
+  escape->save(writer);
+  const auto loaded = make();
+
+  core::StateReader reader(writer.bytes());
+  loaded->load(reader);
+
+  EXPECT_TRUE(reader.complete());
+  for (std::uint64_t tick = 101; tick <= 120; ++tick) memory_.tick(*loaded, held.situation(tick));
+  EXPECT_EQ(memory_.tick(*loaded, held.situation(121)).status, EscapeStatus::kUnreachable);
 }
 
 TEST_P(RememberedWayTest, TakesAPlaceThatItDoesNotGetToForClosed) {

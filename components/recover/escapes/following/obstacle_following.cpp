@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan/certain_block.hpp"
 #include "scan/nearest_return.hpp"
 
 namespace clew::recover {
@@ -28,11 +29,14 @@ core::Result<std::unique_ptr<ObstacleFollowing>> ObstacleFollowing::create(
   if (!resource.ok()) return resource.error();
   const auto rules = WallRules::parse(*resource);
   if (!rules.ok()) return rules.error();
-  return std::make_unique<ObstacleFollowing>(parameters, *rules);
+  return std::make_unique<ObstacleFollowing>(parameters, *rules, setup);
 }
 
-ObstacleFollowing::ObstacleFollowing(const Parameters& parameters, const WallRules& rules)
+ObstacleFollowing::ObstacleFollowing(const Parameters& parameters, const WallRules& rules,
+                                     const domain::BehaviourSetup& setup)
     : parameters_(parameters),
+      tick_s_(setup.tick_s),
+      radius_m_(setup.robot.radius_m),
       follower_(rules),
       close_follower_(rules.scaled(parameters.close_share)),
       eyes_(parameters.range_m),
@@ -140,7 +144,7 @@ EscapeStatus ObstacleFollowing::follow(const Situation& situation, domain::Guida
     return EscapeStatus::kFailed;
   }
   const bool clear = way_is_clear(situation);
-  if (may_leave(situation, clear)) {
+  if (may_come_in(situation) || may_leave(situation, clear)) {
     state_.separated = false;
     state_.last_leave_m = situation.target_distance_m();
     leaving_.leave();
@@ -165,10 +169,16 @@ EscapeStatus ObstacleFollowing::come_round(LoopResult result, const Situation& s
                                            domain::Guidance& guidance) {
   if (result == LoopResult::kSeparates) {
     if (state_.separated) {
+      const auto apart = static_cast<double>(situation.tick - state_.separated_tick);
+      if (apart * tick_s_ < parameters_.proof_s) {
+        loop_.begin(situation.pose(), situation.odometry.travel_m, situation.target_odom);
+        return EscapeStatus::kActive;
+      }
       guidance.why = "a wall all round, on both sides";
       return EscapeStatus::kUnreachable;
     }
     state_.separated = true;
+    state_.separated_tick = situation.tick;
     begin_turning_about(situation);
     return EscapeStatus::kActive;
   }
@@ -202,6 +212,19 @@ bool ObstacleFollowing::way_is_clear(const Situation& situation) const {
   return free_toward_target_m(situation) >=
          std::min(parameters_.clear_ratio * situation.scan.range_max_m,
                   situation.target_distance_m());
+}
+
+bool ObstacleFollowing::may_come_in(const Situation& situation) const {
+  const double distance_m = situation.target_distance_m();
+  // Ever nearer, as where it leaves by the rule.
+  if (distance_m >
+      std::min(parameters_.come_in_m, state_.last_leave_m - parameters_.same_place_m)) {
+    return false;
+  }
+  const domain::Scan& scan = situation.scan;
+  const double target_rad = situation.target_bearing_rad();
+  return scan::is_in_view(scan, target_rad) &&
+         !scan::is_certainly_blocked(scan, radius_m_, target_rad, distance_m);
 }
 
 bool ObstacleFollowing::may_leave(const Situation& situation, bool clear) const {

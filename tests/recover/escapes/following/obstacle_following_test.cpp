@@ -15,10 +15,11 @@ using tests::rule_base;
 
 using core::radians;
 
-ObstacleFollowing make(LeavingRule leave = LeavingRule::kNearer) {
+ObstacleFollowing make(LeavingRule leave = LeavingRule::kNearer, double proof_s = 0.0) {
   ObstacleFollowingParameters parameters;
   parameters.leave = leave;
-  return {parameters, WallRules::parse(rule_base("obstacle_following")).value()};
+  parameters.proof_s = proof_s;
+  return {parameters, WallRules::parse(rule_base("obstacle_following")).value(), {}};
 }
 
 // Readings, leftmost first. The walls are at the distance that the follower keeps.
@@ -264,11 +265,25 @@ Answer go_round(ObstacleFollowing& escape, bool counter_clockwise, const core::V
 }
 
 /// Begins to follow with the wall on the left, 5 m from the target, which is out of reach.
-ObstacleFollowing following_round() {
-  ObstacleFollowing escape = make();
+ObstacleFollowing following_round(double proof_s = 0.0) {
+  ObstacleFollowing escape = make(LeavingRule::kNearer, proof_s);
   begin(escape, scene(kWallOnLeft, -1, 3));
   step(escape, scene(kWallOnLeft, -4, -3));
   return escape;
+}
+
+TEST(Unreachable, TakesCircuitsThatEndFarEnoughApart) {
+  ObstacleFollowing escape = following_round(60.0);
+  double travel_m = 0.0;
+
+  // All in one tick, so that whoever stands there need not stand for long.
+  Answer turning = go_round(escape, true, {0.1, 0}, travel_m);
+  while (turning.guidance.why == "turn about") {
+    turning = step(escape, scene(kCrowdedRight, 0.9, 0).travelled(travel_m));
+  }
+  const Answer second = go_round(escape, false, {0.1, 0}, travel_m);
+
+  EXPECT_EQ(second.status, EscapeStatus::kActive);
 }
 
 TEST(Unreachable, TakesACircuitOnEachSide) {
