@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What tools/bench/RESULTS.md says: a sample of it, and with CLEW_SOAK all of it."""
+import csv
 import json
 import pathlib
 import signal
@@ -27,6 +28,11 @@ POCKETS = """format: clew-suite/1
 graphs: [default]
 generated: {seed: 1, count: 12, families: [u]}
 max_ticks: 6000
+"""
+ARRIVALS_SAMPLE = """format: clew-suite/1
+graphs: [default, krishna_kalra, reactive]
+generated: {seed: 1, count: 6, families: [arrival-open, arrival-wall, arrival-corner, arrival-gap]}
+max_ticks: 2000
 """
 MOST_STOPS = 5  # of a run, with a sensor that sees what is ahead
 NOISE = ["--vary", "sense.noise_stddev_m=0,0.01,0.03,0.1"]
@@ -137,6 +143,15 @@ class Sample(Published):
             self.assert_published([[*variation.split(".", 1)[1].split("="),
                                     f"{reached}/{len(runs)}", str(stops)]])
 
+    def test_a_free_target_is_reached_on_a_short_path(self):
+        self.bench(write_file(ARRIVALS_SAMPLE))
+
+        with open(self.out / "out/results.csv", encoding="utf-8", newline="") as file:
+            runs = list(csv.DictReader(file))
+        self.assertEqual(len(runs), 72)
+        counts = load_tool("arrivals-table").counts
+        self.assertEqual([run["world"] for run in runs if not counts(run)], [])
+
     def test_false_alarms_in_clutter(self):
         runs, _ = self.bench("clutter")
 
@@ -183,6 +198,12 @@ class Whole(Published):
             for run in runs:
                 if "cones" in run["variant"] or "laser" in run["variant"]:
                     self.assertTrue(run["success"], (suite, run["variant"], run["world"]))
+
+    def test_the_arrivals(self):
+        arrivals = load_tool("arrivals-table")
+        runs = [run for suite in arrivals.SUITES for run in arrivals.runs(suite)]
+
+        self.assert_published(list(arrivals.lines(runs)))
 
     def test_the_static_worlds(self):
         paper_table = load_tool("paper-table")

@@ -133,7 +133,7 @@ Result<void> read_generated(const YamlNode& node, GeneratedWorlds& generated) {
   std::vector<std::string> of_traps;
   for (const auto& family : trap_worlds::families()) {
     known.push_back(family.name);
-    if (family.traps != trap_worlds::TrapClaim::kFreeWay) of_traps.push_back(family.name);
+    if (trap_worlds::is_of_traps(family)) of_traps.push_back(family.name);
   }
   const auto families_node = node.find("families");
   if (!families_node) {

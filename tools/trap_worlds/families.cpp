@@ -35,7 +35,10 @@ const std::vector<Family>& families() {
       {"arrival-wall", "target beside a wall", true, Claim::kFreeWay, draw_wall_arrival},
       {"arrival-corner", "target in a corner", true, Claim::kFreeWay, draw_corner_arrival},
       {"arrival-gap", "target between two walls 0.35 m apart", true, Claim::kFreeWay,
-       draw_gap_arrival}};
+       draw_gap_arrival},
+      {"small-room", "room full of anything", true, Claim::kByChance, draw_small_room},
+      {"small-closed-room", "room full of anything, without a way", false, Claim::kByChance,
+       draw_small_room}};
   return all;
 }
 

@@ -14,7 +14,8 @@ enum class TrapClaim {
   kOnTheWay,  ///< at least one, and a straight drive to the target runs into it
   kNone,      ///< no trap, however cluttered
   kAny,       ///< depends on the parameters
-  kFreeWay    ///< the straight way to the target is free: no family of traps
+  kFreeWay,   ///< the straight way to the target is free: no family of traps
+  kByChance   ///< a room of anything: no family of traps
 };
 
 /// A kind of world. `draw` draws one with everything but the depth by chance; it may come out
@@ -27,7 +28,12 @@ struct Family {
   WorldDraft (*draw)(Dice& dice, double depth_m);
 };
 
-/// All families, in the order of the tables; those of arrivals last.
+/// Whether a family's worlds are about traps.
+inline bool is_of_traps(const Family& family) {
+  return family.traps != TrapClaim::kFreeWay && family.traps != TrapClaim::kByChance;
+}
+
+/// All families, in the order of the tables; those that are not of traps last.
 const std::vector<Family>& families();
 
 // Pockets: the robot drives in, and must turn its back to the target to get out.
@@ -58,5 +64,9 @@ WorldDraft draw_open_arrival(Dice& dice, double depth_m);
 WorldDraft draw_wall_arrival(Dice& dice, double depth_m);
 WorldDraft draw_corner_arrival(Dice& dice, double depth_m);
 WorldDraft draw_gap_arrival(Dice& dice, double depth_m);
+
+// Rooms full of anything, to be sorted by whether they can be solved. The room grows with the
+// depth.
+WorldDraft draw_small_room(Dice& dice, double depth_m);
 
 }  // namespace clew::trap_worlds

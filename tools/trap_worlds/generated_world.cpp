@@ -83,6 +83,7 @@ bool is_as_claimed(const Family& family, const WorldDraft& draft, const Findings
       return findings.deepest_trap_m == 0.0;
     case TrapClaim::kAny:
     case TrapClaim::kFreeWay:
+    case TrapClaim::kByChance:
       break;
   }
   return true;
