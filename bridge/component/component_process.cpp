@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
 
+#include "component/json_lines.hpp"
 #include "component/node_host.hpp"
 #include "component/start_barrier.hpp"
 #include "line/heartbeat.hpp"
@@ -115,13 +117,26 @@ struct Prepared {
   runtime::RunPlan plan;
 };
 
-Result<Prepared> prepare(const Assignment& assignment, const std::string& stage,
+/// What a program's failure does to its relay: it says why and ends. Where another process may take
+/// its place, that is for the log only.
+JsonLines::Fail end_with_program(Link& link, const runtime::GraphStage& stage) {
+  const FrameType type = stage.deployment.may_restart() ? FrameType::kNotice : FrameType::kFatal;
+  return [&link, type, name = stage.info->name](const Error& error) {
+    link.post(type, Text{name + ": " + error.text()});
+    link.flush_until(Clock::now() + kEndGrace);
+    std::_Exit(1);
+  };
+}
+
+Result<Prepared> prepare(Link& link, const Assignment& assignment, const std::string& stage,
                          const std::vector<runtime::StageInfo>& stages) {
   auto plan = runtime::read_prepared_run(assignment.bundle, stages, stage);
   if (!plan.ok()) return plan.error();
   const runtime::GraphStage* graph_stage = plan->graph.find(stage);
   if (graph_stage == nullptr) return Error{"the run's graph has no stage " + stage, {}, 0, 0};
-  auto node = runtime::make_node(*plan, *graph_stage);
+  auto node = graph_stage->deployment.json_lines
+                  ? make_json_lines_node(*plan, *graph_stage, end_with_program(link, *graph_stage))
+                  : runtime::make_node(*plan, *graph_stage);
   if (!node.ok()) return node.error();
   return Prepared{std::move(node).value(), std::move(plan).value()};
 }
@@ -133,7 +148,7 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
   };
   std::optional<Heartbeat> alive;
   alive.emplace(still_preparing);
-  auto prepared = prepare(assignment, stage, stages);
+  auto prepared = prepare(link, assignment, stage, stages);
   if (!prepared.ok()) return prepared.error();
   // A heartbeat of ordinary priority would wait behind the steps, and the process be killed.
   alive.reset();

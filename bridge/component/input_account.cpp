@@ -33,6 +33,15 @@ InputAccount::InputAccount(std::string name, const runtime::TopicSet& topics,
 
 InputAccount::~InputAccount() { readers_.clear(); }
 
+core::Result<void> InputAccount::restore(const Checkpoint& checkpoint) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  core::StateReader reader(checkpoint.account);
+  reader(account_);
+  if (!reader.complete()) return core::Error{"the checkpoint's account is not one", {}, 0, 0};
+  buffer_.restart_at(checkpoint.tick);
+  return {};
+}
+
 core::Result<void> InputAccount::open(Participant& participant, const StartBarrier& barrier) {
   for (Topic topic : domain::kAllTopics) {
     if (!topics_[domain::index_of(topic)]) continue;

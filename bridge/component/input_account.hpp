@@ -30,6 +30,8 @@ class InputAccount {
   InputAccount(const InputAccount&) = delete;
   InputAccount& operator=(const InputAccount&) = delete;
 
+  /// Goes on from a checkpoint instead of tick 0; before open().
+  core::Result<void> restore(const Checkpoint& checkpoint);
   /// Creates the readers. `barrier` and `participant` must outlive the account.
   core::Result<void> open(Participant& participant, const StartBarrier& barrier);
 

@@ -28,6 +28,7 @@ NodeHost::NodeHost(runtime::Node node, const Assignment& assignment, const runti
       history_depth_(static_cast<int>(assignment.history_depth)),
       lockstep_(assignment.pace != Pace::kRealtime),
       spools_states_(assignment.spooling == Spooling::kSamplesAndStates),
+      waits_for_go_(assignment.waits_for_go),
       handlers_(std::move(handlers)),
       buffer_(node_.ports(), assignment.history_depth),
       account_(assignment.hash, assignment.spooling != Spooling::kNothing),
@@ -144,7 +145,7 @@ void NodeHost::refuse(Topic topic, const core::Error& error) {
 
 bool NodeHost::may_step(Time now) const {
   if (stopped_) return false;
-  if (!starts_ticks()) return buffer_.ready();
+  if (!starts_ticks()) return (started_ || !waits_for_go_) && buffer_.ready();
   if (!started_ || buffer_.next_tick() >= allowed_until_) return false;
   if (clock_.is_free()) return buffer_.ready();
   if (now < clock_.due(buffer_.next_tick())) return false;

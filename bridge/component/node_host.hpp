@@ -100,6 +100,7 @@ class NodeHost {
   const int history_depth_;
   const bool lockstep_;
   const bool spools_states_;
+  const bool waits_for_go_;
   Handlers handlers_;
   runtime::InputBuffer buffer_;
   domain::Messages messages_;

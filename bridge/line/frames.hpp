@@ -83,6 +83,7 @@ struct Assignment {
   std::uint32_t history_depth = kHistoryDepth;
   std::uint64_t lead = 1;  ///< ticks that may be started before the first credit
   std::vector<ExpectedEndpoint> expected;
+  bool waits_for_go = false;  ///< with its first step, as the stage that starts ticks always does
   bool resumes = false;  ///< the run is under way: go on from `checkpoint`, or else from tick 0
   std::optional<Checkpoint> checkpoint;
 };
@@ -136,8 +137,8 @@ void visit_fields(V& v, Checkpoint& m) {
 template <typename V>
 void visit_fields(V& v, Assignment& m) {
   v(m.run_id, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor,
-    m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected, m.resumes,
-    m.checkpoint);
+    m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected, m.waits_for_go,
+    m.resumes, m.checkpoint);
 }
 template <typename V>
 void visit_fields(V& v, Waiting& m) {

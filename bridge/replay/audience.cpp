@@ -43,10 +43,13 @@ void Audience::expect_readers(const runtime::TopicSet& topics) {
 
 core::Result<void> Audience::start_readers(const std::vector<std::string>& commands,
                                            const WireSettings& settings) {
+  if (commands.empty()) return {};
+  environment_.emplace(settings.domain, kLease_s, settings.run_id);
+  if (!environment_->failure().empty()) return core::Error{environment_->failure(), {}, 0, 0};
   for (const std::string& text : commands) {
     ChildCommand command;
     command.arguments = {"/bin/sh", "-c", text};
-    command.environment = environment_of(settings.domain, settings.run_id);
+    command.environment = environment_->variables();
     auto child = ChildProcess::start(command);
     if (!child.ok()) return child.error();
     Member reader;

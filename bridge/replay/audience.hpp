@@ -11,6 +11,7 @@
 #include "replay/fed_component.hpp"
 #include "replay/wake_up.hpp"
 #include "runtime/component.hpp"
+#include "vendors/third_party_environment.hpp"
 
 namespace clew::bridge {
 
@@ -47,6 +48,7 @@ class Audience {
   std::vector<std::string> notices_;
   std::optional<std::string> fatal_;
   StartBarrier barrier_;
+  std::optional<ThirdPartyEnvironment> environment_;  ///< of the programs started
   std::vector<Member> readers_;
 };
 

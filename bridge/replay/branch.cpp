@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "replay/black_box_past.hpp"
+#include "replay/process_past.hpp"
 #include "replay/recorded_past.hpp"
 #include "replay/recorded_plan.hpp"
 
@@ -40,20 +41,10 @@ Result<void> check(const RunRecording& recording, const runtime::RunPlan& plan,
   return {};
 }
 
-}  // namespace
-
-Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::RunPlan& recorded,
-                                 const runtime::RunPlan& plan, std::uint64_t tick) {
-  ComposedStart start{{}, tick, {}, SampleAccount(true, false), std::chrono::steady_clock::now()};
-  CLEW_RETURN_IF_ERROR(check(recording, plan, tick));
-  auto robot = recorded_robot(recording, recorded);
-  if (!robot) return robot.error();
-  auto nodes = runtime::make_nodes(plan);
-  if (!nodes) return nodes.error();
-  auto begun =
-      RecordedPast::begin(recording, plan, std::move(nodes).value(), std::move(robot).value());
-  if (!begun) return begun.error();
-  RecordedPast& past = *begun;
+/// Feeds `past` what is recorded before `tick`, and shows each tick to `added`.
+template <typename Added>
+Result<void> feed_until(const RunRecording& recording, std::uint64_t tick, RecordedPast& past,
+                        const Added& added) {
   const auto refuse = [&](std::string what) {
     return core::Error{std::move(what), recording.path(), 0, 0};
   };
@@ -67,12 +58,51 @@ Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::R
       if (*found == nullptr) {
         return refuse(fmt::format("has {} ticks; a branch at tick {} needs as many", next, tick));
       }
-      if (const auto added = past.add(**found); !added) return refuse(added.error().text());
+      if (const auto fed = past.add(**found); !fed) return refuse(fed.error().text());
+      added(**found);
     }
   }
   if (past.has_ended()) return refuse(fmt::format("the run ended at tick {}", tick - 1));
-  CLEW_RETURN_IF_ERROR(past.hand_over(start));
+  return {};
+}
+
+Result<RecordedPast> begin_past(const RunRecording& recording, const runtime::RunPlan& recorded,
+                                const runtime::RunPlan& plan, std::uint64_t tick) {
+  CLEW_RETURN_IF_ERROR(check(recording, plan, tick));
+  auto nodes = make_own_nodes(plan);
+  if (!nodes) return nodes.error();
+  auto robot = recorded_robot(recording, recorded);
+  if (!robot) return robot.error();
+  return RecordedPast::begin(recording, plan, std::move(nodes).value(), std::move(robot).value());
+}
+
+}  // namespace
+
+Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::RunPlan& recorded,
+                                 const runtime::RunPlan& plan, std::uint64_t tick) {
+  ComposedStart start{{}, tick, {}, SampleAccount(true, false), std::chrono::steady_clock::now()};
+  auto past = begin_past(recording, recorded, plan, tick);
+  if (!past) return past.error();
+  CLEW_RETURN_IF_ERROR(feed_until(recording, tick, *past, [](const RecordedTick&) {}));
+  CLEW_RETURN_IF_ERROR(past->hand_over(start));
   return start;
+}
+
+Result<ProcessStart> branch_off_processes(const RunRecording& recording,
+                                          const runtime::RunPlan& recorded,
+                                          const runtime::RunPlan& plan, std::uint64_t tick) {
+  CLEW_RETURN_IF_ERROR(refuse_black_box(recording, "a branch of third-party components needs all"));
+  auto past = begin_past(recording, recorded, plan, tick);
+  if (!past) return past.error();
+  ProcessPast processes(plan, true);
+  CLEW_RETURN_IF_ERROR(feed_until(recording, tick, *past,
+                                  [&](const RecordedTick& added) { processes.add(*past, added); }));
+  return processes.start(*past, tick);
+}
+
+HandOver robot_of(const ProcessStart& start, const runtime::RunPlan& plan) {
+  const std::string& name = plan.graph.writer_of(domain::Topic::kState)->info->name;
+  return {start.next_tick, start.checkpoints.at(name).node};
 }
 
 HandOver robot_of(const ComposedStart& start) {

@@ -11,6 +11,7 @@
 #include "replay/fed_node.hpp"
 #include "run/composed_run.hpp"
 #include "runtime/run_plan.hpp"
+#include "supervisor/process_layout.hpp"
 
 namespace clew::bridge {
 
@@ -21,14 +22,21 @@ namespace clew::bridge {
 /// for as the run's own. Time goes on in lockstep, so the last recorded command is never late.
 ///
 /// Refused: a tick that is not between the run's first and its last one, one before the recording
-/// itself branched off another, a plan with another duration of a tick or with someone else's
+/// itself branched off another, a plan with another duration of a tick or with a third-party
 /// component, and a recording that does not begin at tick 0 or lacks a sample.
 core::Result<ComposedStart> branch_off(const RunRecording& recording,
                                        const runtime::RunPlan& recorded,
                                        const runtime::RunPlan& plan, std::uint64_t tick);
 
-/// The robot's state at a branch, for note_branch.
+/// The same as processes, for a plan with third-party components without a state. The samples
+/// before `tick` come with it.
+core::Result<ProcessStart> branch_off_processes(const RunRecording& recording,
+                                                const runtime::RunPlan& recorded,
+                                                const runtime::RunPlan& plan, std::uint64_t tick);
+
+/// The robot's state at a branch after tick 0, for note_branch.
 HandOver robot_of(const ComposedStart& start);
+HandOver robot_of(const ProcessStart& start, const runtime::RunPlan& plan);
 
 /// The first component of `recorded`, the recording's own plan, that does not do before `tick` what
 /// is recorded: no branch can go on from there. Someone else's components are passed over, and of a

@@ -70,7 +70,12 @@ Result<runtime::Node> node_of(const runtime::RunPlan& plan, const std::string& s
   const auto found = find_stage(plan, stage);
   if (!found) return found.error();
   if (!(*found)->deployment.exec.empty()) {
-    return core::Error{stage + " is a third-party component, and cannot be replayed", {}, 0, 0};
+    return core::Error{stage +
+                           " is a third-party component: --publish feeds it what was recorded and "
+                           "compares what it writes, --start starts it for that",
+                       {},
+                       0,
+                       0};
   }
   return runtime::make_node(plan, **found);
 }

@@ -33,6 +33,7 @@ FedComponent::FedComponent(const runtime::RunPlan& plan, const runtime::GraphSta
     : plan_(plan),
       stage_(stage),
       settings_(std::move(settings)),
+      environment_(settings_.domain, settings_.lease_s, settings_.run_id),
       log_(std::move(log)),
       comparison_(stage.info->name, stage.ports, first_compared, std::move(on_arrival)) {
   member_.stage = stage.info->name;
@@ -54,15 +55,14 @@ Result<void> FedComponent::open(Participant& participant, StartBarrier& barrier)
 }
 
 Result<void> FedComponent::start(bool by_us, const std::string& prefix) {
+  if (!environment_.failure().empty()) return Error{environment_.failure(), {}, 0, 0};
   if (!by_us) {
-    log_(fmt::format("waiting for {}; start it with: {}", stage(),
-                     component_line(layout_of(settings_).program, stage(), settings_.domain)));
+    log_(how_to_start(plan_, stage_, settings_.program, settings_.domain, environment_));
     return {};
   }
   ProcessLayout layout = layout_of(settings_);
   if (!prefix.empty()) layout.prefix[stage()] = prefix;
-  auto child =
-      ChildProcess::start(command_of(member_, stage_, layout, settings_.domain, settings_.run_id));
+  auto child = ChildProcess::start(command_of(member_, plan_, layout, environment_));
   if (!child.ok()) return Error{stage() + ": " + child.error().text(), {}, 0, 0};
   member_.child = std::move(child).value();
   return {};

@@ -13,6 +13,7 @@
 #include "run/limits.hpp"
 #include "runtime/run_plan.hpp"
 #include "supervisor/member.hpp"
+#include "vendors/third_party_environment.hpp"
 
 namespace clew::bridge {
 
@@ -78,6 +79,7 @@ class FedComponent {
   const runtime::RunPlan& plan_;
   const runtime::GraphStage& stage_;
   const WireSettings settings_;
+  const ThirdPartyEnvironment environment_;
   const std::function<void(const std::string&)> log_;
   Member member_;
   LiveComparison comparison_;

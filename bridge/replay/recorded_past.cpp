@@ -17,6 +17,9 @@ Result<RecordedPast> RecordedPast::begin(const RunRecording& recording,
                                          const runtime::RunPlan& plan,
                                          std::vector<runtime::Node> nodes, FedNode recorded_robot) {
   RecordedPast past;
+  for (const runtime::GraphStage& stage : plan.graph.stages) {
+    if (!stage.deployment.exec.empty()) past.not_ours_ |= stage.ports.outputs;
+  }
   for (runtime::Node& node : nodes) {
     if (is_robot(node)) {
       // NOLINTNEXTLINE(bugprone-use-after-move): a run has one robot
@@ -31,7 +34,7 @@ Result<RecordedPast> RecordedPast::begin(const RunRecording& recording,
 }
 
 runtime::TopicSet RecordedPast::topics() const {
-  runtime::TopicSet topics;
+  runtime::TopicSet topics = not_ours_;
   for (const FedNode& fed : fed_) topics |= fed.fed_topics() | fed.node().ports().outputs;
   return topics;
 }

@@ -18,8 +18,8 @@ namespace clew::bridge {
 /// inputs, and the recorded samples are accounted for.
 class RecordedPast {
  public:
-  /// `nodes`, of `plan`, go on; but up to there the robot is the recorded one. Refused: what
-  /// begin_in_black_box refuses.
+  /// `nodes`, our own ones of `plan`, go on; but up to there the robot is the recorded one.
+  /// Refused: what begin_in_black_box refuses.
   static core::Result<RecordedPast> begin(const RunRecording& recording,
                                           const runtime::RunPlan& plan,
                                           std::vector<runtime::Node> nodes, FedNode recorded_robot);
@@ -43,6 +43,7 @@ class RecordedPast {
   core::Result<void> account(domain::Topic topic, const RecordedTick& recorded);
 
   std::vector<FedNode> fed_;
+  runtime::TopicSet not_ours_;  ///< what third-party components write
   std::optional<runtime::Node> new_robot_;
   Codecs codecs_;
   domain::Messages messages_;

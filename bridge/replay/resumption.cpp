@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "replay/black_box_past.hpp"
+#include "replay/process_past.hpp"
 #include "replay/recorded_past.hpp"
 #include "replay/recorded_plan.hpp"
 
@@ -19,51 +20,12 @@ using domain::Topic;
 using runtime::TopicSet;
 
 Result<RecordedPast> past_of(const RunRecording& recording, const runtime::RunPlan& plan) {
+  auto nodes = make_own_nodes(plan);
+  if (!nodes) return nodes.error();
   auto robot = recorded_robot(recording, plan);
   if (!robot) return robot.error();
-  auto nodes = runtime::make_nodes(plan);
-  if (!nodes) return nodes.error();
   return RecordedPast::begin(recording, plan, std::move(nodes).value(), std::move(robot).value());
 }
-
-/// What each component process would have kept of the past.
-class ProcessPast {
- public:
-  explicit ProcessPast(std::size_t stages) : accounts_(stages, SampleAccount(true, false)) {}
-
-  void add(const RecordedPast& past, const RecordedTick& recorded) {
-    for (std::size_t i = 0; i < accounts_.size(); ++i) {
-      for (Topic topic : past.nodes()[i].node().ports().output_order) {
-        domain::visit_topic(topic, [&](auto constant) {
-          accounts_[i].add(std::get<constant.kIndex>(past.messages()), recorded.cdr(topic));
-        });
-        last_outputs_[index_of(topic)].assign(recorded.cdr(topic));
-      }
-    }
-  }
-
-  ProcessStart start(const RecordedPast& past, std::uint64_t tick) {
-    ProcessStart start;
-    start.next_tick = tick;
-    if (tick == 0) return start;
-    for (std::size_t i = 0; i < accounts_.size(); ++i) {
-      const runtime::Node& node = past.nodes()[i].node();
-      core::StateWriter account;
-      account(accounts_[i]);
-      Checkpoint checkpoint{tick, node.save(), account.take(), {}};
-      for (Topic topic : node.ports().output_order) {
-        checkpoint.last_outputs[std::string(domain::topic_name(topic))] =
-            last_outputs_[index_of(topic)];
-      }
-      start.checkpoints[node.name()] = std::move(checkpoint);
-    }
-    return start;
-  }
-
- private:
-  std::vector<SampleAccount> accounts_;  ///< in the order of the nodes
-  std::array<std::string, domain::kTopicCount> last_outputs_;
-};
 
 /// After the first tick that is not whole: a topic that it lacks must have ended there.
 Result<void> check_rest(TickReader& reader, TopicSet missing, std::uint64_t tick) {
@@ -131,7 +93,7 @@ Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan&
   const std::uint64_t branched_at = *branch ? (*branch)->tick : 0;
   auto past = past_of(recording, plan);
   if (!past) return in_recording(past.error());
-  ProcessPast processes(past->nodes().size());
+  ProcessPast processes(plan, false);
   const auto ticks = feed(recording, branched_at, *past, processes);
   if (!ticks) return in_recording(ticks.error());
   if (*branch && *ticks <= branched_at) {

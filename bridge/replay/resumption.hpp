@@ -22,9 +22,10 @@ struct Resumption {
 /// inputs put it, so that the run goes on as if it had not been cut off. Samples of ticks that are
 /// not whole, at the end, are passed over: they will be written again.
 ///
-/// Refused: a plan with someone else's component, a recording in which a command was late (what the
-/// wall clock decided cannot be continued), in which a tick in between lacks a sample, of whose
-/// components this version's write something else, or that ends before it branched off another.
+/// Refused: a plan with a third-party component that may have a state, a recording in which a
+/// command was late (what the wall clock decided cannot be continued), in which a tick in between
+/// lacks a sample, of whose components this version's write something else, or that ends before it
+/// branched off another.
 core::Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan& plan);
 
 }  // namespace clew::bridge

@@ -50,6 +50,8 @@ inline constexpr auto kStallRestart = std::chrono::seconds(5);
 inline constexpr auto kLonelyAfter = std::chrono::seconds(4);
 /// No tick for so long means that a component is stuck.
 inline constexpr auto kStallTimeout = std::chrono::seconds(10);
+/// A third-party program that is asked for a line and does not answer is stuck, too.
+inline constexpr auto kLongestAnswer = std::chrono::seconds(10);
 /// Unless one of them says that it is busy with a step.
 inline constexpr auto kLongestStep = std::chrono::seconds(60);
 
@@ -80,6 +82,9 @@ inline constexpr auto kPatience = std::chrono::hours(1);
 inline constexpr double kReplayPatience_s = 60.0;
 /// How long a process may take to end once it should.
 inline constexpr auto kEndGrace = std::chrono::milliseconds(500);
+/// A component that is on the wire itself comes back when everybody has given up its predecessor:
+/// until then nobody could tell the two apart.
+inline constexpr auto kThirdPartyBackoff = std::chrono::seconds(2);
 /// A process that dies so often without coming any further will do so again.
 inline constexpr std::uint32_t kDeathsInPlace = 2;
 /// Of the recorder; those of a component are in its graph.

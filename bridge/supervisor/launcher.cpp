@@ -8,8 +8,8 @@
 #include <cstring>
 #include <utility>
 
+#include "component/json_lines.hpp"
 #include "run/limits.hpp"
-#include "vendors/third_party_environment.hpp"
 #include "wire/codec.hpp"
 
 namespace clew::bridge {
@@ -28,6 +28,11 @@ std::string for_shell(const std::string& word) {
   std::string quoted = "'";
   for (const char c : word) c == '\'' ? quoted += "'\\''" : quoted += c;
   return quoted + '\'';
+}
+
+// The run has the graph, so the line does not depend on where it is typed.
+std::string component_line(const std::string& program, const std::string& stage, int domain) {
+  return for_shell(program) + " component - " + stage + " --domain " + std::to_string(domain);
 }
 
 std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const GraphStage& stage) {
@@ -66,6 +71,9 @@ void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
   assignment.hash = layout.hash;
   if (const GraphStage* graph_stage = plan.graph.find(stage)) {
     assignment.expected = expected_endpoints(plan.graph, *graph_stage);
+    // Nobody tells a third-party drive when all are there.
+    const GraphStage* robot = plan.graph.writer_of(Topic::kState);
+    assignment.waits_for_go = robot != nullptr && is_third_party(*robot);
   }
 }
 
@@ -75,12 +83,15 @@ std::string middleware_of(const GraphStage& stage, const ProcessLayout& layout) 
   return stage.deployment.middleware.empty() ? layout.middleware : stage.deployment.middleware;
 }
 
-ChildCommand command_of(const Member& member, const GraphStage& stage, const ProcessLayout& layout,
-                        int domain, const std::string& run_id) {
+ChildCommand command_of(const Member& member, const runtime::RunPlan& plan,
+                        const ProcessLayout& layout, const ThirdPartyEnvironment& environment) {
+  const GraphStage& stage = *plan.graph.find(member.stage);
   ChildCommand command;
+  command.environment = environment.variables();
+  command.may_start_others = !stage.deployment.exec.empty();
   if (member.third_party) {
     command.arguments = stage.deployment.exec;
-    command.may_start_others = true;
+    command.environment.merge(facts_for_program(plan, stage));
   } else {
     command.arguments = {layout.program, "component", "-", member.stage};
   }
@@ -92,20 +103,25 @@ ChildCommand command_of(const Member& member, const GraphStage& stage, const Pro
     command.arguments.insert(command.arguments.begin(), shell.begin(), shell.end());
     command.keeps_terminal = true;
   }
-  command.environment = environment_of(domain, run_id);
   return command;
 }
 
-std::map<std::string, std::string> environment_of(int domain, const std::string& run_id) {
-  auto environment = environment_for_third_party(domain, kLease_s);
-  environment["CLEW_DOMAIN_ID"] = std::to_string(domain);
-  environment["CLEW_RUN_ID"] = run_id;
-  return environment;
-}
-
-// The run has the graph, so the line does not depend on where it is typed.
-std::string component_line(const std::string& program, const std::string& stage, int domain) {
-  return for_shell(program) + " component - " + stage + " --domain " + std::to_string(domain);
+std::string how_to_start(const runtime::RunPlan& plan, const GraphStage& stage,
+                         const std::string& program, int domain,
+                         const ThirdPartyEnvironment& environment) {
+  std::string command;
+  if (is_third_party(stage)) {
+    command = "env";
+    auto variables = environment.variables();
+    variables.merge(facts_for_program(plan, stage));
+    for (const auto& [name, value] : variables) {
+      command += ' ' + name + '=' + for_shell(value);
+    }
+    for (const std::string& word : stage.deployment.exec) command += ' ' + for_shell(word);
+  } else {
+    command = component_line(program, stage.info->name, domain);
+  }
+  return "waiting for " + stage.info->name + "; start it with: " + command;
 }
 
 Launcher::Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
@@ -115,11 +131,14 @@ Launcher::Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, in
       domain_(domain),
       spooling_(spooling),
       start_(std::move(start)),
-      run_id_(std::to_string(::getpid()) + '-' + std::to_string(domain)) {}
+      run_id_(std::to_string(::getpid()) + '-' + std::to_string(domain)),
+      environment_(domain, kLease_s, run_id_) {}
 
 core::Result<void> Launcher::start(Member& member) const {
-  auto child =
-      start_(command_of(member, *plan_.graph.find(member.stage), layout_, domain_, run_id_));
+  if (member.third_party && !environment_.failure().empty()) {
+    return core::Error{member.stage + ": " + environment_.failure(), {}, 0, 0};
+  }
+  auto child = start_(command_of(member, plan_, layout_, environment_));
   if (!child.ok()) return core::Error{member.stage + ": " + child.error().text(), {}, 0, 0};
   member.child = std::move(child).value();
   member.down = false;
@@ -134,17 +153,8 @@ ChildCommand Launcher::recorder_command() const {
 }
 
 std::string Launcher::how_to_start(const Member& member) const {
-  std::string command = component_line(layout_.program, member.stage, domain_);
-  if (member.third_party) {
-    command = "env";
-    for (const auto& [name, value] : environment_of(domain_, run_id_)) {
-      command += ' ' + name + '=' + for_shell(value);
-    }
-    for (const std::string& word : plan_.graph.find(member.stage)->deployment.exec) {
-      command += ' ' + for_shell(word);
-    }
-  }
-  return "waiting for " + member.stage + "; start it with: " + command;
+  return bridge::how_to_start(plan_, *plan_.graph.find(member.stage), layout_.program, domain_,
+                              environment_);
 }
 
 core::Result<Member*> Launcher::admit(const Hello& hello, std::vector<Member>& members) const {

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -13,11 +12,15 @@
 #include "runtime/run_plan.hpp"
 #include "supervisor/member.hpp"
 #include "supervisor/process_layout.hpp"
+#include "vendors/third_party_environment.hpp"
 
 namespace clew::bridge {
 
-/// What a person types, anywhere, to start a component of ours: `program` is that of clew.
-std::string component_line(const std::string& program, const std::string& stage, int domain);
+/// What a person must do, anywhere, to start the component of a stage, be it ours or not: `program`
+/// is that of clew.
+std::string how_to_start(const runtime::RunPlan& plan, const runtime::GraphStage& stage,
+                         const std::string& program, int domain,
+                         const ThirdPartyEnvironment& environment);
 
 /// The files of a run that a stage is told: all, but the world only to one that may know it.
 runtime::Bundle bundle_for(const runtime::RunPlan& plan, const runtime::GraphStage& stage);
@@ -31,11 +34,8 @@ void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
 std::string middleware_of(const runtime::GraphStage& stage, const ProcessLayout& layout);
 
 /// How to start a member's process.
-ChildCommand command_of(const Member& member, const runtime::GraphStage& stage,
-                        const ProcessLayout& layout, int domain, const std::string& run_id);
-
-/// What a process of a run is told: all that a third-party component needs.
-std::map<std::string, std::string> environment_of(int domain, const std::string& run_id);
+ChildCommand command_of(const Member& member, const runtime::RunPlan& plan,
+                        const ProcessLayout& layout, const ThirdPartyEnvironment& environment);
 
 /// How a program is started: ChildProcess::start but in tests.
 using StartProcess = std::function<core::Result<ChildProcess>(const ChildCommand&)>;
@@ -71,6 +71,7 @@ class Launcher {
   Spooling spooling_;
   StartProcess start_;
   std::string run_id_;
+  ThirdPartyEnvironment environment_;
 };
 
 }  // namespace clew::bridge

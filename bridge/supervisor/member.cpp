@@ -9,7 +9,7 @@ namespace clew::bridge {
 
 using runtime::GraphStage;
 
-bool is_third_party(const GraphStage& stage) { return !stage.deployment.exec.empty(); }
+bool is_third_party(const GraphStage& stage) { return stage.deployment.is_on_the_wire(); }
 
 void Member::begin(const ProcessStart& start) {
   progress.ticks = start.next_tick;
@@ -74,6 +74,22 @@ std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayo
     members.push_back(std::move(member));
   }
   return members;
+}
+
+bool all_ready(const std::vector<Member>& members) {
+  return std::all_of(members.begin(), members.end(),
+                     [](const Member& member) { return member.third_party || member.ready; });
+}
+
+bool all_finished(const std::vector<Member>& members) {
+  return std::all_of(members.begin(), members.end(),
+                     [](const Member& member) { return member.third_party || member.finished; });
+}
+
+bool keeps_own_pace(const std::vector<Member>& members) {
+  return std::any_of(members.begin(), members.end(), [](const Member& member) {
+    return member.third_party && member.starts_ticks;
+  });
 }
 
 RunStatistics total_statistics(const std::vector<Member>& members) {

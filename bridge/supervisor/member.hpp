@@ -17,7 +17,8 @@
 
 namespace clew::bridge {
 
-/// Whether a stage is a component that does not link clew, started by `exec`.
+/// Whether a stage is a third-party component, started by `exec`, that is on the wire itself:
+/// a relay of ours is not.
 bool is_third_party(const runtime::GraphStage& stage);
 
 /// One stage's place in a run, as the supervisor sees it.
@@ -64,6 +65,13 @@ std::uint64_t common_checkpoint(const std::vector<const Member*>& members, std::
 
 /// The members of a plan, in the order of its stages.
 std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayout& layout);
+
+/// Whether all of ours have found whom they wait for, and whether all have finished.
+bool all_ready(const std::vector<Member>& members);
+bool all_finished(const std::vector<Member>& members);
+
+/// Whether ticks are started by a third-party component, which is told no pace and no credit.
+bool keeps_own_pace(const std::vector<Member>& members);
 
 /// What all members together have gathered.
 RunStatistics total_statistics(const std::vector<Member>& members);

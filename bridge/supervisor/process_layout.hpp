@@ -31,6 +31,7 @@ struct ProcessLayout {
 struct ProcessStart {
   std::uint64_t next_tick = 0;
   std::map<std::string, Checkpoint> checkpoints;  ///< by stage, at `next_tick`; none at tick 0
+  std::string spooled;  ///< samples before that, for a recording that is to have them, too
 };
 
 }  // namespace clew::bridge

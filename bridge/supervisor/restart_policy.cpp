@@ -15,7 +15,10 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 std::string RestartPolicy::take(Member& member, Time now) {
-  if (member.third_party) return "; a third-party component is not restarted";
+  if (!graph_.find(member.stage)->deployment.may_restart()) {
+    return "; a third-party component is not restarted, unless its graph says 'restart: "
+           "stateless'";
+  }
   if (!member.child) return "; a person started it";
   if (member.restarts >= graph_.find(member.stage)->deployment.restart_limit) {
     return "; it was restarted " + std::to_string(member.restarts) + " times, which is its limit";
@@ -28,18 +31,20 @@ std::string RestartPolicy::take(Member& member, Time now) {
   member.deaths_in_place = in_place && !member.child->was_killed() ? member.deaths_in_place + 1 : 0;
   ++member.restarts;
   take_down(member, now);
-  go_back_together(now);
+  if (!member.third_party) go_back_together(now);
   return {};
 }
 
 void RestartPolicy::take_down(Member& member, Time now) {
   member.lost_at = std::max(member.lost_at, member.progress.ticks);
   member.down = true;
-  member.catching_up = true;
+  member.catching_up = !member.third_party;
   member.finished.reset();
   const double backoff_s = graph_.find(member.stage)->deployment.restart_backoff_s;
-  member.restart_at =
-      now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(backoff_s));
+  const auto backoff =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(backoff_s));
+  const Clock::duration least = member.third_party ? kThirdPartyBackoff : Clock::duration{};
+  member.restart_at = now + std::max(backoff, least);
 }
 
 void RestartPolicy::go_back_together(Time now) {

@@ -8,10 +8,8 @@
 namespace clew::bridge {
 
 RunRecordingControl::RunRecordingControl(const RecordingOrder& order, ChildCommand recorder,
-                                         const ProcessLayout& layout)
-    : client_(order, std::move(recorder), layout.pace == Pace::kRealtime),
-      path_(order.path),
-      on_error_(layout.on_record_error) {}
+                                         OnRecordError on_error, bool drops)
+    : client_(order, std::move(recorder), drops), path_(order.path), on_error_(on_error) {}
 
 void RunRecordingControl::serve(Time now) {
   client_.serve(now);

@@ -23,8 +23,9 @@ class RunRecordingControl {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  RunRecordingControl(const RecordingOrder& order, ChildCommand recorder,
-                      const ProcessLayout& layout);
+  /// With `drops`, nothing waits for the recorder, and what it cannot take is dropped.
+  RunRecordingControl(const RecordingOrder& order, ChildCommand recorder, OnRecordError on_error,
+                      bool drops);
 
   core::Result<void> start(Time now) { return client_.start(now); }
   void welcome(std::unique_ptr<Link> link, Time now) { client_.welcome(std::move(link), now); }

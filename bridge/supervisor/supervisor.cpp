@@ -29,7 +29,13 @@ Supervisor::Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout
       started_at_(now),
       credit_(start.next_tick + kLead) {
   for (Member& member : members_) member.begin(start);
-  if (recording) recording_.emplace(*recording, launcher_.recorder_command(), layout);
+  if (const auto found = start.checkpoints.find(kObserverName); found != start.checkpoints.end()) {
+    observed_before_ = found->second;
+  }
+  const bool drops = layout.pace == Pace::kRealtime || keeps_own_pace(members_);
+  if (!recording) return;
+  recording_.emplace(*recording, launcher_.recorder_command(), layout.on_record_error, drops);
+  recording_->add(start.spooled, start.next_tick);
 }
 
 void Supervisor::abort(const std::string& why) {
@@ -54,8 +60,9 @@ void Supervisor::start() {
       start_child(member);
     }
   }
-  auto observer =
-      ThirdPartyObserver::create(plan_, launcher_.assignment_for("observer", layout_.middleware));
+  Assignment assignment = launcher_.assignment_for(kObserverName, layout_.middleware);
+  assignment.checkpoint = std::move(observed_before_);
+  auto observer = ThirdPartyObserver::create(plan_, std::move(assignment));
   if (!observer.ok()) return abort(observer.error().text());
   observer_ = std::move(observer).value();
 }
@@ -111,7 +118,7 @@ std::vector<pollfd> Supervisor::descriptors() const {
 
 void Supervisor::turn(Time now) {
   for (Member& member : members_) serve(member, now);
-  if (observer_) observe();
+  if (observer_) observe(now);
   turn_recording(now);
   watch(now);
 }
@@ -181,22 +188,42 @@ void Supervisor::note_progress(Member& member, const Progress& progress, Time no
   if (progress.ticks > member.progress.ticks) stalled_since_ = now;
   member.progress = progress;
   if (progress.ticks >= member.lost_at) member.catching_up = false;
-  if (!member.starts_ticks || !progress.statistics.truth) return;
-  rate_.note(progress.statistics.truth->tick, now);
-  if (progress.statistics.truth->outcome == domain::Outcome::kRunning || last_tick_) return;
-  last_tick_ = progress.statistics.truth->tick;
+  if (member.starts_ticks) note_truth(progress.statistics, now);
+}
+
+void Supervisor::note_truth(const RunStatistics& statistics, Time now) {
+  if (!statistics.truth) return;
+  rate_.note(statistics.truth->tick, now);
+  if (statistics.truth->outcome == domain::Outcome::kRunning || last_tick_) return;
+  last_tick_ = statistics.truth->tick;
   for (Member& other : members_) {
     if (other.link) other.link->post(FrameType::kFinish, Tick{*last_tick_});
   }
 }
 
-void Supervisor::observe() {
+/// What a third party's line would tell.
+void Supervisor::note_observed(Time now) {
+  for (Member& member : members_) {
+    if (!member.third_party) continue;
+    if (observer_->ticks() > member.progress.ticks) stalled_since_ = now;
+    member.progress.ticks = observer_->ticks();
+    if (!member.starts_ticks) continue;
+    note_truth(observer_->statistics(), now);
+    if (!last_tick_ && observer_->ticks() > plan_.graph.max_ticks + 1) {
+      abort(fmt::format("{} has no outcome after tick {}, which is max_ticks", member.stage,
+                        plan_.graph.max_ticks));
+    }
+  }
+}
+
+void Supervisor::observe(Time now) {
   const auto fatal = observer_->fatal();
   observer_->poll();
   log(observer_->take_notices());
   if (fatal) abort(*fatal);
   std::string spool = observer_->take_spooled();
   if (recording_) recording_->add(std::move(spool), observer_->ticks());
+  note_observed(now);
 }
 
 void Supervisor::turn_recording(Time now) {
@@ -289,22 +316,21 @@ Clock::duration Supervisor::stall_timeout() const {
 }
 
 bool Supervisor::everybody_ready() const {
-  return std::all_of(members_.begin(), members_.end(),
-                     [](const Member& m) { return m.third_party || m.ready; }) &&
-         (!observer_ || observer_->ready()) && (!recording_ || recording_->ready());
+  return all_ready(members_) && (!observer_ || observer_->ready()) &&
+         (!recording_ || recording_->ready());
 }
 
 bool Supervisor::everybody_finished() const {
-  return std::all_of(members_.begin(), members_.end(),
-                     [](const Member& m) { return m.third_party || m.finished; }) &&
-         (!observer_ || observer_->finished(*last_tick_));
+  return all_finished(members_) && (!observer_ || observer_->finished(*last_tick_));
 }
 
 void Supervisor::go(Time now) {
   gone_ = true;
   stalled_since_ = now;
+  const bool all_wait = keeps_own_pace(members_);
   for (Member& member : members_) {
-    if (member.starts_ticks && member.link) member.link->post(FrameType::kGo, Tick{0});
+    const bool waits = all_wait || member.starts_ticks;
+    if (waits && member.link) member.link->post(FrameType::kGo, Tick{0});
   }
 }
 
@@ -327,7 +353,21 @@ void Supervisor::give_credit() {
 
 // ---- end ----
 
+// A run that is cut off has gone further than was told, by what components report in a while.
+void Supervisor::take_last_reports() {
+  const Time until = Clock::now() + 2 * kFlushPeriod;
+  while (Clock::now() < until) {
+    for (Member& member : members_) {
+      if (!member.link || !member.link->receive()) continue;
+      while (auto frame = member.link->next()) handle(member, *std::move(frame), Clock::now());
+    }
+    ::poll(nullptr, 0, 1);
+  }
+}
+
 void Supervisor::end_members() {
+  if (gone_ && !all_finished_) take_last_reports();
+  if (observer_) observe(Clock::now());
   end_processes(members_, all_finished_);
   if (recording_) recording_->end(report_.aborted);
 }

@@ -57,7 +57,7 @@ class Supervisor {
   bool over() const { return !report_.aborted.empty() || all_finished_; }
 
   /// Ends all processes but the recorder, and tells that one to finish. The only call that waits:
-  /// twice kEndGrace at most.
+  /// twice kEndGrace and kFlushPeriod at most.
   void end_members();
   /// As turn(), of the recorder alone.
   void turn_recording(Time now);
@@ -77,7 +77,10 @@ class Supervisor {
   void lose(Member& member, Time now);
   void handle(Member& member, Frame frame, Time now);
   void note_progress(Member& member, const Progress& progress, Time now);
-  void observe();
+  void note_truth(const RunStatistics& statistics, Time now);
+  void note_observed(Time now);
+  void observe(Time now);
+  void take_last_reports();
   void watch(Time now);
   void watch_start(Time now);
   void watch_stall(Time now);
@@ -98,6 +101,7 @@ class Supervisor {
   const Launcher launcher_;
   RestartPolicy restart_policy_;
   std::optional<RunRecordingControl> recording_;
+  std::optional<Checkpoint> observed_before_;
   std::unique_ptr<ThirdPartyObserver> observer_;
   RunReport report_;
   const Time started_at_;

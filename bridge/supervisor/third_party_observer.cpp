@@ -50,6 +50,9 @@ core::Result<std::unique_ptr<ThirdPartyObserver>> ThirdPartyObserver::create(
   self->participant_ = std::move(participant).value();
   self->account_ =
       std::make_unique<InputAccount>(kName, topics, assignment, plan.setup.behaviour.scan);
+  if (assignment.checkpoint) {
+    CLEW_RETURN_IF_ERROR(self->account_->restore(*assignment.checkpoint));
+  }
   CLEW_RETURN_IF_ERROR(self->account_->open(*self->participant_, *self->barrier_));
   return self;
 }

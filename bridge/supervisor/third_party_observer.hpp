@@ -16,6 +16,9 @@
 
 namespace clew::bridge {
 
+/// Its place among the checkpoints of a run that is under way.
+inline constexpr char kObserverName[] = "observer";
+
 /// Reads the topics that third-party components write, so that their samples are hashed,
 /// counted and recorded like those of components that keep their own account.
 class ThirdPartyObserver {

@@ -2,11 +2,19 @@
 #include "vendors/third_party_environment.hpp"
 
 #include "cyclonedds/configuration.hpp"
+#include "fastdds/profiles.hpp"
 
 namespace clew::bridge {
 
-std::map<std::string, std::string> environment_for_third_party(int domain, double lease_s) {
-  return {{"CYCLONEDDS_URI", cyclonedds_configuration({domain, {}, lease_s})}};
-}
+// A file of profiles in the working directory would be read after ours, and a discovery server make
+// clients of the participants.
+ThirdPartyEnvironment::ThirdPartyEnvironment(int domain, double lease_s, const std::string& run_id)
+    : fastdds_profiles_("clew-fastdds-profiles", fastdds_profiles({domain, {}, lease_s})),
+      variables_{{"CLEW_DOMAIN_ID", std::to_string(domain)},
+                 {"CLEW_RUN_ID", run_id},
+                 {"CYCLONEDDS_URI", cyclonedds_configuration({domain, {}, lease_s})},
+                 {"FASTRTPS_DEFAULT_PROFILES_FILE", fastdds_profiles_.path()},
+                 {"SKIP_DEFAULT_XML_FILE", "1"},
+                 {"ROS_DISCOVERY_SERVER", ""}} {}
 
 }  // namespace clew::bridge

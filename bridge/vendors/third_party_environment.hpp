@@ -4,10 +4,24 @@
 #include <map>
 #include <string>
 
+#include "vendors/memory_file.hpp"
+
 namespace clew::bridge {
 
-/// What a component that does not link clew must find in its environment to meet a run on
-/// 127.0.0.1: settings of vendors that are read from variables.
-std::map<std::string, std::string> environment_for_third_party(int domain, double lease_s);
+/// What a program that does not link clew must find in its environment to meet a run on 127.0.0.1:
+/// the run's domain and name, and the settings of each vendor. Some vendors read a file, which is
+/// there as long as this object.
+class ThirdPartyEnvironment {
+ public:
+  ThirdPartyEnvironment(int domain, double lease_s, const std::string& run_id);
+
+  const std::map<std::string, std::string>& variables() const { return variables_; }
+  /// Why a vendor's file could not be made; empty if all are there.
+  const std::string& failure() const { return fastdds_profiles_.failure(); }
+
+ private:
+  MemoryFile fastdds_profiles_;
+  std::map<std::string, std::string> variables_;
+};
 
 }  // namespace clew::bridge

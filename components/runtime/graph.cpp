@@ -68,7 +68,7 @@ Result<void> distribute_parameters(const RawStage& raw, std::vector<RawParameter
       // --set gives parameters, a file all that a stage's map may hold.
       std::vector<std::string> known;
       if (!parameter.by_option) {
-        known = {"process", "exec"};
+        known = {"process", "exec", "via", "restart"};
         for (const PartInfo& part : info.parts) known.push_back(part.name);
       }
       for (const auto& own : info.parameters) known.push_back(own.name);
@@ -82,19 +82,35 @@ Result<void> distribute_parameters(const RawStage& raw, std::vector<RawParameter
   return {};
 }
 
-// Beside exec stands what others must know of the component and it cannot tell them before the run:
-// the sensor whose arrangement its scans have. Whatever else stands there would be unused.
+bool starts_ticks(const StageInfo& info) {
+  return std::any_of(info.ports.begin(), info.ports.end(),
+                     [](const PortInfo& port) { return port.delayed; });
+}
+
+/// Whether others must know of the stage before the run what a third-party component cannot
+/// tell them: the arrangement of its scans, or the tick and limits that it has.
+bool declares_itself(const StageInfo& info) {
+  return info.scan_layout != nullptr || starts_ticks(info);
+}
+
+// The behaviour that stands beside exec says so. Whatever else stood there would be unused.
 Result<void> check_beside_exec(const RawStage& raw) {
   const std::string& name = raw.info->name;
-  if (raw.info->scan_layout == nullptr && !(raw.parts.empty() && raw.parameters.empty())) {
+  if (!declares_itself(*raw.info) && !(raw.parts.empty() && raw.parameters.empty())) {
     return raw.where.error(name +
                            " has exec: a third-party component takes no behaviour and no "
                            "parameters here");
   }
-  if (raw.info->scan_layout != nullptr && raw.parts.count(kBehaviourPart) == 0) {
-    return raw.where.error(name +
-                           " has exec, and needs beside it the behaviour, with its parameters, "
-                           "whose arrangement of beams its scans have");
+  if (declares_itself(*raw.info) && raw.parts.count(kBehaviourPart) == 0) {
+    return raw.where.error(
+        name + " has exec, and needs beside it the behaviour, with its parameters, " +
+        (raw.info->scan_layout != nullptr ? "whose arrangement of beams its scans have"
+                                          : "whose tick and limits it has"));
+  }
+  for (const RawParameter& parameter : raw.parameters) {
+    if (!has_parameter(raw.info->parameters, parameter.name)) continue;
+    return parameter.where.error(name + " has exec: " + parameter.name +
+                                 " would be a parameter of ours, and nobody would use it");
   }
   return {};
 }
@@ -104,7 +120,7 @@ Result<GraphStage> resolve_stage(RawStage raw) {
   GraphStage stage{&info, {info.name, {}, {}}, raw.deployment, {}, place_of(raw.where), {}};
   if (!raw.deployment.exec.empty()) {
     CLEW_RETURN_IF_ERROR(check_beside_exec(raw));
-    if (info.scan_layout == nullptr) return stage;
+    if (!declares_itself(info)) return stage;
   }
   for (const PartInfo& part : info.parts) {
     auto& choices = raw.parts[part.name];
@@ -134,7 +150,7 @@ Result<GraphStage> resolve_stage(RawStage raw) {
 Result<void> settle_tick(const std::vector<StageInfo>& stages, Graph& graph) {
   std::string who;
   for (const GraphStage& stage : graph.stages) {
-    if (!stage.info->tick_s || !stage.deployment.exec.empty()) continue;
+    if (!stage.info->tick_s || stage.config.parts.empty()) continue;
     const double tick_s = stage.info->tick_s(stage.config);
     if (tick_s <= 0.0) continue;
     if (graph.tick_s > 0.0 && graph.tick_s != tick_s) {
@@ -145,13 +161,6 @@ Result<void> settle_tick(const std::vector<StageInfo>& stages, Graph& graph) {
     who = stage.info->name;
   }
   if (graph.tick_s <= 0.0) {
-    for (const GraphStage& stage : graph.stages) {
-      if (!stage.info->tick_s || stage.deployment.exec.empty()) continue;
-      return stage.place.error(fmt::format(
-          "{} has exec, and a third-party component does not say how long a tick lasts; {} "
-          "has to be one of ours ('clew list {}')",
-          stage.info->name, stage.info->name, stage.info->name));
-    }
     return graph.place.error("no stage says how long a tick lasts; a graph needs " +
                              writer_of(Topic::kState, stages));
   }

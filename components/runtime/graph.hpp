@@ -43,16 +43,25 @@ struct NamedFile {
 
 /// How a stage is run, which changes no result.
 struct Deployment {
-  std::string middleware;             ///< `cyclonedds`, `fastdds`, or empty: the run's default
-  std::vector<std::string> exec;      ///< command of a third-party component; empty: ours
+  std::string middleware;         ///< `cyclonedds`, `fastdds`, or empty: the run's default
+  std::vector<std::string> exec;  ///< command of a third-party component; empty: ours
+  bool json_lines = false;  ///< with exec: it speaks JSON lines, and a relay of ours DDS for it
+  bool stateless = false;   ///< with exec: its outputs follow from the inputs of the tick alone
   std::uint32_t restart_limit = 100;  ///< how often its process may be restarted in a run
   double restart_backoff_s = 0.0;     ///< how long it stays down before
+
+  /// Whether a third-party component is on the wire itself.
+  bool is_on_the_wire() const { return !exec.empty() && !json_lines; }
+  /// Whether its process can take up where another one of it has left.
+  bool may_restart() const { return exec.empty() || stateless; }
 };
 
 /// A stage of a graph, its names and values checked against the stage's declarations.
 struct GraphStage {
   const StageInfo* info = nullptr;
-  StageConfig config;  ///< with exec: empty, but for the sensor whose arrangement its scans have
+  /// With exec: empty, but for the behaviour that says what others must know of it beforehand: the
+  /// arrangement of a sensor's scans, a drive's tick and limits.
+  StageConfig config;
   Deployment deployment;
   NodePorts ports;
   Place place;

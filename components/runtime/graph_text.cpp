@@ -91,11 +91,14 @@ std::string Graph::expanded_yaml() const {
     text += stage.info->name + ":\n";
     if (!stage.deployment.exec.empty()) {
       text += "  exec: " + list(stage.deployment.exec) + '\n';
-      if (stage.info->scan_layout == nullptr) continue;
+      if (stage.deployment.json_lines) text += "  via: json_lines\n";
+      if (stage.deployment.stateless) text += "  restart: stateless\n";
+      if (stage.config.parts.empty()) continue;
     }
     for (const PartInfo& part : stage.info->parts) {
       text += part_text(part, stage.config.parts.at(part.name));
     }
+    if (!stage.deployment.exec.empty()) continue;
     text += parameters_text(stage.info->parameters, stage.config.parameters, "  ");
   }
   return text;

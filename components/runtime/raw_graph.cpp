@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/raw_graph.hpp"
 
+#include <algorithm>
+
 #include "core/nearest_name.hpp"
 #include "runtime/middleware.hpp"
 
@@ -72,7 +74,26 @@ Result<std::vector<RawChoice>> read_choices(const PartInfo& part, const YamlNode
   return choices;
 }
 
+const std::vector<std::string> kDeploymentKeys = {"process", "exec", "via", "restart"};
+
+/// Whether the word is `yes`, of the two that are allowed.
+Result<bool> read_either(const YamlNode& node, const std::string& key, const char* no,
+                         const char* yes) {
+  const auto word = node.string();
+  if (!word.ok()) return word.error();
+  if (*word == yes || *word == no) return *word == yes;
+  return node.error(core::unknown_name("value of " + key, *word, {no, yes}));
+}
+
 Result<void> read_deployment(const YamlNode& node, const std::string& key, Deployment& deployment) {
+  if (key == "via" || key == "restart") {
+    const bool via = key == "via";
+    const auto yes =
+        read_either(node, key, via ? "dds" : "never", via ? "json_lines" : "stateless");
+    if (!yes.ok()) return yes.error();
+    (via ? deployment.json_lines : deployment.stateless) = *yes;
+    return {};
+  }
   if (key == "exec") {
     const auto items = node.items();
     if (!items.ok()) return items.error();
@@ -98,7 +119,9 @@ Result<RawStage> read_stage(const StageInfo& info, const YamlNode& node) {
   const auto entries = node.entries();
   if (!entries.ok()) return entries.error();
   for (const auto& entry : *entries) {
-    if (entry.key == "process" || entry.key == "exec") {
+    const bool is_deployment = std::find(kDeploymentKeys.begin(), kDeploymentKeys.end(),
+                                         entry.key) != kDeploymentKeys.end();
+    if (is_deployment) {
       CLEW_RETURN_IF_ERROR(read_deployment(entry.value, entry.key, stage.deployment));
     } else if (const PartInfo* part = find_part(info, entry.key)) {
       auto choices = read_choices(*part, entry.value);
@@ -107,6 +130,11 @@ Result<RawStage> read_stage(const StageInfo& info, const YamlNode& node) {
     } else {
       stage.parameters.push_back({entry.key, entry.key_node, entry.value});
     }
+  }
+  for (const char* key : {"via", "restart"}) {
+    const auto found = node.find(key);
+    if (!found || !stage.deployment.exec.empty()) continue;
+    return found->error(std::string(key) + " stands beside exec, and " + info.name + " has none");
   }
   return stage;
 }
@@ -256,6 +284,10 @@ Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& n
   std::vector<std::string> keys = {"name", "about",     "world",           "robot",
                                    "seed", "max_ticks", "start_timeout_s", "mission"};
   for (const StageInfo& stage : stages) keys.push_back(stage.name);
+  if (const auto format = root->find("format")) {
+    return format->error("found a file of the format " + format->found() +
+                         ", expected a graph, which has none");
+  }
   CLEW_RETURN_IF_ERROR(root->check_keys(keys));
 
   RawGraph graph{{}, *root, {}};

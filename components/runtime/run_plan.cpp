@@ -69,7 +69,7 @@ void fill_setup(RunPlan& plan) {
     if (stage.info->scan_layout) {
       plan.setup.behaviour.scan = stage.info->scan_layout(stage.config);
     }
-    if (stage.info->motion_limits && stage.deployment.exec.empty()) {
+    if (stage.info->motion_limits) {
       plan.setup.behaviour.limits = stage.info->motion_limits(stage.config);
     }
   }
@@ -86,13 +86,11 @@ core::Error in_stage(const RunPlan& plan, const GraphStage& stage, const core::E
   return stage.place.error(stage.info->name + ": " + error.text());
 }
 
-/// The outcome of a run must be judged by rules that are known.
+/// Somebody must judge the outcome.
 Result<void> check_referee(const Graph& graph, const std::vector<StageInfo>& stages) {
-  const GraphStage* referee = graph.writer_of(Topic::kState);
-  if (referee != nullptr && referee->deployment.exec.empty()) return {};
-  return (referee == nullptr ? graph.place : referee->place)
-      .error("a graph needs a " + writer_of(Topic::kState, stages) +
-             " of its own: it judges the outcome");
+  if (graph.writer_of(Topic::kState) != nullptr) return {};
+  return graph.place.error("a graph needs a " + writer_of(Topic::kState, stages) +
+                           ": it judges the outcome");
 }
 
 Result<void> check_parts_fit(const RunPlan& plan) {
@@ -141,13 +139,13 @@ Result<RunPlan> read_run(const std::string& graph_name, const GraphOverrides& ov
 Result<domain::Robot> read_robot(const core::Resource& file, const std::string& name) {
   const auto root = core::YamlNode::parse(file.text, file.file);
   if (!root.ok()) return root.error();
-  CLEW_RETURN_IF_ERROR(root->check_keys({"format", "name", "about", "radius_m"}));
   const auto format = root->at("format");
   if (!format.ok()) return format.error();
   const auto format_name = format->string();
   if (!format_name.ok() || *format_name != kRobotFormat) {
     return format->error("format is " + format->found() + "; allowed: " + kRobotFormat);
   }
+  CLEW_RETURN_IF_ERROR(root->check_keys({"format", "name", "about", "radius_m"}));
   domain::Robot robot;
   robot.name = name;
   if (const auto own_name = root->find("name")) {

@@ -66,6 +66,29 @@ TEST_F(Account, HashesAndSpoolsWhatComesAsItsWriterWould) {
   EXPECT_EQ(account_->progress().ticks, 3u);
 }
 
+TEST_F(Account, GoesOnFromACheckpointAsIfItHadSeenAllBefore) {
+  SampleAccount before(true, false);
+  for (std::uint64_t tick = 0; tick < 2; ++tick) {
+    domain::Command command;
+    Codec<domain::Command> codec;
+    ASSERT_TRUE(codec.decode(command_of(tick), command).ok());
+    before.add(command, command_of(tick));
+  }
+  core::StateWriter writer;
+  writer(before);
+
+  ASSERT_TRUE(account_->restore({2, {}, writer.take(), {}}).ok());
+  deliver(1);  // of a writer that begins a tick earlier
+  deliver(2);
+
+  domain::Command command;
+  Codec<domain::Command> codec;
+  ASSERT_TRUE(codec.decode(command_of(2), command).ok());
+  before.add(command, command_of(2));
+  ASSERT_TRUE(account_->finished(2));
+  EXPECT_EQ(account_->finished(2)->chains, before.chains());
+}
+
 TEST_F(Account, WaitsInLockstepForWhatIsMissing) {
   deliver(1);
 

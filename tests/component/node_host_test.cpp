@@ -123,6 +123,19 @@ TEST_F(Host, WaitsForTheTickThatIsMissing) {
   EXPECT_EQ(commands().size(), 2u);
 }
 
+TEST_F(Host, WaitsForTheGoIfNobodyElseKnowsWhenAllAreThere) {
+  Assignment assignment;
+  assignment.waits_for_go = true;
+  NodeHost& host = make(assignment);
+
+  deliver(0);
+  EXPECT_TRUE(commands().empty());
+  host.go(Time{});
+  deliver(1);
+
+  EXPECT_EQ(commands().size(), 2u);
+}
+
 TEST_F(Host, DropsWhatItKnows) {
   make();
 

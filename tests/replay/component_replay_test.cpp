@@ -277,7 +277,8 @@ TEST_F(ComponentReplay, RefusesAComponentOfSomeoneElse) {
   const RunRecording recording = changed();
 
   EXPECT_EQ(refused(recording, replay_plan(recording), "control"),
-            "control is a third-party component, and cannot be replayed");
+            "control is a third-party component: --publish feeds it what was recorded and "
+            "compares what it writes, --start starts it for that");
   EXPECT_TRUE(replayed(recording, replay_plan(recording), "sense").identical());
 }
 

@@ -131,5 +131,22 @@ drive: {behaviour: slow}
   EXPECT_EQ(expanded(text), text);
 }
 
+TEST(ExpandedGraph, KeepsTheTickOfADriveOfSomeoneElsesAndHowItIsSpokenTo) {
+  const std::string text = expanded(R"(world: open-field
+robot: disc-015
+sense: {behaviour: cones}
+control: {exec: [./my_control], via: json_lines, restart: stateless}
+drive: {exec: [./my_drive], behaviour: slow}
+)");
+
+  EXPECT_NE(text.find("control:\n  exec: [\"./my_control\"]\n  via: json_lines\n"
+                      "  restart: stateless\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("drive:\n  exec: [\"./my_drive\"]\n  behaviour: slow\n"), std::string::npos)
+      << text;
+  EXPECT_EQ(expanded(text), text);
+}
+
 }  // namespace
 }  // namespace clew::runtime

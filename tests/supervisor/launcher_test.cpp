@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -53,7 +55,49 @@ TEST_F(Launch, StartsAThirdPartyByItsOwnCommandWithWhatItsVendorReads) {
   EXPECT_TRUE(started_.may_start_others);
   EXPECT_NE(started_.environment.at("CYCLONEDDS_URI").find("<ExternalDomainId>5<"),
             std::string::npos);
+  EXPECT_EQ(started_.environment.at("CLEW_STAGE"), "control");
+  EXPECT_EQ(started_.environment.at("CLEW_TICK_S"), "0.3");
   end_now(*control.child);
+}
+
+TEST_F(Launch, TellsAThirdPartyAFileOfFastDdsProfilesThatIsThereAsLongAsItself) {
+  auto members = list_members(plan_, layout_);
+  Member& control = *find_member(members, "control");
+  std::string path;
+  {
+    const Launcher lives = launcher();
+    ASSERT_TRUE(lives.start(control).ok());
+    path = started_.environment.at("FASTRTPS_DEFAULT_PROFILES_FILE");
+
+    std::ifstream file(path);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+
+    EXPECT_NE(text.find("<domainId>5</domainId>"), std::string::npos) << text;
+    EXPECT_NE(text.find("<interfaceWhiteList><address>127.0.0.1<"), std::string::npos);
+  }
+  EXPECT_FALSE(std::ifstream(path).good());
+  end_now(*control.child);
+}
+
+TEST_F(Launch, StartsTheRelayOfAProgramThatSpeaksLinesAsAComponentOfOurs) {
+  plan_ = small_plan("my_control", ", via: json_lines");
+  auto members = list_members(plan_, layout_);
+  Member& control = *find_member(members, "control");
+
+  ASSERT_TRUE(launcher().start(control).ok());
+
+  EXPECT_FALSE(control.third_party);
+  EXPECT_EQ(started_.arguments, (Texts{"/opt/clew bin/clew", "component", "-", "control"}));
+  EXPECT_TRUE(started_.may_start_others) << "what the program starts ends with the relay";
+  end_now(*control.child);
+}
+
+TEST_F(Launch, HoldsEverybodyUntilTheRunGoesIfDriveIsSomeoneElses) {
+  EXPECT_FALSE(launcher().assignment_for("sense", "cyclonedds").waits_for_go);
+
+  plan_ = small_plan("my_control", "", "{exec: [./my_drive], behaviour: turn_then_step}");
+
+  EXPECT_TRUE(launcher().assignment_for("sense", "cyclonedds").waits_for_go);
 }
 
 TEST_F(Launch, PutsAPrefixInFrontAndLeavesItTheTerminal) {

@@ -14,10 +14,11 @@
 namespace clew::bridge {
 
 /// A graph of drive, sense and control in a shipped world. `exec`: of control, which then is a
-/// third-party component.
-inline runtime::RunPlan small_plan(const std::string& exec = {}) {
+/// third-party component; `beside` stands beside it.
+inline runtime::RunPlan small_plan(const std::string& exec = {}, const std::string& beside = {},
+                                   const std::string& drive = "{behaviour: turn_then_step}") {
   const std::string control =
-      exec.empty() ? "{behaviour: krishna_kalra_fuzzy}" : "{exec: [" + exec + "]}";
+      exec.empty() ? "{behaviour: krishna_kalra_fuzzy}" : "{exec: [" + exec + ']' + beside + '}';
   const runtime::Bundle bundle = [&] {
     const runtime::ConfigPath shipped({tests::source_path("configs")});
     auto plan = runtime::prepare_run("krishna_kalra", {}, shipped, stages::all());
@@ -25,7 +26,7 @@ inline runtime::RunPlan small_plan(const std::string& exec = {}) {
     runtime::Bundle files = plan->bundle;
     files["graph.yaml"] =
         "world: world\nrobot: robot\nsense: {behaviour: cones}\ncontrol: " + control +
-        "\ndrive: {behaviour: turn_then_step}\n";
+        "\ndrive: " + drive + '\n';
     return files;
   }();
   auto plan = runtime::prepare_run(bundle, stages::all());

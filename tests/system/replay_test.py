@@ -233,7 +233,9 @@ class Replay(Recordings):
                          ["drive", "sense"])
         self.assertIn("control is a third-party component", run.err)
         self.refused(["replay", recording, "--component", "control"], "third-party")
-        self.refused(["replay", recording, "--branch", "5"], "cannot be composed")
+        self.refused(["replay", recording, "--branch", "5"],
+                     "control has exec, and no recording has its state; allowed: one that is "
+                     "'restart: stateless'")
 
 
 class Builds(unittest.TestCase):

@@ -10,9 +10,16 @@ HEAD = "world: {world}\nrobot: disc-015\nsense: {{behaviour: cones}}\n"
 TAIL = "drive: {behaviour: turn_then_step}\n"
 
 
-def graph(world, *arguments, recovery=""):
+def graph(world, *arguments, recovery="", beside=""):
     words = ", ".join(f"'{word}'" for word in (str(THIRD_PARTY / "straight_control"), *arguments))
-    return write_file(HEAD.format(world=world) + recovery + f"control: {{exec: [{words}]}}\n" + TAIL)
+    return write_file(HEAD.format(world=world) + recovery + f"control: {{exec: [{words}]{beside}}}\n" + TAIL)
+
+
+def drive(*arguments):
+    """A drive in plain C in an empty world of its own, under a controller of ours."""
+    words = ", ".join(f"'{word}'" for word in (str(THIRD_PARTY / "line_drive"), *arguments))
+    return write_file(HEAD.format(world="open-field") + "control: {behaviour: krishna_kalra_fuzzy}\n"
+                      f"drive: {{exec: [{words}], behaviour: turn_then_step}}\n")
 
 
 def open_eyes(*arguments):
@@ -70,6 +77,72 @@ class ThirdParty(unittest.TestCase):
         self.assertEqual(run.status, 1)
         self.assertIn("refuses a sample of 'scan': scan: ranges_m is 3 values long; allowed: 7, as "
                       "sense cones has", run.err)
+
+    def test_a_drive_of_someone_elses_judges_the_outcome(self):
+        with tempfile.TemporaryDirectory() as directory:
+            recording = pathlib.Path(directory) / "r.mcap"
+            runs = [Run(["run", drive("4.0"), "--json", "--middleware", vendor, "--record", recording,
+                         "--force"]) for vendor in ("cyclonedds", "fastdds")]
+
+            for run in runs:
+                self.assertEqual(run.status, 0, run.err)
+                self.assertEqual(run.report["outcome"], "reached")
+            # From (1, 1) to within 0.2 m of (4, 1).
+            self.assertGreaterEqual(runs[0].report["path_length_m"], 2.8)
+            self.assertLess(runs[0].report["path_length_m"], 3.0)
+            self.assertEqual(runs[0].report["hash"], runs[1].report["hash"])
+            self.assertIn("complete", Run(["info", recording]).out)
+
+    def test_a_drive_without_an_outcome_ends_after_max_ticks(self):
+        run = Run(["run", drive("400.0"), "--json", "--max-ticks", "30"])
+
+        self.assertEqual(run.status, 1)
+        self.assertIn("drive has no outcome after tick 30, which is max_ticks", run.err)
+
+    def test_a_drive_of_someone_elses_keeps_its_own_pace(self):
+        run = Run(["run", drive("4.0"), "--pace", "2x"])
+
+        self.assertEqual(run.status, 2)
+        self.assertIn("drive has exec, and keeps its own pace; allowed: lockstep, realtime", run.err)
+
+    def test_one_without_a_state_is_started_again_and_changes_no_byte(self):
+        with tempfile.TemporaryDirectory() as directory:
+            crashes = ("--without-guidance", "--crash-once", str(pathlib.Path(directory) / "was"),
+                       "50")
+            plain = Run(["run", graph("open-field", "--without-guidance"), "--json"])
+
+            run = Run(["run", graph("open-field", *crashes, beside=", restart: stateless"), "--json"])
+
+            self.assertEqual(run.status, 0, run.err)
+            self.assertIn("was killed by signal 6 (Aborted); restarting it", run.err)
+            self.assertEqual(run.report["restarts"], 1)
+            self.assertEqual(run.report["hash"], plain.report["hash"])
+
+    def test_one_that_does_not_say_so_is_not(self):
+        run = Run(["run", graph("open-field", "--without-guidance", "--crash-at", "20"), "--json"])
+
+        self.assertEqual(run.status, 1)
+        self.assertIn("is not restarted, unless its graph says 'restart: stateless'", run.err)
+        # What was done before the end is told, though nobody has reported it yet.
+        self.assertEqual(run.report["ticks"], 20)
+
+    def test_a_recording_with_one_without_a_state_is_gone_on_with_and_branches(self):
+        path = graph("open-field", "--without-guidance", beside=", restart: stateless")
+        with tempfile.TemporaryDirectory() as directory:
+            whole = pathlib.Path(directory) / "whole.mcap"
+            cut = pathlib.Path(directory) / "cut.mcap"
+            branch = pathlib.Path(directory) / "branch.mcap"
+            self.assertEqual(Run(["run", path, "--record", whole]).status, 0)
+            cut.write_bytes(whole.read_bytes()[:whole.stat().st_size // 2])
+
+            resumed = Run(["run", "--resume", cut])
+            branched = Run(["replay", whole, "--branch", "50", "--record", branch, "--json"])
+
+            self.assertEqual(resumed.status, 0, resumed.err)
+            self.assertEqual(cut.read_bytes(), whole.read_bytes())
+            self.assertEqual(branched.status, 0, branched.err)
+            self.assertEqual(branched.report["layout"], "processes")
+            self.assertEqual(branch.read_bytes(), whole.read_bytes())
 
     def test_it_cannot_be_composed(self):
         run = Run(["run", graph("open-field", "--without-guidance"), "--layout", "composed"])

@@ -153,6 +153,13 @@ class World(Told):
             self.assertIn(beginning, picture.read_bytes()[:200])
         self.refused(["world", "picture", "double-u", "-o", "x.gif"], "allowed: .svg, .png, .pdf")
 
+    def test_draws_a_run_as_every_kind_of_picture(self):
+        for ending, beginning in (("svg", b"<svg"), ("png", b"\x89PNG"), ("pdf", b"%PDF")):
+            picture = self.folder / f"run.{ending}"
+            run = Run(["plot", self.recording, self.reactive, "-o", picture])
+            self.assertEqual(run.status, 0, run.err)
+            self.assertIn(beginning, picture.read_bytes()[:200])
+
     def test_bad_worlds_are_refused(self):
         self.refused(["world", "solve", "u-trpa"], "did you mean 'u-trap'?")
         self.refused(["world", "solve", "u-trap", "--robot", "disc-15"], "unknown robot")
@@ -194,9 +201,12 @@ class Words(Told):
                            "control: {exec: [./no_such_control]}\n"
                            "drive: {behaviour: turn_then_step}\n")
         self.refused(["run", graph], f"{graph}:4:", "there is no program './no_such_control'")
+        for word in ("./", "''"):
+            path = write_file(graph.read_text().replace("./no_such_control", word))
+            self.refused(["run", path], f"{path}:4:", "there is no program ")
         drive = write_file("world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n"
                            "control: {behaviour: krishna_kalra_fuzzy}\ndrive: {exec: [./d]}\n")
-        self.refused(["check", drive], f"{drive}:5:", "drive has exec", "how long a tick lasts")
+        self.refused(["check", drive], f"{drive}:5:", "drive has exec", "whose tick and limits it has")
 
     def test_a_robot_that_stands_still_is_told_since_when_and_why(self):
         arguments = ["krishna_kalra", "--with", "recover.detector=none", "--with",

@@ -18,27 +18,11 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#define HISTORY 2000
 #include "Scan.h"
-#include "clew/idl_fingerprint.h"
+#include "component.h"
 
-#define TICKS 2000
-
-static dds_entity_t create_writer(int domain) {
-  const dds_data_representation_id_t xcdr1 = DDS_DATA_REPRESENTATION_XCDR1;
-  const dds_entity_t participant = dds_create_participant((dds_domainid_t)domain, NULL, NULL);
-  const dds_entity_t topic = dds_create_topic(participant, &clew_msg_Scan_desc, "scan", NULL, NULL);
-  dds_qos_t* qos = dds_create_qos();
-  dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
-  dds_qset_durability(qos, DDS_DURABILITY_TRANSIENT_LOCAL);
-  dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, TICKS);
-  dds_qset_durability_service(qos, 0, DDS_HISTORY_KEEP_LAST, TICKS, DDS_LENGTH_UNLIMITED,
-                              DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
-  dds_qset_data_representation(qos, 1, &xcdr1);
-  dds_qset_userdata(qos, CLEW_IDL_USER_DATA, strlen(CLEW_IDL_USER_DATA));
-  const dds_entity_t writer = dds_create_writer(participant, topic, qos, NULL);
-  dds_delete_qos(qos);
-  return writer;
-}
+#define TICKS HISTORY
 
 static void write_nonsense(dds_entity_t writer) {
   double ranges[7];
@@ -65,7 +49,8 @@ int main(int argc, char** argv) {
   const pid_t child = fork();
   if (child == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const dds_entity_t writer = create_writer(atoi(domain));
+    const dds_entity_t writer =
+        open_output(open_participant(), &clew_msg_Scan_desc, "scan", DDS_RELIABILITY_RELIABLE);
     write_nonsense(writer);
     if (writer < 0 || write(ready[1], "", 1) != 1) return 1;
     for (;;) pause();

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/world_bench.hpp"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "clew/run_output.hpp"
 #include "recorder/recording_sink.hpp"
+#include "recording/output_file.hpp"
+#include "replay/branch.hpp"
 #include "run/composed_run.hpp"
+#include "supervisor/process_run.hpp"
 #include "world/world.hpp"
 
 namespace clew::bench {
@@ -53,6 +62,35 @@ std::optional<bool> is_success(const std::string& outcome, const world::World& w
   return outcome == "reached";
 }
 
+/// A third-party component is a process, and so are the others with it.
+bool needs_processes(const runtime::Graph& graph) {
+  return std::any_of(graph.stages.begin(), graph.stages.end(),
+                     [](const auto& stage) { return !stage.deployment.exec.empty(); });
+}
+
+Result<bridge::RunReport> run_processes(const runtime::RunPlan& run, const std::string& path) {
+  bridge::ProcessLayout layout;
+  layout.program = "/proc/self/exe";
+  CLEW_RETURN_IF_ERROR(bridge::mcap::OutputFile::reserve(path, true));
+  return bridge::run_processes(run, layout, {{path, bridge::describe_run(run), 0.0}}, {}, {});
+}
+
+/// Runs as processes, recorded in passing: the judge looks at the samples afterwards.
+Result<bridge::RunReport> run_processes(const runtime::RunPlan& run, TrapJudge& judge) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / fmt::format("clew-bench-{}.mcap", ::getpid()))
+          .string();
+  auto report = run_processes(run, path);
+  if (report.ok()) {
+    const auto recording = bridge::RunRecording::open(path);
+    if (!recording.ok()) return recording.error();
+    CLEW_RETURN_IF_ERROR(bridge::copy_samples_before(*recording, UINT64_MAX, judge));
+  }
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  return report;
+}
+
 }  // namespace
 
 Result<runtime::RunPlan> WorldBench::prepare(const Variant& variant, std::uint64_t seed) const {
@@ -79,7 +117,10 @@ Result<std::optional<std::string>> WorldBench::run(const Variant& variant, std::
   if (!run.ok()) return run.error();
   const world::World& world = *run->setup.world;
   TrapJudge judge(traps(*run), run->setup.behaviour.robot.radius_m, detectors_of(run->graph));
-  const auto report = bridge::run_composed(*run, bridge::ComposedLayout{}, &judge, {});
+  const bool as_processes = needs_processes(run->graph);
+  const auto report = as_processes
+                          ? run_processes(*run, judge)
+                          : bridge::run_composed(*run, bridge::ComposedLayout{}, &judge, {});
   if (!report.ok()) return report.error();
   if (report->interrupted_by != 0) return std::optional<std::string>();
 
@@ -88,8 +129,10 @@ Result<std::optional<std::string>> WorldBench::run(const Variant& variant, std::
   line["variant"] = variant.text();
   line["world"] = world_.name;
   line["family"] = world_.family;
-  auto as_run =
-      ordered_json::parse(tools::report_json(*report, *run, {"composed", "inprocess", ""}));
+  const tools::RunFacts facts =
+      as_processes ? tools::RunFacts{"processes", bridge::ProcessLayout{}.middleware, ""}
+                   : tools::RunFacts{"composed", "inprocess", ""};
+  auto as_run = ordered_json::parse(tools::report_json(*report, *run, facts));
   // As the suite names them, which may be by a path.
   as_run["graph"] = line["graph"];
   as_run["world"] = line["world"];
@@ -109,6 +152,10 @@ Result<void> WorldBench::record(const Variant& variant, std::uint64_t seed,
                                 const std::string& path) {
   const auto run = prepare(variant, seed);
   if (!run.ok()) return run.error();
+  if (needs_processes(run->graph)) {
+    const auto report = run_processes(*run, path);
+    return report.ok() ? Result<void>() : Result<void>(report.error());
+  }
   auto recording = bridge::RecordingSink::create(*run, path, true);
   if (!recording.ok()) return recording.error();
   const auto report = bridge::run_composed(*run, bridge::ComposedLayout{}, recording->get(), {});

@@ -5,14 +5,20 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "clew/exit_status.hpp"
+#include "clew/foreign_programs.hpp"
+#include "clew/own_program.hpp"
 #include "clew/run_output.hpp"
 #include "recorder/recording_sink.hpp"
+#include "recording/output_file.hpp"
 #include "replay/black_box_past.hpp"
 #include "replay/branch.hpp"
 #include "replay/component_replay.hpp"
+#include "replay/process_past.hpp"
 #include "replay/recorded_plan.hpp"
+#include "supervisor/process_run.hpp"
 
 namespace clew::tools {
 namespace {
@@ -27,14 +33,55 @@ core::Error unfaithful_error(const bridge::RunRecording& recording,
           recording.path(), 0, 0};
 }
 
-/// The recording of a branch without a change is that of the run; else it says where it began.
+/// The recording of a branch without a change is that of the run; else it says where it began: with
+/// the state that `robot` gives.
+template <typename Robot>
 void settle_bundle(const bridge::RunRecording& recording, const runtime::RunPlan& recorded,
-                   const bridge::ComposedStart& start, runtime::RunPlan& plan) {
+                   std::uint64_t tick, const Robot& robot, runtime::RunPlan& plan) {
   if (plan.bundle == recorded.bundle) {
     plan.bundle = recording.description().bundle;
-  } else if (start.next_tick > 0) {
-    bridge::note_branch(recording.description().bundle, bridge::robot_of(start), plan);
+  } else if (tick > 0) {
+    bridge::note_branch(recording.description().bundle, robot(), plan);
   }
+}
+
+int print_report(const ReplayOptions& options, const bridge::RunReport& report,
+                 const runtime::RunPlan& plan, const char* layout, const char* middleware) {
+  if (!report.aborted.empty()) fmt::print(stderr, "clew: {}\n", report.aborted);
+  const RunFacts facts{layout, middleware, options.record, options.branch_tick};
+  fmt::print("{}\n", options.json ? report_json(report, plan, facts) : report_line(report, plan));
+  return exit_status(report);
+}
+
+/// With third-party components the branch goes on as processes.
+int branch_processes(const ReplayOptions& options, const bridge::RunRecording& recording,
+                     const runtime::RunPlan& recorded, runtime::RunPlan plan) {
+  const std::uint64_t tick = *options.branch_tick;
+  const auto programs = check_programs(plan.graph, {});
+  if (!programs.ok()) return complain(programs.error());
+  const auto start = bridge::branch_off_processes(recording, recorded, plan, tick);
+  if (!start.ok()) return complain(start.error());
+  settle_bundle(
+      recording, recorded, tick, [&] { return bridge::robot_of(*start, plan); }, plan);
+  std::optional<bridge::RecordingOrder> order;
+  if (!options.record.empty()) {
+    const auto reserved = bridge::mcap::OutputFile::reserve(options.record, options.force);
+    if (!reserved.ok()) return complain(reserved.error());
+    order = {options.record, bridge::describe_run(plan), 0.0};
+  }
+  bridge::ProcessLayout layout;
+  layout.program = own_program();
+  if (options.rate > 0.0) {
+    layout.pace = bridge::Pace::kScaled;
+    layout.pace_factor = options.rate;
+  }
+  auto report = bridge::run_processes(plan, layout, order, terminal_display(plan), *start);
+  clear_display();
+  if (!report.ok()) return complain(report.error());
+  if (report->recording && report->aborted.empty()) {
+    report->aborted = bridge::complaint(*report->recording);
+  }
+  return print_report(options, *report, plan, "processes", layout.middleware.c_str());
 }
 
 }  // namespace
@@ -48,10 +95,14 @@ int replay_branch(const ReplayOptions& options, const bridge::RunRecording& reco
   const auto unfaithful = bridge::find_unfaithful(recording, recorded, tick, options.component);
   if (!unfaithful.ok()) return complain(unfaithful.error());
   if (*unfaithful) return complain(unfaithful_error(recording, **unfaithful), kExitFailed);
+  if (bridge::has_third_party(changed)) {
+    return branch_processes(options, recording, recorded, changed);
+  }
   runtime::RunPlan plan = changed;
   auto start = bridge::branch_off(recording, recorded, plan, tick);
   if (!start.ok()) return complain(start.error());
-  settle_bundle(recording, recorded, *start, plan);
+  settle_bundle(
+      recording, recorded, tick, [&] { return bridge::robot_of(*start); }, plan);
   std::unique_ptr<bridge::RecordingSink> sink;
   if (!options.record.empty()) {
     bridge::RunDescription description = bridge::describe_run(plan);
@@ -78,10 +129,7 @@ int replay_branch(const ReplayOptions& options, const bridge::RunRecording& reco
     const std::string what = bridge::complaint(sink->close({}));
     if (report->aborted.empty()) report->aborted = what;
   }
-  if (!report->aborted.empty()) fmt::print(stderr, "clew: {}\n", report->aborted);
-  const RunFacts facts{"composed", "inprocess", options.record, tick};
-  fmt::print("{}\n", options.json ? report_json(*report, plan, facts) : report_line(*report, plan));
-  return exit_status(*report);
+  return print_report(options, *report, plan, "composed", "inprocess");
 }
 
 }  // namespace clew::tools

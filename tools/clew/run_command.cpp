@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <set>
-#include <sstream>
 
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/foreign_programs.hpp"
 #include "clew/own_program.hpp"
 #include "clew/resumed_run.hpp"
 #include "clew/run_options.hpp"
@@ -184,32 +182,6 @@ Result<void> check_options(const RunOptions& options) {
   return {};
 }
 
-bool is_program(const std::string& word) {
-  if (word.find('/') != std::string::npos) return ::access(word.c_str(), X_OK) == 0;
-  const char* const path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    if (::access((folder + '/' + word).c_str(), X_OK) == 0) return true;
-  }
-  return false;
-}
-
-/// Third-party programs must exist before anything starts.
-Result<void> check_programs(const runtime::Graph& graph, const std::vector<std::string>& external) {
-  for (const auto& stage : graph.stages) {
-    if (stage.deployment.exec.empty()) continue;
-    const bool is_external =
-        std::find(external.begin(), external.end(), stage.info->name) != external.end();
-    const std::string& program = stage.deployment.exec.front();
-    if (is_external || is_program(program)) continue;
-    return stage.place.error(
-        fmt::format("exec of {}: there is no program '{}' ({})", stage.info->name, program,
-                    program.find('/') == std::string::npos ? "looked for in PATH"
-                                                           : "a path from the working directory"));
-  }
-  return {};
-}
-
 /// A run and where it begins: with a graph, or with what was recorded of it.
 struct Job {
   runtime::RunPlan plan;
@@ -304,6 +276,8 @@ int run_command(const RunOptions& options) {
   if (!job.ok()) return complain(job.error());
   const auto layout = read_layout(options, job->plan.graph, *speed);
   if (!layout.ok()) return complain(layout.error());
+  const auto paced = check_pace(job->plan.graph, speed->pace);
+  if (!paced.ok()) return complain(paced.error());
   const auto programs = check_programs(job->plan.graph, options.external);
   if (!programs.ok()) return complain(programs.error());
   const auto claimed = claim_recording(options, *job);

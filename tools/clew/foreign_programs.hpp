@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run/pace.hpp"
+#include "runtime/graph.hpp"
+
+namespace clew::tools {
+
+/// Refused: a graph with a third-party program that is not there, unless a person starts it.
+core::Result<void> check_programs(const runtime::Graph& graph,
+                                  const std::vector<std::string>& external);
+
+/// Refused: a factor of simulated time with a drive that is on the wire itself, which keeps its own
+/// pace.
+core::Result<void> check_pace(const runtime::Graph& graph, bridge::Pace pace);
+
+}  // namespace clew::tools
