@@ -93,6 +93,16 @@ std::vector<std::string> names_in(const fs::path& directory) {
   return names;
 }
 
+/// What a user who gave a file's name meant, if there is such a file.
+std::string hint_at_file(const std::string& name) {
+  for (const std::string& file : {name, name + kExtension}) {
+    std::error_code code;
+    if (!fs::is_regular_file(file, code)) continue;
+    return "; '" + file + "' is a file here: a path has a slash or ends in .yaml";
+  }
+  return {};
+}
+
 bool is_path(const std::string& name) {
   return name.find('/') != std::string::npos || fs::path(name).extension() == kExtension;
 }
@@ -127,7 +137,8 @@ core::Result<core::Resource> ConfigPath::find(const std::string& folder,
     searched += (searched.empty() ? "" : ", ") + (fs::path(root) / folder).string();
   }
   const std::vector<std::string> known = names(folder);
-  const std::string where = " (in " + searched + "; CLEW_PATH adds directories)";
+  const std::string where =
+      " (in " + searched + "; CLEW_PATH adds directories)" + hint_at_file(name);
   if (known.size() <= kMostListed) {
     return core::Error{core::unknown_name(kind_of(folder), name, known) + where, {}, 0, 0};
   }

@@ -149,7 +149,7 @@ TEST(BenchPlan, WorldsAreNamedByPathsAndWildcards) {
   Suite suite = small_suite();
   const std::string worlds = tests::source_path("configs/worlds/");
   suite.worlds = {{"names", {"?-trap", "kk-fig0[78]*"}},
-                  {"paths", {worlds + "lm-fig08*", worlds + "u-trap.yaml"}}};
+                  {"paths", {worlds + "lm-fig08*", worlds + "double-u.yaml"}}};
 
   const auto planned = plan(suite);
 
@@ -164,8 +164,21 @@ TEST(BenchPlan, WorldsAreNamedByPathsAndWildcards) {
                                              worlds + "lm-fig08-clutter.yaml",
                                              worlds + "lm-fig08-u-100in.yaml",
                                              worlds + "lm-fig08-u-beyond-range.yaml",
-                                             worlds + "u-trap.yaml"};
+                                             worlds + "double-u.yaml"};
   EXPECT_EQ(names, expected);
+}
+
+TEST(BenchPlan, AWorldByTwoNamesIsRefused) {
+  Suite suite = small_suite();
+  const std::string path = tests::source_path("configs/worlds/u-trap.yaml");
+  suite.worlds = {{"names", {"u-trap"}}, {"paths", {path}}};
+
+  const auto planned = plan(suite);
+
+  ASSERT_FALSE(planned.ok());
+  EXPECT_NE(planned.error().text().find("'u-trap' and '" + path + "' are the same world"),
+            std::string::npos)
+      << planned.error().text();
 }
 
 TEST(BenchPlan, WhatDecidesTheResultsIsInTheConfiguration) {

@@ -51,6 +51,22 @@ class Graphs(BadInput):
     def test_unknown_graph_with_the_nearest(self):
         self.refused(Run(["run", "defualt"]), "unknown graph 'defualt'", "did you mean 'default'?")
 
+    def test_a_file_that_is_there_and_was_named_like_a_shipped_one_is_pointed_at(self):
+        with tempfile.TemporaryDirectory() as directory:
+            (pathlib.Path(directory) / "mine.yaml").write_text(GRAPH)
+            (pathlib.Path(directory) / "run.mcap").write_bytes(b"")
+
+            self.refused(Run(["run", "mine"], cwd=directory), "unknown graph 'mine'",
+                         "'mine.yaml' is a file here: a path has a slash or ends in .yaml")
+            self.refused(Run(["world", "check", "run.mcap"], cwd=directory),
+                         "'run.mcap' is a file here")
+
+    def test_a_file_of_another_kind_is_called_by_its_format(self):
+        self.refused(Run(["check", write_file(WORLD)]), "file.yaml:1:9: found a file of the format "
+                     "'clew-world/1', expected a graph, which has none")
+        self.refused(Run(["run", "reactive", "--robot", write_file(WORLD)]),
+                     "file.yaml:1:9: format is 'clew-world/1'; allowed: clew-robot/1")
+
     def test_a_directory_is_no_graph(self):
         self.refused(Run(["run", "./configs"], cwd=None), "cannot be read")
 
@@ -160,6 +176,13 @@ class Options(BadInput):
                 (["--no-such-option"], "--no-such-option")]:
             with self.subTest(arguments=arguments):
                 self.refused(Run(["run", "krishna_kalra", "--json", *arguments]), text)
+
+    def test_no_command_takes_a_file_without_a_name(self):
+        for command, option in (("replay none.mcap --branch 3", "--record"), ("bench smoke", "--out"),
+                                ("plot none.mcap", "--output"), ("train som", "--output"),
+                                ("train neuro-fuzzy", "--curves")):
+            with self.subTest(command):
+                self.refused(Run([*command.split(), option, ""]), "the name is empty")
 
     def test_what_is_no_number_passes_no_range(self):
         for command, option, allowed in (

@@ -184,8 +184,10 @@ class Bench(unittest.TestCase):
     def test_worlds_are_given_by_paths_and_wildcards(self):
         folder = self.out("my worlds")
         (folder / "inner").mkdir(parents=True)
-        for name in ("b.yaml", "a.yaml", "inner/c.yaml"):
-            (folder / name).write_text((SOURCE / "configs/worlds/open-field.yaml").read_text())
+        world = (SOURCE / "configs/worlds/open-field.yaml").read_text()
+        for number, name in enumerate(("b.yaml", "a.yaml", "inner/c.yaml")):
+            # One world by several names would be refused.
+            (folder / name).write_text(f"{world}# {number}\n")
         (folder / "notes.txt").write_text("no world")
 
         run, report = self.bench(

@@ -54,6 +54,19 @@ class Expert(unittest.TestCase):
                 self.assertIn(text, svg)
 
 
+    def test_training_that_ends_worse_than_it_began_says_so(self):
+        hasty = RECIPE.replace("iterations: 30000", "iterations: 50")
+        hasty = re.sub("learning_rates: {.*}", "learning_rates: {centres: 100000, widths: 100000, "
+                       "outputs: 1}", hasty)
+
+        trained = train("--recipe", write_file(hasty))
+
+        self.assertEqual(trained.status, 1)
+        self.assertRegex(trained.err, r"error over the test groups: 0\.092 m/s before training, "
+                         r"0\.1\d\d after")
+        self.assertIn("training made it worse", trained.err)
+
+
 class Recording(unittest.TestCase):
     def setUp(self):
         directory = tempfile.TemporaryDirectory()

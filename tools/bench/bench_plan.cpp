@@ -196,6 +196,20 @@ Result<void> check_variant(const Variant& variant, const std::vector<Variation>&
   return {};
 }
 
+/// One world by two names would be two samples.
+Result<void> check_is_another(const BenchPlan& plan, const BenchWorld& world,
+                              const std::string& content) {
+  for (const BenchWorld& other : plan.worlds) {
+    const auto noted = plan.configuration.find("world " + other.name);
+    const bool same = noted != plan.configuration.end() && noted->second == content;
+    if (!same || other.name == world.name) continue;
+    return Error{
+        fmt::format("'{}' and '{}' are the same world: once is allowed", other.name, world.name),
+        plan.suite, 0, 0};
+  }
+  return {};
+}
+
 Result<void> note_worlds(const Suite& suite, const runtime::ConfigPath& configs, BenchPlan& plan) {
   for (const BenchWorld& world : plan.worlds) {
     std::string& content = plan.configuration["world " + world.name];
@@ -207,6 +221,7 @@ Result<void> note_worlds(const Suite& suite, const runtime::ConfigPath& configs,
     const auto file = configs.find("worlds", world.name);
     if (!file.ok()) return file.error();
     content = core::hash128(file->text).hex();
+    CLEW_RETURN_IF_ERROR(check_is_another(plan, world, content));
   }
   return {};
 }

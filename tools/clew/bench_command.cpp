@@ -163,7 +163,8 @@ void add_bench(CLI::App& main, int& status) {
       ->check(number_between(1, 1024));
   app->add_option("--out", options->out,
                   "directory for results and report (out/bench/SUITE); results that are there are "
-                  "gone on from");
+                  "gone on from")
+      ->check(file_to_write());
   app->add_flag("--force", options->force, "drop existing results");
   app->add_flag("--json", options->json, "print one JSON object a run");
   app->add_option("--write-worlds", options->write_worlds,

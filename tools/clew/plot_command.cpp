@@ -70,7 +70,9 @@ void add_plot(CLI::App& main, int& status) {
   const auto options = std::make_shared<PlotOptions>();
   CLI::App* app = main.add_subcommand("plot", "Draw the path of one or more recordings");
   app->add_option("recording", options->recordings)->required();
-  app->add_option("-o,--output", options->output, "FILE.svg, FILE.png or FILE.pdf")->required();
+  app->add_option("-o,--output", options->output, "FILE.svg, FILE.png or FILE.pdf")
+      ->required()
+      ->check(file_to_write());
   app->add_option("--tick", options->tick,
                   "draw what the components show of this tick, from one recording")
       ->check(whole_number());

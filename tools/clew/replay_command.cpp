@@ -197,7 +197,8 @@ void add_replay(CLI::App& main, int& status) {
       ->check(number_between(bridge::Playback::kLowestRate, bridge::Playback::kHighestRate));
   app->add_option("--branch", options->branch_tick, "continue the run from this tick")
       ->check(whole_number());
-  app->add_option("--record", options->record, "write a recording of the branch (MCAP)");
+  app->add_option("--record", options->record, "write a recording of the branch (MCAP)")
+      ->check(file_to_write());
   app->add_flag("--force", options->force, "overwrite it");
   app->add_option("--max-ticks", options->overrides.max_ticks,
                   "time out the branch after this many ticks")

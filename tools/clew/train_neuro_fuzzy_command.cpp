@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "clew/command_line.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/train_commands.hpp"
 #include "files/whole_file.hpp"
@@ -117,8 +118,10 @@ void add_train_neuro_fuzzy(CLI::App& train, int& status) {
       ->capture_default_str();
   app->add_option("--recording", options->recording,
                   "learn from the commands of a run with infrared rangers, not from the expert");
-  app->add_option("-o,--output", options->output, "the file to write (stdout)");
-  app->add_option("--curves", options->curves, "write the learning curves to FILE.svg");
+  app->add_option("-o,--output", options->output, "the file to write (stdout)")
+      ->check(file_to_write());
+  app->add_option("--curves", options->curves, "write the learning curves to FILE.svg")
+      ->check(file_to_write());
   app->callback([options, &status] { status = train_neuro_fuzzy_command(*options); });
 }
 

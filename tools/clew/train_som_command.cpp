@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "clew/command_line.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/train_commands.hpp"
 #include "files/whole_file.hpp"
@@ -109,7 +110,8 @@ void add_train_som(CLI::App& train, int& status) {
   CLI::App* som = train.add_subcommand("som", "The landmark map of Krishna & Kalra 2000");
   som->add_option("--recipe", options->recipe, "worlds, scales, iterations and seed")
       ->capture_default_str();
-  som->add_option("-o,--output", options->output, "the file to write (stdout)");
+  som->add_option("-o,--output", options->output, "the file to write (stdout)")
+      ->check(file_to_write());
   som->callback([options, &status] { status = train_som_command(*options); });
 }
 
