@@ -33,4 +33,12 @@ RunLengths ClassSequence::lengths() const {
   return {state_.ended[0].length, state_.ended[1].length, state_.current.length};
 }
 
+bool ClassSequence::is_valid() const {
+  constexpr std::uint8_t kHighest = 8;
+  for (const Run& run : state_.ended) {
+    if (run.spatial_class > kHighest) return false;
+  }
+  return state_.current.spatial_class <= kHighest;
+}
+
 }  // namespace clew::classify

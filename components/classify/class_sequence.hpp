@@ -50,6 +50,9 @@ class ClassSequence {
   /// The run that lasts.
   const Run& current() const { return state_.current; }
 
+  /// Whether its state, which may come from a file, is one that a sequence can have.
+  bool is_valid() const;
+
   State& state() { return state_; }
   const State& state() const { return state_; }
 

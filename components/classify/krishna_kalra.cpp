@@ -89,7 +89,9 @@ void KrishnaKalra::save(core::StateWriter& writer) const {
 void KrishnaKalra::load(core::StateReader& reader) {
   const std::size_t categories = art_.state().categories.size();
   reader(sequence_.state(), presented_, art_.state());
+  reader.check(art_.state().categories.size() == categories, "there are as many categories");
   art_.state().categories.resize(categories);  // also after a reader that ran short
+  if (!reader.check(sequence_.is_valid(), "there is no such class")) sequence_.state() = {};
 }
 
 }  // namespace clew::classify

@@ -77,6 +77,8 @@ domain::Picture ControlComponent::picture() const {
 
 void ControlComponent::load(core::StateReader& reader) {
   reader(guard_.state(), approach_.state());
+  const auto side = guard_.state().turning_side;
+  if (!reader.check(-1 <= side && side <= 1, "there is no such side")) guard_.state() = {};
   controller_->load(reader);
 }
 

@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <deque>
@@ -107,11 +108,14 @@ class StateWriter {
   std::string bytes_;
 };
 
-/// Reads what a StateWriter wrote, in the same order. After any shortage or nonsense ok() is false
-/// and the fields keep valid, unspecified values.
+/// Reads what a StateWriter wrote, in the same order. States come from files, too, and so from
+/// strangers. After any shortage or nonsense ok() is false and the fields keep unspecified values
+/// of their types, which must not be used: numbers that are none and booleans beyond 0 and 1 are
+/// found here; what else a field may be (an index, an enumerator, a length) its owner asks with
+/// check().
 class StateReader {
  public:
-  explicit StateReader(std::string_view bytes) : bytes_(bytes) {}
+  explicit StateReader(std::string_view bytes) : bytes_(bytes), total_bytes_(bytes.size()) {}
 
   template <typename... Fields>
   void operator()(Fields&... fields) {
@@ -122,18 +126,45 @@ class StateReader {
   /// True if, besides, nothing is left over.
   bool complete() const { return ok_ && bytes_.empty(); }
 
+  /// Finds fault with what was read, unless `valid`: `why` says what is wrong. Returns ok().
+  bool check(bool valid, const char* why) {
+    if (ok_ && !valid) refuse(why);
+    return ok_;
+  }
+  /// What is wrong, and before which byte: `'escape' is no escape, byte 8 of 312`.
+  std::string fault() const {
+    const bool left_over = ok_ && !bytes_.empty();
+    return (left_over ? "it is too long" : why_) + ", byte " +
+           std::to_string(ok_ ? total_bytes_ - bytes_.size() : fault_at_) + " of " +
+           std::to_string(total_bytes_);
+  }
+
  private:
+  void refuse(const char* why) {
+    if (ok_) {
+      why_ = why;
+      fault_at_ = total_bytes_ - bytes_.size();
+    }
+    ok_ = false;
+  }
   template <typename T>
   void get(T& v) {
     if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
       if (bytes_.size() < sizeof(T)) {
-        ok_ = false;
+        refuse("it is too short");
         return;
       }
       if constexpr (std::is_same_v<T, bool>) {
+        if (static_cast<unsigned char>(bytes_[0]) > 1) refuse("a flag is neither 0 nor 1");
         v = bytes_[0] != 0;
       } else {
         std::memcpy(&v, bytes_.data(), sizeof(T));
+      }
+      if constexpr (std::is_floating_point_v<T>) {
+        if (std::isnan(v)) {
+          refuse("a number is NaN");
+          v = T{};
+        }
       }
       bytes_.remove_prefix(sizeof(T));
     } else {
@@ -145,7 +176,7 @@ class StateReader {
     std::uint64_t size = 0;
     get(size);
     if (size > bytes_.size()) {
-      ok_ = false;
+      refuse("a list is longer than what is left");
       return 0;
     }
     return static_cast<std::size_t>(size);
@@ -175,7 +206,7 @@ class StateReader {
   void get(BoundedVector<T, N>& v) {
     const std::size_t n = get_size();
     if (n > N) {
-      ok_ = false;
+      refuse("a list has more than its room");
       return;
     }
     v.resize(n);
@@ -229,7 +260,10 @@ class StateReader {
   }
 
   std::string_view bytes_;
+  std::size_t total_bytes_;
   bool ok_ = true;
+  std::string why_ = "it is too short";
+  std::size_t fault_at_ = 0;
 };
 
 }  // namespace clew::core

@@ -249,6 +249,7 @@ bool LocalPath::is_cut(const PathRequest& request) const {
 }
 
 const Vec2& LocalPath::next_corner(const core::Pose2& pose, double reach_m) {
+  CLEW_CHECK(!state_.corners_odom.empty(), "a path without corners");
   const auto last = static_cast<std::uint32_t>(state_.corners_odom.size() - 1);
   while (state_.next < last &&
          core::distance_m(pose, state_.corners_odom[state_.next]) <= reach_m) {
@@ -284,6 +285,11 @@ double LocalPath::rise_m(const Vec2& place, const Vec2& target) const {
 
 void LocalPath::save(core::StateWriter& writer) const { writer(state_); }
 
-void LocalPath::load(core::StateReader& reader) { reader(state_); }
+void LocalPath::load(core::StateReader& reader) {
+  reader(state_);
+  const bool valid =
+      state_.next <= state_.corners_odom.size() && state_.refused_odom.size() <= kMostRefused;
+  if (!reader.check(valid, "the path has no such corner")) state_ = {};
+}
 
 }  // namespace clew::map

@@ -13,17 +13,27 @@ std::uint64_t bits_between(std::int32_t first, std::int32_t last) {
   return up_to_last & (~std::uint64_t{0} << first);
 }
 
+/// The number of a tile, or of a place between two: beyond it numbers have no room. A place so far
+/// away comes from a file only.
+double within_reach(double tiles) {
+  constexpr double kFarthest = 1 << 30;
+  return std::clamp(tiles, -kFarthest, kFarthest);
+}
+
 std::size_t index(Mark mark) { return static_cast<std::size_t>(mark); }
 
 }  // namespace
 
 std::int32_t SeenMap::tile_number(double coordinate_m) const {
-  return static_cast<std::int32_t>(std::floor(coordinate_m / tile_m()));
+  return static_cast<std::int32_t>(std::floor(within_reach(coordinate_m / tile_m())));
 }
 
 SeenMap::Place SeenMap::place_of(const Vec2& point) const {
-  const auto column = static_cast<std::int64_t>(std::floor(point.x() / cell_m_));
-  const auto row = static_cast<std::int64_t>(std::floor(point.y() / cell_m_));
+  const double cells = kTileCells;
+  const auto column =
+      static_cast<std::int64_t>(std::floor(cells * within_reach(point.x() / cell_m_ / cells)));
+  const auto row =
+      static_cast<std::int64_t>(std::floor(cells * within_reach(point.y() / cell_m_ / cells)));
   const auto tile = [](std::int64_t cell) {
     return static_cast<std::int32_t>(
         std::floor(static_cast<double>(cell) / static_cast<double>(kTileCells)));

@@ -204,4 +204,12 @@ void NeuralMapPlanner::notice_astray(const Situation& situation) {
 
 void NeuralMapPlanner::save(core::StateWriter& writer) const { writer(state_); }
 
+void NeuralMapPlanner::load(core::StateReader& reader) {
+  reader(state_);
+  const bool on_path =
+      state_.path.empty() ? state_.subgoal == 0 : state_.subgoal < state_.path.size();
+  const bool valid = on_path && state_.room <= map::Clearance::kOpen;
+  if (!reader.check(valid, "the path has no such subgoal")) state_ = {};
+}
+
 }  // namespace clew::plan

@@ -53,7 +53,7 @@ class NeuralMapPlanner final : public Planner {
 
   Subgoal step(const Situation& situation) override;
   void save(core::StateWriter& writer) const override;
-  void load(core::StateReader& reader) override { reader(state_); }
+  void load(core::StateReader& reader) override;
 
  private:
   NeuralMapPlanner(const Parameters& parameters, map::NeuralMap landscape,

@@ -229,6 +229,12 @@ void RecoverComponent::save(core::StateWriter& writer) const {
 
 void RecoverComponent::load(core::StateReader& reader) {
   reader(state_);
+  const bool has_escape = state_.escape < parts_.escapes.size();
+  reader.check(has_escape || (state_.escape == 0 && !state_.escaping), "there is no such escape");
+  reader.check(state_.why.size() <= domain::kMaxTextLength &&
+                   state_.evidence.text.size() <= domain::kMaxTextLength,
+               "a text is too long");
+  if (!reader.ok()) state_ = {};
   if (parts_.local_map) parts_.local_map->load(reader);
   parts_.detector.behaviour->load(reader);
   for (auto& shadow : parts_.shadows) shadow.behaviour->load(reader);

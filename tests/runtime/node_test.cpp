@@ -149,8 +149,9 @@ TEST(Node, RefusesAStateThatIsNotItsOwn) {
     EXPECT_FALSE(node.load(bytes.substr(0, size)).ok()) << size;
   }
   // Eight counters and the two fields of a Summer: 80 bytes.
-  EXPECT_EQ(node.load(bytes + '\0').error().text(),
-            "the saved state of recover (81 bytes) is not one of this component");
+  EXPECT_EQ(
+      node.load(bytes + '\0').error().text(),
+      "the saved state of recover is not one of this component: it is too long, byte 80 of 81");
 }
 
 TEST(NodeDeathTest, ReadingOrWritingAnUndeclaredTopicAborts) {

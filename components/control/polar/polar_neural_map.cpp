@@ -181,7 +181,18 @@ void PolarNeuralMap::save(core::StateWriter& writer) const {
 }
 
 void PolarNeuralMap::load(core::StateReader& reader) {
+  const std::size_t scans = memory_.state().scans.size();
   reader(prediction_.state(), memory_.state());
+  const ScanMemory::State& memory = memory_.state();
+  reader.check(memory.scans.size() == scans && memory.newest < scans, "there is no such scan");
+  bool short_enough = true;
+  for (const ScanMemory::Kept& kept : memory.scans) {
+    short_enough = short_enough && kept.returns_robot.size() <= domain::kMaxRanges;
+  }
+  reader.check(short_enough, "a scan has more returns than beams");
+  if (reader.ok()) return;
+  memory_.state() = {};
+  memory_.state().scans.resize(scans);
 }
 
 }  // namespace clew::control

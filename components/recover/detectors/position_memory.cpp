@@ -48,8 +48,13 @@ std::uint64_t PositionMemory::key_at(const core::Vec2& position_odom) const {
 }
 
 std::array<std::int64_t, 2> PositionMemory::indices(const core::Vec2& position_odom) const {
-  return {static_cast<std::int64_t>(std::floor(position_odom.x() / grid_m_)),
-          static_cast<std::int64_t>(std::floor(position_odom.y() / grid_m_))};
+  // A place beyond comes from a file only.
+  constexpr double kFarthest = 1LL << 40;
+  const auto index = [&](double coordinate_m) {
+    return static_cast<std::int64_t>(
+        std::floor(std::clamp(coordinate_m / grid_m_, -kFarthest, kFarthest)));
+  };
+  return {index(position_odom.x()), index(position_odom.y())};
 }
 
 std::uint64_t PositionMemory::key_of(std::int64_t x, std::int64_t y) {
@@ -107,6 +112,9 @@ void PositionMemory::save(core::StateWriter& writer) const {
 void PositionMemory::load(core::StateReader& reader) {
   for (Generation& generation : generations_) {
     reader(generation.cells);
+    for (Cell& cell : generation.cells) {
+      if (!reader.check(cell.next < kVisitsPerCell, "a cell has no such visit")) cell.next = 0;
+    }
     std::size_t slots = kFirstSlots;
     while (slots < 2 * generation.cells.size()) slots *= 2;
     generation.slots.assign(slots, 0);

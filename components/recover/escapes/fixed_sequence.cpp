@@ -70,6 +70,9 @@ EscapeStatus FixedSequence::back_up(const Situation& situation, double elapsed_s
 
 void FixedSequence::save(core::StateWriter& writer) const { writer(state_); }
 
-void FixedSequence::load(core::StateReader& reader) { reader(state_); }
+void FixedSequence::load(core::StateReader& reader) {
+  reader(state_);
+  if (!reader.check(state_.action <= Action::kBackUp, "there is no such action")) state_ = {};
+}
 
 }  // namespace clew::recover

@@ -245,6 +245,9 @@ void ObstacleFollowing::save(core::StateWriter& writer) const {
 
 void ObstacleFollowing::load(core::StateReader& reader) {
   reader(state_, loop_.state(), leaving_.state());
+  const auto is_side = [](Side side) { return side == Side::kLeft || side == Side::kRight; };
+  const bool valid = state_.phase <= Phase::kFollow && is_side(state_.wall);
+  if (!reader.check(valid, "there is no such phase or side")) state_ = {};
 }
 
 }  // namespace clew::recover
