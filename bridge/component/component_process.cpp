@@ -8,14 +8,18 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
+#include <memory>
 #include <optional>
 
 #include "component/json_lines.hpp"
 #include "component/node_host.hpp"
 #include "component/start_barrier.hpp"
+#include "component/succession_worker.hpp"
 #include "line/heartbeat.hpp"
 #include "line/link.hpp"
 #include "run/limits.hpp"
@@ -32,7 +36,9 @@ using core::Result;
 // The run is over for this component when its supervisor says so, or is gone.
 class ComponentLoop {
  public:
-  ComponentLoop(Link& link, NodeHost& host) : link_(link), host_(host) {}
+  /// With `brings_to_rest` the robot is not left in motion when the supervisor is gone.
+  ComponentLoop(Link& link, NodeHost& host, SuccessionWorker& succession, bool brings_to_rest)
+      : link_(link), host_(host), succession_(succession), brings_to_rest_(brings_to_rest) {}
 
   /// Returns true after an orderly end.
   bool run() {
@@ -45,20 +51,34 @@ class ComponentLoop {
         next_flush_ = now + kFlushPeriod;
       }
       wait();
+      if (lost_) {
+        if (host_.has_come_to_rest() || now > rest_until_) return false;
+        continue;
+      }
       link_.flush();
-      if (!link_.receive()) return finished_;
+      if (!link_.receive()) {
+        if (!brings_to_rest_ || finished_) return finished_;
+        lose_supervisor(now);
+      }
       while (auto frame = link_.next()) handle(*frame);
     }
   }
 
  private:
+  void lose_supervisor(Clock::time_point now) {
+    lost_ = true;
+    rest_until_ = now + kRestTimeout;
+    host_.rest();
+    host_.allow_until(UINT64_MAX);  // nobody is waited for any more
+  }
+
   void wait() {
     auto until = next_flush_;
     if (const auto due = host_.next_due()) until = std::min(until, *due);
     const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(until - Clock::now());
     timespec timeout{0, std::max<std::int64_t>(left.count(), 0)};
     pollfd descriptor{link_.socket(), link_.poll_events(), 0};
-    ::ppoll(&descriptor, 1, &timeout, nullptr);
+    ::ppoll(&descriptor, lost_ ? 0 : 1, &timeout, nullptr);
   }
 
   void handle(const Frame& frame) {
@@ -66,6 +86,20 @@ class ComponentLoop {
     if (frame.type == FrameType::kCredit) {
       if (const auto credit = frame.as<Tick>()) host_.allow_until(credit->tick);
     }
+    if (frame.type == FrameType::kIntervention) {
+      if (auto change = frame.as<domain::Intervention>()) {
+        const std::uint64_t tick = change->tick;
+        succession_.take(*std::move(change));
+        link_.post(FrameType::kNoted, Tick{tick});
+      }
+    }
+    if (frame.type == FrameType::kHold) {
+      if (const auto from = frame.as<Tick>()) {
+        link_.post(FrameType::kHeld, Tick{host_.hold(from->tick)});
+      }
+    }
+    if (frame.type == FrameType::kRelease) host_.release(Clock::now());
+    if (frame.type == FrameType::kRest) host_.rest();
     if (frame.type == FrameType::kFinish) {
       if (const auto last = frame.as<Tick>()) finish_at_ = last->tick;
     }
@@ -81,6 +115,10 @@ class ComponentLoop {
 
   Link& link_;
   NodeHost& host_;
+  SuccessionWorker& succession_;
+  const bool brings_to_rest_;
+  bool lost_ = false;  ///< the supervisor
+  Clock::time_point rest_until_{};
   std::optional<std::uint64_t> finish_at_;
   bool finished_ = false;
   Clock::time_point next_flush_{};
@@ -113,8 +151,9 @@ Result<void> take_realtime_priority(int priority) {
 }
 
 struct Prepared {
-  runtime::Node node;
+  runtime::NodeSuccession node;
   runtime::RunPlan plan;
+  std::shared_ptr<const runtime::RunPlan> last;  ///< after all that is known to change
 };
 
 /// What a program's failure does to its relay: it says why and ends. Where another process may take
@@ -138,7 +177,46 @@ Result<Prepared> prepare(Link& link, const Assignment& assignment, const std::st
                   ? make_json_lines_node(*plan, *graph_stage, end_with_program(link, *graph_stage))
                   : runtime::make_node(*plan, *graph_stage);
   if (!node.ok()) return node.error();
-  return Prepared{std::move(node).value(), std::move(plan).value()};
+  auto plans = runtime::change_all(*plan, assignment.interventions, stages, stage);
+  if (!plans.ok()) return plans.error();
+  Prepared prepared{runtime::NodeSuccession(std::move(node).value()), std::move(plan).value(), {}};
+  runtime::add_successors(prepared.plan, assignment.interventions, *plans, prepared.node);
+  prepared.last =
+      plans->empty() ? std::make_shared<const runtime::RunPlan>(prepared.plan) : plans->back();
+  return prepared;
+}
+
+bool is_robot_stage(const runtime::RunPlan& plan, const std::string& stage) {
+  return plan.graph.find(stage)->ports.delayed_inputs.any();
+}
+
+/// The robot's process is told of its supervisor's death (SIGTERM) instead of dying with it. It
+/// then has a moment to bring the robot to rest; a process that hangs dies after that.
+void outlive_supervisor_for_a_moment() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { ::alarm(static_cast<unsigned>(kRestTimeout.count()) + 1); };
+  ::sigaction(SIGTERM, &action, nullptr);
+}
+
+std::function<void(std::string)> say(Link& link, FrameType type) {
+  return [&link, type](std::string text) { link.post(type, Text{std::move(text)}); };
+}
+
+NodeHost::Handlers handlers_for(Link& link) {
+  return {say(link, FrameType::kNotice),
+          say(link, FrameType::kFatal),
+          [&link](const Progress& progress) { link.post(FrameType::kProgress, progress); },
+          [&link](const Checkpoint& checkpoint) { link.post(FrameType::kCheckpoint, checkpoint); },
+          [&link](const std::string& spool) { link.post_bytes(FrameType::kSamples, spool); },
+          [&link](const TookOver& change) { link.post(FrameType::kTookOver, change); }};
+}
+
+/// Lets the host keep its inputs where the run says, as far as it can be reached from here.
+void keep_inputs(Link& link, const Assignment& assignment, NodeHost& host) {
+  if (assignment.input_history.empty()) return;
+  auto history = InputHistory::open(assignment.input_history);
+  if (history.ok()) return host.keep_inputs(std::move(history).value());
+  say(link, FrameType::kNotice)(history.error().text());
 }
 
 Result<bool> take_part(Link& link, const Assignment& assignment, const std::string& stage,
@@ -155,35 +233,35 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
   CLEW_RETURN_IF_ERROR(take_realtime_priority(assignment.realtime_priority));
   alive.emplace(still_preparing);
 
-  const auto say = [&link](FrameType type) {
-    return [&link, type](std::string text) { link.post(type, Text{std::move(text)}); };
-  };
   std::mutex reporting;  // the last report sent is the newest
   const auto report_missing = [&](const StartBarrier& barrier) {
     const std::lock_guard<std::mutex> lock(reporting);
     link.post(FrameType::kWaiting, Waiting{barrier.missing()});
   };
-  StartBarrier barrier(
-      stage, assignment.expected,
-      {[&] { report_missing(barrier); }, say(FrameType::kNotice), say(FrameType::kFatal)});
+  StartBarrier barrier(stage, assignment.expected,
+                       {[&] { report_missing(barrier); }, say(link, FrameType::kNotice),
+                        say(link, FrameType::kFatal)});
   const auto vendor = vendor_from_name(assignment.middleware);
   if (!vendor) return Error{"unknown middleware '" + assignment.middleware + "'", {}, 0, 0};
   auto participant =
       create_participant(*vendor, {assignment.domain, stage, assignment.lease_s}, barrier);
   if (!participant.ok()) return participant.error();
-  NodeHost host(
-      std::move(prepared->node), assignment, prepared->plan,
-      {say(FrameType::kNotice), say(FrameType::kFatal),
-       [&link](const Progress& progress) { link.post(FrameType::kProgress, progress); },
-       [&link](const Checkpoint& checkpoint) { link.post(FrameType::kCheckpoint, checkpoint); },
-       [&link](const std::string& spool) { link.post_bytes(FrameType::kSamples, spool); }});
+  NodeHost host(std::move(prepared->node), assignment, prepared->plan, handlers_for(link));
+  keep_inputs(link, assignment, host);
   if (assignment.checkpoint) CLEW_RETURN_IF_ERROR(host.restore(*assignment.checkpoint));
   CLEW_RETURN_IF_ERROR(host.open(**participant, barrier));
   if (assignment.checkpoint) host.repeat_last_outputs(*assignment.checkpoint);
   if (assignment.resumes) host.go(Clock::now());
-  alive.emplace([&] { link.post(FrameType::kAlive, Alive{host.is_stepping()}); });
+  SuccessionWorker succession(host, stage, prepared->last, stages, say(link, FrameType::kFatal));
+  alive.emplace(
+      [&] { link.post(FrameType::kAlive, Alive{host.is_stepping() || succession.is_busy()}); });
   report_missing(barrier);
-  return ComponentLoop(link, host).run();
+  const bool brings_to_rest =
+      assignment.pace == Pace::kRealtime && is_robot_stage(prepared->plan, stage);
+  if (brings_to_rest) outlive_supervisor_for_a_moment();
+  const bool orderly = ComponentLoop(link, host, succession, brings_to_rest).run();
+  alive.reset();  // it looks at the worker
+  return orderly;
 }
 
 // Says what it waits for if that takes more than a moment.

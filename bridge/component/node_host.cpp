@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "component/node_host.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "component/topic_input.hpp"
@@ -20,8 +21,8 @@ EndpointSpec spec_of(Topic topic, const std::string& user_data, int history_dept
 
 }  // namespace
 
-NodeHost::NodeHost(runtime::Node node, const Assignment& assignment, const runtime::RunPlan& plan,
-                   Handlers handlers)
+NodeHost::NodeHost(runtime::NodeSuccession node, const Assignment& assignment,
+                   const runtime::RunPlan& plan, Handlers handlers)
     : node_(std::move(node)),
       scan_layout_(plan.setup.behaviour.scan),
       user_data_(UserData{std::string(idl_fingerprint()), node_.name()}.to_text()),
@@ -78,13 +79,101 @@ std::unique_ptr<SampleListener> NodeHost::listener(const StartBarrier& barrier) 
 
 core::Result<void> NodeHost::restore(const Checkpoint& checkpoint) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  node_.skip_to(checkpoint.tick);
   CLEW_RETURN_IF_ERROR(node_.load(checkpoint.node));
+  CLEW_RETURN_IF_ERROR(node_.load_successors(checkpoint.successors));
+  CLEW_RETURN_IF_ERROR(feed_past(checkpoint));
   core::StateReader reader(checkpoint.account);
   reader(account_);
   if (!reader.complete()) return core::Error{"the checkpoint's account is not one", {}, 0, 0};
   buffer_.restart_at(checkpoint.tick);
   allowed_until_ = std::max(allowed_until_, checkpoint.tick + 1);
   return {};
+}
+
+// A successor that was announced after the checkpoint was saved is fed what the process before this
+// one has kept.
+core::Result<void> NodeHost::feed_past(const Checkpoint& checkpoint) {
+  domain::Messages messages;
+  return node_.feed_past(
+      checkpoint.tick, checkpoint.successors,
+      [&](runtime::Successor& successor) -> core::Result<void> {
+        for (std::uint64_t tick = successor.fed_from; tick < checkpoint.tick; ++tick) {
+          if (!history_) return core::Error{"no inputs are kept to feed a successor", {}, 0, 0};
+          const auto present = history_->get(tick, messages);
+          if (!present.ok()) return present.error();
+          runtime::NodeSuccession::feed(successor, tick, *present, messages);
+        }
+        return {};
+      });
+}
+
+void NodeHost::expect_successor(std::uint64_t tick) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  expected_.insert(tick);
+}
+
+void NodeHost::forget_successor(std::uint64_t tick) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = expected_.find(tick);
+  if (found != expected_.end()) expected_.erase(found);
+  run_ready(std::chrono::steady_clock::now());
+}
+
+core::Result<void> NodeHost::take_successor(runtime::Successor successor) {
+  const std::uint64_t planned = successor.tick;
+  std::uint64_t fed = successor.fed_from;
+  domain::Messages messages;
+  while (true) {
+    std::uint64_t end = 0;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      end = buffer_.next_tick();
+      if (successor.keeps_state || fed >= end) {
+        // In real time the node before it has gone on.
+        successor.tick = std::max(planned, buffer_.next_tick());
+        if (!node_.successors().empty()) {
+          successor.tick = std::max(successor.tick, node_.successors().back().tick);
+        }
+        node_.add(std::move(successor));
+        expected_.erase(expected_.find(planned));
+        run_ready(std::chrono::steady_clock::now());
+        return {};
+      }
+    }
+    for (; fed < end; ++fed) {
+      if (!history_) return core::Error{"no inputs are kept to feed a successor", {}, 0, 0};
+      const auto present = history_->get(fed, messages);
+      if (!present.ok()) return present.error();
+      runtime::NodeSuccession::feed(successor, fed, *present, messages);
+    }
+  }
+}
+
+std::uint64_t NodeHost::hold(std::uint64_t tick) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  held_at_ = std::max(tick, buffer_.next_tick());
+  if (!clock_.is_free()) clock_.start(std::chrono::steady_clock::now(), buffer_.next_tick());
+  run_ready(std::chrono::steady_clock::now());
+  return *held_at_;
+}
+
+void NodeHost::rest() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  rests_ = true;
+}
+
+bool NodeHost::has_come_to_rest() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto& truth = account_.statistics().truth;
+  return rests_ && truth && truth->at_rest();
+}
+
+void NodeHost::release(Time now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  held_at_.reset();
+  clock_.start(now, buffer_.next_tick());
+  run_ready(now);
 }
 
 void NodeHost::go(Time now) {
@@ -114,7 +203,7 @@ void NodeHost::poll(Time now) {
 
 std::optional<NodeHost::Time> NodeHost::next_due() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!started_ || !starts_ticks() || clock_.is_free()) return std::nullopt;
+  if (!started_ || !starts_ticks() || clock_.is_free() || held_at_) return std::nullopt;
   if (!clock_.is_realtime() && !buffer_.ready()) return std::nullopt;
   return clock_.due(buffer_.next_tick());
 }
@@ -145,6 +234,8 @@ void NodeHost::refuse(Topic topic, const core::Error& error) {
 
 bool NodeHost::may_step(Time now) const {
   if (stopped_) return false;
+  if (lockstep_ && !expected_.empty() && *expected_.begin() <= buffer_.next_tick()) return false;
+  if (held_at_ && buffer_.next_tick() >= *held_at_) return false;
   if (!starts_ticks()) return (started_ || !waits_for_go_) && buffer_.ready();
   if (!started_ || buffer_.next_tick() >= allowed_until_) return false;
   if (clock_.is_free()) return buffer_.ready();
@@ -158,16 +249,37 @@ void NodeHost::run_ready(Time now) {
 
 void NodeHost::step() {
   const std::uint64_t tick = buffer_.next_tick();
-  const runtime::TopicSet present = buffer_.take(messages_);
+  runtime::TopicSet present = buffer_.take(messages_);
+  if (rests_) present &= ~node_.ports().delayed_inputs;
+  note_successions(tick);
   stepping_ = true;
   node_.step(tick, present, messages_);
   stepping_ = false;
   publish();
+  keep_tick(tick, present);
   const auto& truth = account_.statistics().truth;
   const bool ended = truth && truth->outcome != domain::Outcome::kRunning;
   if (ended) stopped_ = true;
   if (ended || tick % kTicksPerReport == 0 || account_.spooled_bytes() >= kSpoolBytes) report();
   if (buffer_.next_tick() % kTicksPerCheckpoint == 0) save_checkpoint();
+}
+
+// Nobody waits for it; a history that cannot be written is given up.
+void NodeHost::keep_tick(std::uint64_t tick, const runtime::TopicSet& present) {
+  if (!history_) return;
+  const auto kept = history_->put(tick, present, messages_);
+  if (kept.ok()) return;
+  handlers_.on_notice(node_.name() + " keeps no inputs any more: " + kept.error().text());
+  history_.reset();
+}
+
+void NodeHost::note_successions(std::uint64_t tick) {
+  if (lockstep_ || !handlers_.on_took_over) return;
+  for (const runtime::Successor& successor : node_.successors()) {
+    if (successor.tick <= tick) {
+      handlers_.on_took_over({node_.name(), successor.planned, tick});
+    }
+  }
 }
 
 // What was written before is on its way to the recording first: a component that goes on from here
@@ -185,7 +297,8 @@ void NodeHost::save_checkpoint() {
           std::get<constant.kIndex>(codecs_).encode(std::get<constant.kIndex>(messages_));
     });
   }
-  handlers_.on_checkpoint({buffer_.next_tick(), state, account.take(), std::move(last_outputs)});
+  handlers_.on_checkpoint({buffer_.next_tick(), state, account.take(), std::move(last_outputs),
+                           node_.save_successors()});
 }
 
 void NodeHost::repeat_last_outputs(const Checkpoint& checkpoint) {

@@ -9,15 +9,19 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "component/input_history.hpp"
 #include "component/start_barrier.hpp"
 #include "dds/participant.hpp"
 #include "line/frames.hpp"
 #include "run/sample_account.hpp"
 #include "run/tick_clock.hpp"
 #include "runtime/input_buffer.hpp"
+#include "runtime/node_succession.hpp"
 #include "runtime/run_plan.hpp"
 
 namespace clew::bridge {
@@ -40,11 +44,13 @@ class NodeHost {
     std::function<void(const Checkpoint&)> on_checkpoint;
     /// Samples for the recording, as SampleAccount spools them.
     std::function<void(std::string)> on_spooled;
+    /// A successor has taken over.
+    std::function<void(const TookOver&)> on_took_over = nullptr;
   };
 
   /// Of the plan it needs the duration of a tick, and the arrangement of beams that scans must
   /// have.
-  NodeHost(runtime::Node node, const Assignment& assignment, const runtime::RunPlan& plan,
+  NodeHost(runtime::NodeSuccession node, const Assignment& assignment, const runtime::RunPlan& plan,
            Handlers handlers);
   ~NodeHost();
   NodeHost(const NodeHost&) = delete;
@@ -59,6 +65,24 @@ class NodeHost {
   void repeat_last_outputs(const Checkpoint& checkpoint);
   /// Lets the stage that starts ticks begin.
   void go(Time now);
+  /// Keeps the inputs of each tick there; before open().
+  void keep_inputs(InputHistory history) { history_.emplace(std::move(history)); }
+  /// Somebody will take the node's place at this tick: in lockstep it is not begun before
+  /// take_successor().
+  void expect_successor(std::uint64_t tick);
+  /// Feeds the successor what its stage has seen, and adds it. From any thread; the node steps on
+  /// meanwhile. An error: the inputs are not kept any more.
+  core::Result<void> take_successor(runtime::Successor successor);
+  /// Nobody takes the node's place at this tick: it stays as it is.
+  void forget_successor(std::uint64_t tick);
+  /// Starts no tick from the next one on, but not before `tick`; returns which.
+  std::uint64_t hold(std::uint64_t tick);
+  /// In real time: takes no delayed input any more, as if each were late. The robot comes to rest.
+  void rest();
+  /// Whether the robot stands still since rest().
+  bool has_come_to_rest() const;
+  /// Ends a hold.
+  void release(Time now);
   /// Ticks up to this one, not included, may start.
   void allow_until(std::uint64_t tick);
   /// Does what is due by the clock, and tries waiting writes again.
@@ -91,10 +115,13 @@ class NodeHost {
   void write(Output& output, runtime::Topic topic, std::string_view cdr);
   void report();
   void save_checkpoint();
+  void keep_tick(std::uint64_t tick, const runtime::TopicSet& present);
+  void note_successions(std::uint64_t tick);
+  core::Result<void> feed_past(const Checkpoint& checkpoint);
   bool starts_ticks() const { return node_.ports().delayed_inputs.any(); }
 
   mutable std::mutex mutex_;
-  runtime::Node node_;
+  runtime::NodeSuccession node_;
   domain::ScanLayout scan_layout_;
   const std::string user_data_;
   const int history_depth_;
@@ -109,8 +136,12 @@ class NodeHost {
   TickClock clock_;
   std::atomic<bool> stepping_{false};
   bool started_ = false;
+  bool rests_ = false;
   bool stopped_ = false;  ///< a write failed, or the run has its outcome
   std::uint64_t allowed_until_ = 0;
+  std::optional<std::uint64_t> held_at_;   ///< it starts no tick from this one on
+  std::multiset<std::uint64_t> expected_;  ///< ticks of successors that are still being made
+  std::optional<InputHistory> history_;
   std::uint64_t refused_samples_ = 0;
   std::array<Output, domain::kTopicCount> outputs_;
   std::vector<std::unique_ptr<SampleListener>> listeners_;

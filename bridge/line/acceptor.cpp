@@ -8,7 +8,7 @@
 namespace clew::bridge {
 
 std::vector<int> Acceptor::sockets() const {
-  std::vector<int> sockets = {lock_.socket()};
+  std::vector<int> sockets = listening_;
   for (const Newcomer& newcomer : newcomers_) sockets.push_back(newcomer.link->socket());
   return sockets;
 }
@@ -20,10 +20,12 @@ void Acceptor::add(std::unique_ptr<Link> link, Time now) {
 
 std::vector<Acceptor::Arrival> Acceptor::arrivals(Time now) {
   // No more at a time: who connects without end must not hold up the run.
-  for (std::size_t i = 0; i < kMostNewcomers; ++i) {
-    const auto socket = lock_.accept();
-    if (!socket) break;
-    add(std::make_unique<Link>(*socket, kMostHelloBytes), now);
+  for (const int listening : listening_) {
+    for (std::size_t i = 0; i < kMostNewcomers; ++i) {
+      const auto socket = LinkListener::accept(listening);
+      if (!socket) break;
+      add(std::make_unique<Link>(*socket, kMostHelloBytes), now);
+    }
   }
   std::vector<Arrival> arrived;
   for (Newcomer& newcomer : newcomers_) {

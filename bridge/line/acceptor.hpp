@@ -19,7 +19,9 @@ class Acceptor {
   using Time = std::chrono::steady_clock::time_point;
   using Arrival = std::pair<std::unique_ptr<Link>, Hello>;
 
-  explicit Acceptor(const DomainLock& lock) : lock_(lock) {}
+  explicit Acceptor(const DomainLock& lock) : Acceptor(std::vector<int>{lock.socket()}) {}
+  /// Takes what connects to any of these listening sockets, which stay others'.
+  explicit Acceptor(std::vector<int> listening) : listening_(std::move(listening)) {}
 
   /// What to poll: the listening socket, and those that have not spoken yet.
   std::vector<int> sockets() const;
@@ -34,7 +36,7 @@ class Acceptor {
     Time connected_at;
   };
 
-  const DomainLock& lock_;
+  std::vector<int> listening_;
   std::deque<Newcomer> newcomers_;  ///< the oldest first
 };
 

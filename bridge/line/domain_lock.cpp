@@ -4,6 +4,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -64,15 +66,25 @@ DomainLock::~DomainLock() {
   if (socket_ >= 0) ::close(socket_);
 }
 
-std::optional<int> DomainLock::accept() const {
-  // Who is turned away may come again at once: not for ever.
-  for (std::size_t i = 0; i < kMostNewcomers; ++i) {
-    const int connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
-    if (connection < 0) return std::nullopt;
-    if (is_trusted_peer(connection)) return connection;
-    ::close(connection);
+core::Result<RunName> RunName::take(const std::string& name) {
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
+  });
+  const bool number =
+      std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+  if (name.empty() || name.size() > kMostNameBytes || !plain || number) {
+    return core::Error{"found '" + name + "'; allowed: letters, digits, '-', '_' and '.', up to " +
+                           std::to_string(kMostNameBytes) + " of them, and not digits alone",
+                       "--name", 0, 0};
   }
-  return std::nullopt;
+  if (const auto socket = LinkListener::bind(name)) return RunName(*socket);
+  return core::Error{"another run is called '" + name + "'", "--name", 0, 0};
+}
+
+RunName::RunName(RunName&& other) noexcept : socket_(std::exchange(other.socket_, -1)) {}
+
+RunName::~RunName() {
+  if (socket_ >= 0) ::close(socket_);
 }
 
 }  // namespace clew::bridge

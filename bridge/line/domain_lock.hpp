@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <string>
 
 #include "core/result.hpp"
 
@@ -22,14 +24,31 @@ class DomainLock {
   int domain() const { return domain_; }
   /// A listening socket: its readiness to read means that a component connects.
   int socket() const { return socket_; }
-  /// The next connection of a process of our own user or of root, if there is one; others are
-  /// closed.
-  std::optional<int> accept() const;
 
  private:
   DomainLock(int domain, int socket) : domain_(domain), socket_(socket) {}
 
   int domain_;
+  int socket_;
+};
+
+/// A name by which a run is found while the object lives; its socket takes connections, too.
+class RunName {
+ public:
+  static constexpr std::size_t kMostNameBytes = 64;
+
+  /// Refused: a name that could be taken for something else, and one that another run has.
+  static core::Result<RunName> take(const std::string& name);
+
+  RunName(RunName&& other) noexcept;
+  RunName& operator=(RunName&&) = delete;
+  ~RunName();
+
+  int socket() const { return socket_; }
+
+ private:
+  explicit RunName(int socket) : socket_(socket) {}
+
   int socket_;
 };
 

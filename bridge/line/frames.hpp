@@ -7,10 +7,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/archive.hpp"
 #include "core/hash128.hpp"
+#include "domain/intervention.hpp"
 #include "run/limits.hpp"
 #include "run/pace.hpp"
 #include "run/run_statistics.hpp"
@@ -28,8 +30,11 @@ enum class FrameType : std::uint8_t {
   kSamples,  ///< what was written, for the recording
   kCheckpoint,
   kFinished,
-  kNotice,  ///< a line for the log
-  kFatal,   ///< the component cannot go on
+  kNotice,    ///< a line for the log
+  kFatal,     ///< the component cannot go on
+  kHeld,      ///< the tick before which it holds
+  kNoted,     ///< of an intervention, by its tick: it is known, and will hold
+  kTookOver,  ///< a successor has taken over
   // from the recorder
   kKept,      ///< how far the recorder is
   kRecorded,  ///< the recording has ended, and how it went
@@ -38,9 +43,16 @@ enum class FrameType : std::uint8_t {
   kGo,
   kCredit,
   kFinish,
+  kIntervention,  ///< what changes at a later tick
+  kHold,          ///< start no tick from this one on
+  kRelease,       ///< start ticks again
+  kRest,          ///< in real time: take no command any more, so that the robot comes to rest
   // to the recorder, besides kSamples
-  kRecord,       ///< what to record
-  kRecordingEnd  ///< all samples were sent; why the run was aborted, if it was
+  kRecord,        ///< what to record
+  kRecordingEnd,  ///< all samples were sent; why the run was aborted, if it was
+  // of somebody who commands the run, and to him
+  kCommand,
+  kAnswer
 };
 
 struct Hello {
@@ -66,6 +78,8 @@ struct Checkpoint {
   /// What it wrote last, by topic: of the tick before, which a delayed input of another component
   /// that goes back to the same tick still needs.
   std::map<std::string, std::string> last_outputs;
+  /// Of behaviours that are being fed: runtime::NodeSuccession::save_successors.
+  std::map<std::uint64_t, std::string> successors = {};
 };
 
 /// All that a component process needs to take its place in a run.
@@ -86,6 +100,35 @@ struct Assignment {
   bool waits_for_go = false;  ///< with its first step, as the stage that starts ticks always does
   bool resumes = false;  ///< the run is under way: go on from `checkpoint`, or else from tick 0
   std::optional<Checkpoint> checkpoint;
+  std::vector<domain::Intervention> interventions;  ///< that took effect, and that will
+  /// The file in which the process keeps the inputs of late, and finds those of the one before it;
+  /// empty: none.
+  std::string input_history;
+};
+
+/// What somebody wants of a run while it goes on.
+struct RunCommand {
+  enum class Kind : std::uint8_t { kChange, kPause, kStep, kResume, kStop };
+  Kind kind = Kind::kChange;
+  std::vector<std::string> changes;  ///< domain::Intervention::changes
+  std::optional<std::uint64_t> at;   ///< the tick; none: as soon as can be
+  std::uint64_t ticks = 1;           ///< with kStep
+};
+
+struct CommandAnswer {
+  bool done = false;
+  std::string text;        ///< why not, if it was not
+  std::uint64_t tick = 0;  ///< from which on it holds
+
+  static CommandAnswer refused(std::string why) { return {false, std::move(why), 0}; }
+  static CommandAnswer from(std::uint64_t tick) { return {true, {}, tick}; }
+};
+
+/// A successor has taken over, `late` if it was not ready at its tick.
+struct TookOver {
+  std::string stage;
+  std::uint64_t planned = 0;
+  std::uint64_t tick = 0;
 };
 
 struct Waiting {
@@ -132,13 +175,25 @@ void visit_fields(V& v, ExpectedEndpoint& m) {
 }
 template <typename V>
 void visit_fields(V& v, Checkpoint& m) {
-  v(m.tick, m.node, m.account, m.last_outputs);
+  v(m.tick, m.node, m.account, m.last_outputs, m.successors);
 }
 template <typename V>
 void visit_fields(V& v, Assignment& m) {
   v(m.run_id, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor,
     m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected, m.waits_for_go,
-    m.resumes, m.checkpoint);
+    m.resumes, m.checkpoint, m.interventions, m.input_history);
+}
+template <typename V>
+void visit_fields(V& v, RunCommand& m) {
+  v(m.kind, m.changes, m.at, m.ticks);
+}
+template <typename V>
+void visit_fields(V& v, CommandAnswer& m) {
+  v(m.done, m.text, m.tick);
+}
+template <typename V>
+void visit_fields(V& v, TookOver& m) {
+  v(m.stage, m.planned, m.tick);
 }
 template <typename V>
 void visit_fields(V& v, Waiting& m) {

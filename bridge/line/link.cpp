@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstring>
 #include <thread>
+#include <utility>
 
 #include "run/limits.hpp"
 
@@ -36,10 +37,13 @@ struct Address {
   socklen_t size = 0;
 };
 
-Address address_of(int domain) {
+std::string line_of(int domain) { return "clew.domain." + std::to_string(domain); }
+std::string line_of(const std::string& name) { return "clew.run." + name; }
+
+Address address_of(const std::string& text) {
   Address address;
   address.name.sun_family = AF_UNIX;
-  const std::string text = "clew.domain." + std::to_string(domain);
+  CLEW_CHECK(text.size() + 1 < sizeof address.name.sun_path, text);
   std::memcpy(address.name.sun_path + 1, text.data(), text.size());
   address.size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + text.size());
   return address;
@@ -56,32 +60,50 @@ bool poll_until(pollfd& descriptor, Link::Time deadline) {
   return left.count() > 0 && ::poll(&descriptor, 1, static_cast<int>(left.count())) != 0;
 }
 
-}  // namespace
+std::optional<int> listen_at(const std::string& line) {
+  const Address address = address_of(line);
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (socket < 0) return std::nullopt;
+  if (::bind(socket, generic(address), address.size) != 0 || ::listen(socket, 64) != 0) {
+    ::close(socket);
+    return std::nullopt;
+  }
+  return socket;
+}
 
-Link::~Link() { ::close(socket_); }
+core::Error refused(std::string why) { return {std::move(why), {}, 0, 0}; }
 
-core::Result<int> Link::connect(int domain, std::chrono::steady_clock::time_point deadline) {
-  const Address address = address_of(domain);
+/// Connects, trying until `deadline`; `what` is held by the run: `domain 3`.
+core::Result<int> connect_to(const Address& address, const std::string& what, Link::Time deadline,
+                             const std::string& nobody) {
   while (true) {
     const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
     if (socket < 0) return core::Error{std::strerror(errno), "supervisor's socket", 0, 0};
     if (::connect(socket, generic(address), address.size) == 0) {
       if (is_trusted_peer(socket)) return socket;
       ::close(socket);
-      return core::Error{
-          "domain " + std::to_string(domain) + " is held by a run of another user", {}, 0, 0};
+      return refused(what + " is held by a run of another user");
     }
     ::close(socket);
-    if (std::chrono::steady_clock::now() >= deadline) {
-      return core::Error{"no run holds domain " + std::to_string(domain) +
-                             "; start one with 'clew run ... --domain " + std::to_string(domain) +
-                             " --external STAGE'",
-                         {},
-                         0,
-                         0};
-    }
+    if (std::chrono::steady_clock::now() >= deadline) return refused(nobody);
     std::this_thread::sleep_for(kConnectPeriod);
   }
+}
+
+}  // namespace
+
+Link::~Link() { ::close(socket_); }
+
+core::Result<int> Link::connect(int domain, Time deadline) {
+  const std::string number = std::to_string(domain);
+  return connect_to(address_of(line_of(domain)), "domain " + number, deadline,
+                    "no run holds domain " + number + "; start one with 'clew run ... --domain " +
+                        number + " --external STAGE'");
+}
+
+core::Result<int> Link::connect(const std::string& name, Time deadline) {
+  return connect_to(address_of(line_of(name)), "the name '" + name + "'", deadline,
+                    "no run is called '" + name + "'");
 }
 
 std::size_t Link::frame_bytes(std::string_view payload) { return kHeaderBytes + payload.size(); }
@@ -198,15 +220,18 @@ core::Result<Frame> Link::wait_for_frame(Time deadline) {
   }
 }
 
-std::optional<int> LinkListener::bind(int domain) {
-  const Address address = address_of(domain);
-  const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  if (socket < 0) return std::nullopt;
-  if (::bind(socket, generic(address), address.size) != 0 || ::listen(socket, 64) != 0) {
-    ::close(socket);
-    return std::nullopt;
+std::optional<int> LinkListener::bind(int domain) { return listen_at(line_of(domain)); }
+std::optional<int> LinkListener::bind(const std::string& name) { return listen_at(line_of(name)); }
+
+std::optional<int> LinkListener::accept(int socket) {
+  // Who is turned away may come again at once: not for ever.
+  for (std::size_t i = 0; i < kMostNewcomers; ++i) {
+    const int connection = ::accept4(socket, nullptr, nullptr, SOCK_CLOEXEC);
+    if (connection < 0) return std::nullopt;
+    if (is_trusted_peer(connection)) return connection;
+    ::close(connection);
   }
-  return socket;
+  return std::nullopt;
 }
 
 bool may_take_part(std::uint32_t peer_user, std::uint32_t own_user) {

@@ -36,6 +36,8 @@ class Link {
   /// Connects to the supervisor of `domain`, trying until `deadline`. Refused: one that another
   /// user runs.
   static core::Result<int> connect(int domain, Time deadline);
+  /// The same of the run that is called `name`.
+  static core::Result<int> connect(const std::string& name, Time deadline);
 
   int socket() const { return socket_; }
   /// Once the other end has said who it is, it may send more.
@@ -91,6 +93,11 @@ class LinkListener {
  public:
   /// Binds the line of `domain`; none if another run holds it.
   static std::optional<int> bind(int domain);
+  /// Binds the line of the run that is called `name`; none if another run is called so.
+  static std::optional<int> bind(const std::string& name);
+  /// The next connection of a process of our own user or of root, if there is one; others are
+  /// closed.
+  static std::optional<int> accept(int socket);
 };
 
 /// Whether the process at the other end of a connected socket belongs to our own user, or to root:

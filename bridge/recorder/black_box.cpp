@@ -84,6 +84,11 @@ void BlackBox::add_state(const SpooledState& state) {
   if (!file_) states_[state.tick][std::string(state.stage)] = state.state;
 }
 
+void BlackBox::add_intervention(const domain::Intervention& intervention) {
+  if (file_) return file_->add_intervention(intervention);
+  interventions_.push_back(intervention);
+}
+
 void BlackBox::watch(const SampleView& sample) {
   if (sample.topic == Topic::kEvent) watch_event(sample);
   if (sample.topic == Topic::kState) watch_state(sample);
@@ -146,6 +151,7 @@ Result<void> BlackBox::write(std::uint64_t tick, const std::string& why) {
   auto file = RecordingSink::go_on(order);
   if (!file) return file.error();
   file_ = std::move(file).value();
+  for (const domain::Intervention& known : interventions_) file_->add_intervention(known);
   for (const Sample& held : held_) {
     if (held.tick + 1 < first) continue;
     CLEW_RETURN_IF_ERROR(file_->add(held.view()));

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "recorder/recording_sink.hpp"
 #include "runtime/component.hpp"
@@ -30,6 +31,7 @@ class BlackBox : public RunSink {
   core::Result<void> add(const SampleView& sample) override;
   bool wants_states() const override { return !file_; }
   void add_state(const SpooledState& state) override;
+  void add_intervention(const domain::Intervention& intervention) override;
   core::Result<void> write_ahead() override;
   /// Before it writes: what is kept may be forgotten when it can no longer get into the file.
   Kept kept() const override;
@@ -62,6 +64,7 @@ class BlackBox : public RunSink {
   std::uint64_t settled_ticks_ = 0;  ///< below this one every topic has delivered
   std::deque<Sample> held_;          ///< in the order of arrival
   std::map<std::uint64_t, std::map<std::string, std::string>> states_;  ///< by tick and stage
+  std::vector<domain::Intervention> interventions_;
   std::optional<Happening> next_;  ///< the earliest that has not settled
   std::optional<std::pair<std::uint32_t, std::uint32_t>> contacts_;  ///< made, and suffered
   Codec<domain::Event> event_codec_;

@@ -56,7 +56,10 @@ class Recorder {
         for_each_spooled(spool, {[this](const SampleView& sample) {
                                    if (failure_.empty()) note(sink_.add(sample));
                                  },
-                                 [this](const SpooledState& state) { sink_.add_state(state); }});
+                                 [this](const SpooledState& state) { sink_.add_state(state); },
+                                 [this](const domain::Intervention& intervention) {
+                                   sink_.add_intervention(intervention);
+                                 }});
     if (!whole && failure_.empty()) failure_ = "a component sent a damaged spool";
   }
 

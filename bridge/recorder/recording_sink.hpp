@@ -19,11 +19,13 @@ struct RecordingOrder {
   RunDescription description;
   /// Above 0: a black box, which keeps so much simulated time and writes when something happens.
   double keep_last_s = 0.0;
+  /// Whether a file of the final name may be overwritten.
+  bool overwrite = true;
 };
 
 template <typename V>
 void visit_fields(V& v, RecordingOrder& o) {
-  v(o.path, o.description, o.keep_last_s);
+  v(o.path, o.description, o.keep_last_s, o.overwrite);
 }
 
 /// What the recording of a run of this plan says of it.
@@ -66,6 +68,9 @@ class RecordingSink : public RunSink {
 
   core::Result<void> add(const SampleView& sample) override {
     return recorder_.add(sample.topic, sample.tick, sample.sequence, sample.cdr);
+  }
+  void add_intervention(const domain::Intervention& intervention) override {
+    recorder_.add_intervention(intervention);
   }
   core::Result<void> write_ahead() override { return recorder_.write_ahead(); }
   Kept kept() const override { return {recorder_.durable_ticks(), recorder_.durable_ticks()}; }

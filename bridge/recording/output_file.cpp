@@ -181,6 +181,7 @@ core::Result<void> OutputFile::demand(std::string_view bytes) {
 }
 
 core::Result<void> OutputFile::write_at_end(std::string_view bytes) {
+  CLEW_RETURN_IF_ERROR(check_still_there());
   std::uint64_t at = position_;
   while (!bytes.empty()) {
     const ssize_t written =
@@ -198,8 +199,13 @@ core::Result<void> OutputFile::write_at_end(std::string_view bytes) {
 // Writing to a file without a name succeeds, and is lost.
 core::Result<void> OutputFile::check_still_there() {
   struct stat status {};
-  if (is_device_ || (::fstat(descriptor_, &status) == 0 && status.st_nlink > 0)) return {};
-  state_ = error_at(written_path_, "was removed while it was written");
+  if (is_device_) return {};
+  const bool known = ::fstat(descriptor_, &status) == 0;
+  const bool whole = known && static_cast<std::uint64_t>(status.st_size) >= position_;
+  if (whole && status.st_nlink > 0) return {};
+  state_ = error_at(written_path_, known && status.st_nlink > 0
+                                       ? "was cut by somebody else while it was written"
+                                       : "was removed while it was written");
   close();
   return state_;
 }
@@ -220,9 +226,21 @@ core::Result<void> OutputFile::publish() {
   return state_ = give_name(path_);
 }
 
-core::Result<void> OutputFile::give_name(const std::string& path) {
+core::Result<void> OutputFile::give_name(const std::string& path, bool overwrite) {
   const std::string written_path = temporary_name(path);
-  if (written_path == path || std::rename(written_path.c_str(), path.c_str()) == 0) return {};
+  if (written_path == path) return {};
+  const unsigned flags = overwrite ? 0U : RENAME_NOREPLACE;
+  if (::renameat2(AT_FDCWD, written_path.c_str(), AT_FDCWD, path.c_str(), flags) == 0) return {};
+  // Not every file system can tell and rename at once.
+  if (errno == EINVAL && kind_of(path) == PathKind::kMissing &&
+      std::rename(written_path.c_str(), path.c_str()) == 0) {
+    return {};
+  }
+  if (errno == EEXIST || errno == EINVAL) {
+    return error_at(
+        path, "has appeared while the run went on, and is not overwritten; the recording is " +
+                  written_path);
+  }
   return error_at(written_path, "cannot be renamed to " + path + ": " + std::strerror(errno));
 }
 

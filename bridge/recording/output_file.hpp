@@ -42,8 +42,9 @@ class OutputFile {
   /// seal(), and gives the file its name. Survives the death of the process, not a power cut: the
   /// disk is not waited for.
   core::Result<void> publish();
-  /// Gives a sealed file its name.
-  static core::Result<void> give_name(const std::string& path);
+  /// Gives a sealed file its name. Without `overwrite`, refused if a file of that name has
+  /// appeared.
+  static core::Result<void> give_name(const std::string& path, bool overwrite = true);
 
   /// Takes back a reserve(): nothing stays under the temporary name. A device stays.
   static void discard(const std::string& path);

@@ -6,11 +6,14 @@
 #include <string_view>
 #include <system_error>
 
+#include "recording/recorded_intervention.hpp"
+
 namespace clew::bridge {
 namespace {
 
 constexpr std::string_view kFormat = "clew-recording/1";
 constexpr std::string_view kVersionPrefix = "version.";
+constexpr std::string_view kPlannedPrefix = "planned.";
 constexpr const char* kDigestKey = "digest";
 
 /// The shortest digits that read back as the same number.
@@ -92,6 +95,12 @@ mcap::Metadata to_metadata(const RunDescription& description) {
     metadata.entries["black_box_tick"] = std::to_string(box->tick);
     metadata.entries["black_box_why"] = box->why;
   }
+  for (std::size_t i = 0; i < description.planned.size(); ++i) {
+    // Five digits, so that the order of the keys is theirs.
+    const std::string number = std::to_string(100000 + i).substr(1);
+    metadata.entries[std::string(kPlannedPrefix) + number] =
+        to_planned_json(description.planned[i]);
+  }
   for (const auto& [name, version] : description.versions) {
     metadata.entries[std::string(kVersionPrefix) + name] = version;
   }
@@ -136,6 +145,11 @@ core::Result<RunDescription> description_from_metadata(const mcap::Metadata& met
   for (const auto& [key, value] : metadata.entries) {
     if (key.compare(0, kVersionPrefix.size(), kVersionPrefix) == 0) {
       description.versions[key.substr(kVersionPrefix.size())] = value;
+    }
+    if (key.compare(0, kPlannedPrefix.size(), kPlannedPrefix) == 0) {
+      auto planned = planned_from_json(value);
+      if (!planned) return refused(metadata, "has no intervention '" + key + "'");
+      description.planned.push_back(*std::move(planned));
     }
   }
   return description;

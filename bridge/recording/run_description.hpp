@@ -5,9 +5,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/hash128.hpp"
 #include "core/result.hpp"
+#include "domain/intervention.hpp"
 #include "domain/topics.hpp"
 #include "recording/compression.hpp"
 #include "recording/mcap_records.hpp"
@@ -42,12 +44,15 @@ struct RunDescription {
   mcap::Compression compression = mcap::Compression::kNone;
   /// Only of what a black box wrote.
   std::optional<BlackBoxStart> black_box;
+  /// What was to be changed at set ticks, whether the run got there or not; with files that are in
+  /// the bundle.
+  std::vector<domain::Intervention> planned;
 };
 
 template <typename V>
 void visit_fields(V& v, RunDescription& d) {
   v(d.tick_s, d.seed, d.versions, d.idl_fingerprint, d.bundle, d.schemas, d.compression,
-    d.black_box);
+    d.black_box, d.planned);
 }
 
 /// How a recording ended: written by its recorder after the last sample.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "recording/recorded_intervention.hpp"
 #include "recording/run_hash.hpp"
 #include "recording/run_recording.hpp"
 
@@ -37,6 +38,15 @@ core::Result<RunRecorder> RunRecorder::create(const std::string& path,
   auto file = mcap::OutputFile::create(path, overwrite);
   if (!file) return file.error();
   return start(std::move(file).value(), description);
+}
+
+core::Result<void> RunRecorder::describe(const std::string& path,
+                                         const RunDescription& description) {
+  auto file = mcap::OutputFile::go_on(path);
+  if (!file) return file.error();
+  const auto begun = start(std::move(file).value(), description);
+  if (!begun) return begun.error();
+  return {};
 }
 
 core::Result<RunRecorder> RunRecorder::go_on(const std::string& path,
@@ -91,6 +101,7 @@ core::Result<RunRecorder> RunRecorder::start(mcap::OutputFile file,
 core::Result<void> RunRecorder::keep(const std::string& file) {
   const auto recording = RunRecording::open(file);
   if (!recording) return recording.error();
+  for (const domain::Intervention& found : recording->interventions()) add_intervention(found);
   SampleStream stream = recording->samples();
   for (;;) {
     const auto sample = stream.next();
@@ -164,6 +175,7 @@ core::Result<void> RunRecorder::write_tick(bool topics_may_end) {
   for (const RecordedTopic& topic : topics_) {
     if (!topic.waiting.empty()) tick = std::min(tick, topic.waiting.front().tick);
   }
+  CLEW_RETURN_IF_ERROR(write_interventions(tick));
   const std::uint64_t first = next_tick_.value_or(tick);
   std::size_t written = 0;
   for (RecordedTopic& topic : topics_) {
@@ -177,6 +189,42 @@ core::Result<void> RunRecorder::write_tick(bool topics_may_end) {
   }
   next_tick_ = tick + 1;
   if (written == topics_.size()) complete_ticks_ = tick + 1;
+  return {};
+}
+
+void RunRecorder::add_intervention(const domain::Intervention& intervention) {
+  const std::string text = to_planned_json(intervention);
+  for (const domain::Intervention& known : interventions_) {
+    if (to_planned_json(known) == text) return;
+  }
+  const auto later = std::upper_bound(
+      interventions_.begin() + static_cast<std::ptrdiff_t>(interventions_written_),
+      interventions_.end(), intervention.tick,
+      [](std::uint64_t tick, const domain::Intervention& other) { return tick < other.tick; });
+  interventions_.insert(later, intervention);
+}
+
+core::Result<void> RunRecorder::write_interventions(std::uint64_t tick) {
+  for (; interventions_written_ < interventions_.size(); ++interventions_written_) {
+    const domain::Intervention& intervention = interventions_[interventions_written_];
+    if (intervention.tick > tick) break;
+    for (const auto& [name, text] : intervention.files) {
+      CLEW_RETURN_IF_ERROR(writer_.write(mcap::Attachment{
+          0, 0, std::string(kInterventionFiles) + std::to_string(intervention.tick) + '/' + name,
+          "application/octet-stream", text}));
+    }
+    if (!intervention_channel_) {
+      intervention_channel_ = writer_.add_channel(0, kInterventionChannel, "json");
+    }
+    const std::string json = to_json(intervention);
+    mcap::Message message;
+    message.channel_id = *intervention_channel_;
+    message.sequence = static_cast<std::uint32_t>(interventions_written_);
+    message.log_time_ns = tick_to_ns(intervention.tick, tick_s_);
+    message.publish_time_ns = message.log_time_ns;
+    message.data = json;
+    CLEW_RETURN_IF_ERROR(writer_.write(message));
+  }
   return {};
 }
 

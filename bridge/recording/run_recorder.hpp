@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -29,6 +30,10 @@ class RunRecorder {
   static core::Result<RunRecorder> create(const std::string& path,
                                           const RunDescription& description, bool overwrite);
 
+  /// Writes what a recording begins with into the file that is reserved for `path`: from here on
+  /// the run can be gone on with, whatever dies.
+  static core::Result<void> describe(const std::string& path, const RunDescription& description);
+
   /// Goes on with the file that stands under the temporary name of `path`, reserved only or left by
   /// a recorder of the same run that was cut off: keeps its whole chunks and replaces what follows.
   /// Refused: a file whose whole chunks hold fewer than `least_ticks` ticks, and one that is not of
@@ -46,6 +51,10 @@ class RunRecorder {
   /// topic that the description does not have, and what the file refuses.
   core::Result<void> add(domain::Topic topic, std::uint64_t tick, std::uint64_t sequence,
                          std::string_view cdr);
+
+  /// Takes what somebody changed in the run; it is written before the samples of its tick. One that
+  /// it has already is passed over.
+  void add_intervention(const domain::Intervention& intervention);
 
   /// Ticks below this one have a sample of every topic, but for those that are lost.
   std::uint64_t complete_ticks() const { return complete_ticks_; }
@@ -90,6 +99,7 @@ class RunRecorder {
   bool any_topic_waits() const;
   core::Result<void> write_tick(bool topics_may_end = false);
   core::Result<void> write_front(RecordedTopic& topic);
+  core::Result<void> write_interventions(std::uint64_t tick);
   core::Result<void> write_ending(const std::string& aborted);
 
   mcap::McapWriter writer_;
@@ -100,6 +110,9 @@ class RunRecorder {
   std::uint64_t complete_ticks_ = 0;
   std::uint64_t durable_ticks_ = 0;
   SampleLosses losses_;
+  std::vector<domain::Intervention> interventions_;  ///< in the order of their ticks
+  std::size_t interventions_written_ = 0;
+  std::optional<std::uint16_t> intervention_channel_;
 };
 
 }  // namespace clew::bridge

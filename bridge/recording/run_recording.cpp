@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recording/run_recording.hpp"
 
+#include "recording/recorded_intervention.hpp"
 #include "recording/run_hash.hpp"
 
 namespace clew::bridge {
@@ -39,6 +40,7 @@ core::Result<RunRecording> RunRecording::open(const std::string& path) {
   CLEW_RETURN_IF_ERROR(recording.read_description());
   CLEW_RETURN_IF_ERROR(recording.read_attachments());
   CLEW_RETURN_IF_ERROR(recording.read_topics());
+  CLEW_RETURN_IF_ERROR(recording.read_interventions());
   return recording;
 }
 
@@ -74,7 +76,10 @@ core::Result<void> RunRecording::read_attachments() {
     const auto attachment = reader_.attachment(place, buffer);
     if (!attachment) return attachment.error();
     const bool is_state = attachment->name.compare(0, kState.size(), kState) == 0;
-    if (is_state && description_.black_box) {
+    if (attachment->name.compare(0, kInterventionFiles.size(), kInterventionFiles) == 0) {
+      intervention_files_[attachment->name.substr(kInterventionFiles.size())] =
+          std::string(attachment->data);
+    } else if (is_state && description_.black_box) {
       description_.black_box->states[attachment->name.substr(kState.size())] =
           std::string(attachment->data);
     } else {
@@ -82,6 +87,34 @@ core::Result<void> RunRecording::read_attachments() {
     }
   }
   return {};
+}
+
+core::Result<void> RunRecording::read_interventions() {
+  mcap::MessageFilter filter;
+  filter.channels.emplace();
+  for (const auto& [id, channel] : reader_.channels()) {
+    if (channel.topic == kInterventionChannel) filter.channels->insert(id);
+  }
+  if (filter.channels->empty()) return {};
+  mcap::MessageStream messages = reader_.messages(mcap::Order::kFile, filter);
+  for (;;) {
+    const auto message = messages.next();
+    if (!message) return message.error();
+    if (!*message) return {};
+    const std::uint64_t tick = ns_to_tick((*message)->log_time_ns, description_.tick_s);
+    auto found = intervention_from_json(tick, (*message)->data);
+    const bool in_order = interventions_.empty() || interventions_.back().tick <= tick;
+    if (!found || !in_order) {
+      return error("its intervention at tick " + std::to_string(tick) + " is not one");
+    }
+    const std::string prefix = std::to_string(tick) + '/';
+    for (const auto& [name, text] : intervention_files_) {
+      if (name.compare(0, prefix.size(), prefix) == 0) {
+        found->files[name.substr(prefix.size())] = text;
+      }
+    }
+    interventions_.push_back(*std::move(found));
+  }
 }
 
 core::Result<void> RunRecording::read_topics() {

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/hash128.hpp"
 #include "core/result.hpp"
@@ -64,6 +65,8 @@ class RunRecording {
 
   const std::string& path() const { return path_; }
   const RunDescription& description() const { return description_; }
+  /// What was changed while the run went on, in the order of the ticks.
+  const std::vector<domain::Intervention>& interventions() const { return interventions_; }
   /// Nothing in a recording that was cut off.
   const std::optional<RunEnd>& end() const { return end_; }
   const std::optional<mcap::Tear>& tear() const { return reader_.tear(); }
@@ -85,13 +88,16 @@ class RunRecording {
   core::Result<void> read_description();
   core::Result<void> read_attachments();
   core::Result<void> read_topics();
+  core::Result<void> read_interventions();
   core::Error error(const std::string& message) const { return {message, path_, 0, 0}; }
 
   std::string path_;
   mcap::McapReader reader_;
   RunDescription description_;
   std::optional<RunEnd> end_;
-  std::map<std::uint16_t, domain::Topic> topics_;  ///< by channel
+  std::vector<domain::Intervention> interventions_;
+  std::map<std::string, std::string> intervention_files_;  ///< by tick, a slash and the name
+  std::map<std::uint16_t, domain::Topic> topics_;          ///< by channel
 };
 
 }  // namespace clew::bridge

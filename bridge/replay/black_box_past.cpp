@@ -52,10 +52,9 @@ Result<void> begin_in_black_box(const RunRecording& recording, const runtime::Ru
   std::optional<std::string> state;
   const auto found = (*box)->states.find(fed.node().name());
   if (found != (*box)->states.end()) state = found->second;
-  if (fed.begin_at((*box)->tick, state)) return {};
-  return core::Error{
-      fmt::format("its state of {} is not one that this version saves", fed.node().name()),
-      recording.path(), 0, 0};
+  const auto begun = fed.begin_at((*box)->tick, state);
+  if (begun) return {};
+  return core::Error{begun.error().text(), recording.path(), 0, 0};
 }
 
 Result<void> refuse_black_box(const RunRecording& recording, const std::string& what) {

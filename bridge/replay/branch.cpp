@@ -35,6 +35,13 @@ Result<void> check(const RunRecording& recording, const runtime::RunPlan& plan,
                     "recording that it branched off",
                     (*branch)->tick));
   }
+  for (const runtime::Intervention& change : recording.interventions()) {
+    if (change.changes.empty() || change.tick > tick) continue;
+    return refuse(
+        fmt::format("is of a run that was changed at tick {}: it can be branched off before "
+                    "that",
+                    change.tick));
+  }
   if (tick < first_fed_tick(recording)) {
     return refuse_black_box(recording, "a branch needs one from there on");
   }
@@ -73,7 +80,8 @@ Result<RecordedPast> begin_past(const RunRecording& recording, const runtime::Ru
   if (!nodes) return nodes.error();
   auto robot = recorded_robot(recording, recorded);
   if (!robot) return robot.error();
-  return RecordedPast::begin(recording, plan, std::move(nodes).value(), std::move(robot).value());
+  return RecordedPast::begin(recording, plan, runtime::alone(std::move(nodes).value()),
+                             std::move(robot).value());
 }
 
 }  // namespace
@@ -106,7 +114,7 @@ HandOver robot_of(const ProcessStart& start, const runtime::RunPlan& plan) {
 }
 
 HandOver robot_of(const ComposedStart& start) {
-  for (const runtime::Node& node : start.nodes) {
+  for (const runtime::NodeSuccession& node : start.nodes) {
     if (is_robot(node)) return {start.next_tick, node.save()};
   }
   CLEW_CHECK(false, "a plan without drive");

@@ -12,6 +12,7 @@
 #include "replay/fed_node.hpp"
 #include "replay/recorded_plan.hpp"
 #include "run/tick_clock.hpp"
+#include "stages/all.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -93,12 +94,16 @@ Result<FedNode> fed_node_of(const RunRecording& recording, const runtime::RunPla
   auto node = node_of(plan, stage);
   if (!node) return node.error();
   std::optional<HandOver> hand_over;
-  if (is_robot(*node)) {
+  if (node->ports().delayed_inputs.any()) {
     auto branch = branch_of(recording);
     if (!branch) return branch.error();
     hand_over = std::move(branch).value();
   }
-  FedNode fed(std::move(node).value(), std::move(hand_over));
+  const auto changes = recorded_changes(recording, plan, stages::all());
+  if (!changes) return changes.error();
+  runtime::NodeSuccession succession(std::move(node).value());
+  runtime::add_successors(plan, changes->interventions, changes->plans, succession);
+  FedNode fed(std::move(succession), std::move(hand_over));
   CLEW_RETURN_IF_ERROR(begin_in_black_box(recording, plan, fed));
   return fed;
 }

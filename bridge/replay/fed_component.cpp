@@ -78,6 +78,7 @@ Assignment FedComponent::assignment() const {
   assignment.hash = false;
   assignment.history_depth = static_cast<std::uint32_t>(settings_.history_depth);
   assignment.lead = 0;
+  assignment.interventions = settings_.interventions;
   for (Topic topic : domain::kAllTopics) {
     const auto index = index_of(topic);
     const std::string name(domain::topic_name(topic));

@@ -25,6 +25,7 @@ struct WireSettings {
   int domain = 0;
   double lease_s = kLease_s;
   int history_depth = kHistoryDepth;
+  std::vector<domain::Intervention> interventions = {};  ///< that the recorded run had
 };
 
 /// A component process on the wire that is fed from a recording: to the component it is a run, on

@@ -120,6 +120,19 @@ core::Result<bool> FedNode::step(const RecordedTick& recorded) {
   }
   node_.step(next_tick_, present_, messages_);
   ++next_tick_;
+  return check_outputs();
+}
+
+// A component writes what is valid, if its state is one that it came to by itself.
+core::Result<bool> FedNode::check_outputs() const {
+  for (Topic topic : node_.ports().output_order) {
+    const auto valid = domain::visit_topic(topic, [&](auto constant) {
+      return domain::validate(std::get<constant.kIndex>(messages_));
+    });
+    if (valid.ok()) continue;
+    return refused("brings " + node_.name() + " to write a bad " +
+                   sample_of(topic, next_tick_ - 1) + ": " + valid.error().message);
+  }
   return true;
 }
 

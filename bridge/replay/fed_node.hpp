@@ -10,7 +10,7 @@
 #include "core/result.hpp"
 #include "replay/tick_reader.hpp"
 #include "run/sample_account.hpp"
-#include "runtime/node.hpp"
+#include "runtime/node_succession.hpp"
 
 namespace clew::bridge {
 
@@ -21,17 +21,19 @@ struct HandOver {
 };
 
 /// Whether the node is the one that begins each tick: drive, which is the robot.
-inline bool is_robot(const runtime::Node& node) { return node.ports().delayed_inputs.any(); }
+inline bool is_robot(const runtime::NodeSuccession& node) {
+  return node.ports().delayed_inputs.any();
+}
 
 /// A component whose inputs come from a recording. Its own recorded outputs do not matter to it,
 /// with one exception: in real time drive goes on without a command that is late, and only the
 /// `state` that it published then tells.
 class FedNode {
  public:
-  explicit FedNode(runtime::Node node, std::optional<HandOver> hand_over = std::nullopt)
+  explicit FedNode(runtime::NodeSuccession node, std::optional<HandOver> hand_over = std::nullopt)
       : node_(std::move(node)), hand_over_(std::move(hand_over)) {}
 
-  const runtime::Node& node() const { return node_; }
+  const runtime::NodeSuccession& node() const { return node_; }
   /// What is read of a tick.
   runtime::TopicSet fed_topics() const;
   /// What a tick must hold to be fed: all of that but the delayed inputs, which are used a tick
@@ -44,8 +46,8 @@ class FedNode {
 
   /// Steps for the next tick; false: a delayed input has ended before this tick could use it, in a
   /// recording that was cut off. Refused: another tick than the next, one without a sample of a
-  /// wired input, samples that are not valid, and a state handed over that is not one of the
-  /// component's.
+  /// wired input, samples that are not valid, a state handed over that is not one of the
+  /// component's, and outputs that are not valid: of a state that no run comes to.
   core::Result<bool> step(const RecordedTick& recorded);
 
   /// The outputs of the last step, and its inputs as far as they were present.
@@ -57,10 +59,11 @@ class FedNode {
   const runtime::TopicSet& inputs_present() const { return present_; }
 
   /// The node, in the state after the last step.
-  runtime::Node take() { return std::move(node_); }
+  runtime::NodeSuccession take() { return std::move(node_); }
 
  private:
   core::Result<void> check(const RecordedTick& recorded) const;
+  core::Result<bool> check_outputs() const;
   core::Result<void> check_present(const RecordedTick& recorded) const;
   core::Error lacks(domain::Topic topic, std::uint64_t tick) const;
   void keep_delayed(const RecordedTick& recorded);
@@ -68,7 +71,7 @@ class FedNode {
   core::Result<bool> command_late(const RecordedTick& recorded);
   core::Result<bool> decode_delayed(const RecordedTick& recorded);
 
-  runtime::Node node_;
+  runtime::NodeSuccession node_;
   std::optional<HandOver> hand_over_;
   Codecs codecs_;
   domain::Messages messages_;

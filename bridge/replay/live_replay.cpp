@@ -87,9 +87,11 @@ void LiveReplay::stop(const std::string& why) {
 // ---- who is there ----
 
 Result<void> LiveReplay::adopt(const runtime::GraphStage& stage) {
+  WireSettings settings = settings_;
+  settings.interventions = recording_.interventions();
   component_ = std::make_unique<FedComponent>(
-      plan_, stage, settings_, options_.range.first_tick, [this] { audience_.wake().ring(); },
-      [this](const std::string& line) { console_.log(line); });
+      plan_, stage, std::move(settings), options_.range.first_tick,
+      [this] { audience_.wake().ring(); }, [this](const std::string& line) { console_.log(line); });
   return component_->open(*participant_, audience_.barrier());
 }
 

@@ -95,6 +95,10 @@ ProcessStart ProcessPast::start(const RecordedPast& past, std::uint64_t tick) {
       checkpoint.last_outputs[std::string(domain::topic_name(topic))] =
           last_outputs_[index_of(topic)];
     }
+    for (const FedNode& fed : past.nodes()) {
+      if (fed.node().name() == stage.info->name)
+        checkpoint.successors = fed.node().save_successors();
+    }
     start.checkpoints[stage.info->name] = std::move(checkpoint);
   }
   start.checkpoints[kObserverName] = {tick, {}, bytes_of(observed_), {}};

@@ -7,6 +7,7 @@
 
 #include "replay/black_box_past.hpp"
 #include "replay/recorded_plan.hpp"
+#include "stages/all.hpp"
 
 namespace clew::bridge {
 
@@ -15,12 +16,13 @@ using domain::Topic;
 
 Result<RecordedPast> RecordedPast::begin(const RunRecording& recording,
                                          const runtime::RunPlan& plan,
-                                         std::vector<runtime::Node> nodes, FedNode recorded_robot) {
+                                         std::vector<runtime::NodeSuccession> nodes,
+                                         FedNode recorded_robot) {
   RecordedPast past;
   for (const runtime::GraphStage& stage : plan.graph.stages) {
     if (!stage.deployment.exec.empty()) past.not_ours_ |= stage.ports.outputs;
   }
-  for (runtime::Node& node : nodes) {
+  for (runtime::NodeSuccession& node : nodes) {
     if (is_robot(node)) {
       // NOLINTNEXTLINE(bugprone-use-after-move): a run has one robot
       past.fed_.push_back(std::move(recorded_robot));
@@ -76,6 +78,7 @@ bool RecordedPast::has_ended() const {
 Result<void> RecordedPast::hand_over(ComposedStart& start) {
   for (FedNode& fed : fed_) {
     if (is_robot(fed.node())) {
+      new_robot_->skip_to(start.next_tick);
       CLEW_RETURN_IF_ERROR(new_robot_->load(fed.node().save()));
       start.nodes.push_back(std::move(*new_robot_));
     } else {
@@ -104,7 +107,11 @@ Result<FedNode> recorded_robot(const RunRecording& recording, const runtime::Run
   if (!branch) return branch.error();
   auto node = runtime::make_node(recorded, *recorded.graph.writer_of(Topic::kState));
   if (!node) return node.error();
-  FedNode robot(std::move(node).value(), std::move(branch).value());
+  const auto changes = recorded_changes(recording, recorded, stages::all());
+  if (!changes) return changes.error();
+  runtime::NodeSuccession succession(std::move(node).value());
+  runtime::add_successors(recorded, changes->interventions, changes->plans, succession);
+  FedNode robot(std::move(succession), std::move(branch).value());
   CLEW_RETURN_IF_ERROR(begin_in_black_box(recording, recorded, robot));
   return robot;
 }

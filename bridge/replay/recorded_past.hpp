@@ -22,7 +22,8 @@ class RecordedPast {
   /// Refused: what begin_in_black_box refuses.
   static core::Result<RecordedPast> begin(const RunRecording& recording,
                                           const runtime::RunPlan& plan,
-                                          std::vector<runtime::Node> nodes, FedNode recorded_robot);
+                                          std::vector<runtime::NodeSuccession> nodes,
+                                          FedNode recorded_robot);
 
   /// What a tick must hold.
   runtime::TopicSet topics() const;
@@ -44,7 +45,7 @@ class RecordedPast {
 
   std::vector<FedNode> fed_;
   runtime::TopicSet not_ours_;  ///< what third-party components write
-  std::optional<runtime::Node> new_robot_;
+  std::optional<runtime::NodeSuccession> new_robot_;
   Codecs codecs_;
   domain::Messages messages_;
   SampleAccount account_{true, false};

@@ -19,24 +19,6 @@ using core::Result;
 constexpr char kBranchFile[] = "branch.yaml";
 constexpr char kBeforeBranch[] = "before_branch/";
 
-/// The recording's own files, and others for what it does not have.
-class RecordingSource : public runtime::ConfigSource {
- public:
-  RecordingSource(const runtime::Bundle& bundle, const runtime::ConfigSource& files)
-      : bundle_(bundle), files_(files) {}
-
-  Result<core::Resource> find(const std::string& folder, const std::string& name) const override {
-    const bool is_data = folder != "graphs" && folder != "worlds" && folder != "robots";
-    auto recorded = bundle_.find(folder, name);
-    if (recorded || !is_data) return recorded;
-    return files_.find(folder, name);
-  }
-
- private:
-  runtime::BundleSource bundle_;
-  const runtime::ConfigSource& files_;
-};
-
 std::vector<unsigned> bytes_of(const std::string& text) {
   std::vector<unsigned> bytes;
   for (const char c : text) bytes.push_back(static_cast<unsigned char>(c));
@@ -97,12 +79,46 @@ Result<runtime::RunPlan> recorded_plan(const RunRecording& recording,
   return plan;
 }
 
+Result<RecordedChanges> recorded_changes(const RunRecording& recording,
+                                         const runtime::RunPlan& plan,
+                                         const std::vector<runtime::StageInfo>& stages,
+                                         bool and_planned) {
+  RecordedChanges changes;
+  const auto& box = recording.description().black_box;
+  for (const runtime::Intervention& found : recording.interventions()) {
+    if (found.changes.empty()) continue;
+    changes.interventions.push_back(found);
+    if (!box || box->tick <= found.fed_from) continue;
+    return in_recording(
+        recording,
+        {fmt::format("is a black box that begins at tick {}: what was changed at tick {} "
+                     "was fed with ticks from {} on",
+                     box->tick, found.tick, found.fed_from),
+         {},
+         0,
+         0});
+  }
+  for (const runtime::Intervention& planned : recording.description().planned) {
+    const bool is_later =
+        changes.interventions.empty() || changes.interventions.back().tick < planned.tick;
+    if (and_planned && is_later) changes.interventions.push_back(planned);
+  }
+  // A plan's own bundle holds what the plan needs; the recording's also what a change needs.
+  runtime::RunPlan first = plan;
+  const auto& bundle = recording.description().bundle;
+  first.bundle.insert(bundle.begin(), bundle.end());
+  auto plans = runtime::change_all(first, changes.interventions, stages);
+  if (!plans) return in_recording(recording, plans.error());
+  changes.plans = std::move(plans).value();
+  return changes;
+}
+
 Result<runtime::RunPlan> changed_plan(const RunRecording& recording,
                                       const runtime::GraphOverrides& overrides,
                                       const runtime::ConfigSource& files,
                                       const std::vector<runtime::StageInfo>& stages) {
   CLEW_RETURN_IF_ERROR(check_message_types(recording));
-  const RecordingSource source(recording.description().bundle, files);
+  const runtime::BundleAndFiles source(recording.description().bundle, files);
   return runtime::prepare_run("graph", overrides, source, stages);
 }
 

@@ -7,6 +7,7 @@
 #include "core/result.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/fed_node.hpp"
+#include "runtime/intervention.hpp"
 #include "runtime/run_plan.hpp"
 
 namespace clew::bridge {
@@ -18,6 +19,20 @@ core::Result<void> check_message_types(const RunRecording& recording);
 /// file, and what runtime::prepare_run refuses.
 core::Result<runtime::RunPlan> recorded_plan(const RunRecording& recording,
                                              const std::vector<runtime::StageInfo>& stages);
+
+/// What was changed in a run that was recorded, and its plans from there on.
+struct RecordedChanges {
+  std::vector<runtime::Intervention> interventions;
+  runtime::PlanSequence plans;
+};
+
+/// The changes of a recording to `plan`, the recorded one or another: those that took effect and,
+/// with `and_planned`, those that were to. Refused: what runtime::change refuses, and in a black
+/// box what a behaviour would have to be fed before the box begins.
+core::Result<RecordedChanges> recorded_changes(const RunRecording& recording,
+                                               const runtime::RunPlan& plan,
+                                               const std::vector<runtime::StageInfo>& stages,
+                                               bool and_planned = false);
 
 /// The same with changes. Data files that the recording does not have, because only the changes
 /// need them, come from `files`.

@@ -10,6 +10,7 @@
 #include "replay/process_past.hpp"
 #include "replay/recorded_past.hpp"
 #include "replay/recorded_plan.hpp"
+#include "stages/all.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -19,12 +20,17 @@ using core::Result;
 using domain::Topic;
 using runtime::TopicSet;
 
-Result<RecordedPast> past_of(const RunRecording& recording, const runtime::RunPlan& plan) {
+Result<RecordedPast> past_of(const RunRecording& recording, const runtime::RunPlan& plan,
+                             const RecordedChanges& changes) {
   auto nodes = make_own_nodes(plan);
   if (!nodes) return nodes.error();
   auto robot = recorded_robot(recording, plan);
   if (!robot) return robot.error();
-  return RecordedPast::begin(recording, plan, std::move(nodes).value(), std::move(robot).value());
+  auto successions = runtime::alone(std::move(nodes).value());
+  for (runtime::NodeSuccession& node : successions) {
+    runtime::add_successors(plan, changes.interventions, changes.plans, node);
+  }
+  return RecordedPast::begin(recording, plan, std::move(successions), std::move(robot).value());
 }
 
 /// After the first tick that is not whole: a topic that it lacks must have ended there.
@@ -91,7 +97,9 @@ Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan&
   const auto branch = branch_of(recording);
   if (!branch) return branch.error();
   const std::uint64_t branched_at = *branch ? (*branch)->tick : 0;
-  auto past = past_of(recording, plan);
+  auto changes = recorded_changes(recording, plan, stages::all(), true);
+  if (!changes) return changes.error();
+  auto past = past_of(recording, plan, *changes);
   if (!past) return in_recording(past.error());
   ProcessPast processes(plan, false);
   const auto ticks = feed(recording, branched_at, *past, processes);
@@ -104,9 +112,12 @@ Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan&
                          0,
                          0});
   }
-  Resumption resumption{past->has_ended(),
+  Resumption resumption{std::move(changes->interventions),
+                        std::move(changes->plans),
+                        past->has_ended(),
                         {{}, *ticks, {}, SampleAccount(true, false), started_at},
                         processes.start(*past, *ticks)};
+  resumption.processes.interventions = resumption.interventions;
   CLEW_RETURN_IF_ERROR(past->hand_over(resumption.composed));
   return resumption;
 }

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/result.hpp"
 #include "recording/run_recording.hpp"
 #include "run/composed_run.hpp"
+#include "runtime/intervention.hpp"
 #include "runtime/run_plan.hpp"
 #include "supervisor/process_layout.hpp"
 
@@ -13,7 +15,9 @@ namespace clew::bridge {
 
 /// A run whose recording was cut off, at the first tick that the recording does not have whole.
 struct Resumption {
-  bool has_ended = false;  ///< no tick is left to run
+  std::vector<runtime::Intervention> interventions;  ///< that took effect, and that are planned
+  runtime::PlanSequence plans;                       ///< from each of them on
+  bool has_ended = false;                            ///< no tick is left to run
   ComposedStart composed;
   ProcessStart processes;
 };

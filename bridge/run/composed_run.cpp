@@ -41,14 +41,15 @@ class Bookkeeper : public runtime::SampleObserver {
   }
 
   /// Hands on the states of nodes that are about to step `tick`, if they are wanted.
-  void checkpoint(const std::vector<runtime::Node>& nodes, std::uint64_t tick) {
+  void checkpoint(const std::vector<runtime::NodeSuccession>& nodes, std::uint64_t tick) {
     if (recording_ == nullptr || tick == 0 || tick % kTicksPerCheckpoint != 0) return;
     if (!recording_->wants_states()) return;
-    for (const runtime::Node& node : nodes) {
+    for (const runtime::NodeSuccession& node : nodes) {
       recording_->add_state({node.name(), tick, node.save()});
     }
   }
 
+  SampleSink* recording() const { return recording_; }
   const SampleAccount& account() const { return account_; }
   /// Why the recording was given up; empty if it was not.
   const std::string& failure() const { return failure_; }
@@ -64,64 +65,118 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// A composed run under way.
+class ComposedLoop {
+ public:
+  ComposedLoop(const runtime::RunPlan& plan, ComposedStart start, const ComposedLayout& layout,
+               SampleSink* recording, const ProgressDisplay& display, ComposedOrders* orders)
+      : layout_(layout),
+        display_(display),
+        orders_(orders),
+        started_at_(start.started_at),
+        first_tick_(start.next_tick),
+        bookkeeper_(std::move(start.account), recording),
+        executor_(std::move(start.nodes), &bookkeeper_, start.next_tick, std::move(start.messages)),
+        clock_(layout.pace, layout.pace_factor, plan.graph.tick_s) {
+    clock_.start(displayed_at_, start.next_tick);
+  }
+
+  RunReport run() {
+    look(std::chrono::milliseconds(0));
+    while (goes_on() && report_.aborted.empty()) {
+      if (orders_ != nullptr && !orders_->may_begin(executor_.next_tick())) {
+        look(kSignalPeriod);
+        clock_.start(Clock::now(), executor_.next_tick());
+        continue;
+      }
+      step();
+      const auto now = Clock::now();
+      if (now >= next_look_) look(std::chrono::milliseconds(0));
+      if (display_ && now - displayed_at_ >= kDisplayPeriod) {
+        displayed_at_ = now;
+        rate_.note(executor_.next_tick(), displayed_at_);
+        display_(statistics(), rate_.per_s());
+      }
+    }
+    return finish();
+  }
+
+ private:
+  const RunStatistics& statistics() const { return bookkeeper_.account().statistics(); }
+  bool goes_on() const {
+    return !statistics().truth || statistics().truth->outcome == domain::Outcome::kRunning;
+  }
+
+  void step() {
+    if (!clock_.is_free()) std::this_thread::sleep_until(clock_.due(executor_.next_tick()));
+    bookkeeper_.checkpoint(executor_.nodes(), executor_.next_tick());
+    executor_.step();
+    if (executor_.next_tick() == first_tick_ + 1) rate_.note(executor_.next_tick(), Clock::now());
+    if (orders_ != nullptr) {
+      orders_->note(executor_.next_tick() - 1, executor_.nodes(), executor_.messages());
+    }
+    if (layout_.on_record_error == OnRecordError::kStop) report_.aborted = bookkeeper_.failure();
+  }
+
+  /// Looks what somebody wants of the run.
+  void look(std::chrono::milliseconds patience) {
+    if (orders_ != nullptr) {
+      orders_->serve(executor_.next_tick(), executor_.nodes(), bookkeeper_.recording(), patience);
+      if (report_.aborted.empty()) report_.aborted = orders_->stopped();
+    }
+    next_look_ = Clock::now() + kSignalPeriod;
+    report_.interrupted_by = signals_.take();
+    if (report_.interrupted_by == 0) return;
+    report_.aborted = "interrupted by signal " + std::to_string(report_.interrupted_by) + " (" +
+                      ::strsignal(report_.interrupted_by) + ")";
+  }
+
+  RunReport finish() {
+    report_.statistics = statistics();
+    report_.wall_s = seconds_since(started_at_);
+    rate_.note(executor_.next_tick(), Clock::now());
+    report_.ticks_per_s = rate_.per_s();
+    if (layout_.hash && report_.aborted.empty()) {
+      report_.hash = run_hash(bookkeeper_.account().chains());
+    }
+    return report_;
+  }
+
+  const ComposedLayout& layout_;
+  const ProgressDisplay& display_;
+  ComposedOrders* const orders_;
+  const Clock::time_point started_at_;
+  const std::uint64_t first_tick_;
+  Bookkeeper bookkeeper_;
+  runtime::ComposedExecutor executor_;
+  Clock::time_point displayed_at_ = Clock::now();
+  TickClock clock_;
+  Clock::time_point next_look_ = displayed_at_;
+  EndSignals signals_;
+  RunReport report_;
+  TickRate rate_;
+};
+
 }  // namespace
 
 core::Result<RunReport> run_composed(const runtime::RunPlan& plan, const ComposedLayout& layout,
-                                     SampleSink* recording, const ProgressDisplay& display) {
+                                     SampleSink* recording, const ProgressDisplay& display,
+                                     ComposedOrders* orders) {
   const auto started_at = Clock::now();
   auto nodes = runtime::make_nodes(plan);
   if (!nodes.ok()) return nodes.error();
-  ComposedStart start{
-      std::move(nodes).value(), 0, {}, SampleAccount(layout.hash, false), started_at};
-  return run_composed(plan, std::move(start), layout, recording, display);
+  ComposedStart start{runtime::alone(std::move(nodes).value()),
+                      0,
+                      {},
+                      SampleAccount(layout.hash, false),
+                      started_at};
+  return run_composed(plan, std::move(start), layout, recording, display, orders);
 }
 
 core::Result<RunReport> run_composed(const runtime::RunPlan& plan, ComposedStart start,
                                      const ComposedLayout& layout, SampleSink* recording,
-                                     const ProgressDisplay& display) {
-  Bookkeeper bookkeeper(std::move(start.account), recording);
-  runtime::ComposedExecutor executor(std::move(start.nodes), &bookkeeper, start.next_tick,
-                                     std::move(start.messages));
-  TickClock clock(layout.pace, layout.pace_factor, plan.graph.tick_s);
-  EndSignals signals;
-
-  RunReport report;
-  TickRate rate;
-  auto displayed_at = Clock::now();
-  auto next_look = displayed_at;
-  clock.start(displayed_at, start.next_tick);
-  const RunStatistics& statistics = bookkeeper.account().statistics();
-  const auto goes_on = [&] {
-    return !statistics.truth || statistics.truth->outcome == domain::Outcome::kRunning;
-  };
-  while (goes_on() && report.aborted.empty()) {
-    if (!clock.is_free()) std::this_thread::sleep_until(clock.due(executor.next_tick()));
-    bookkeeper.checkpoint(executor.nodes(), executor.next_tick());
-    executor.step();
-    if (executor.next_tick() == start.next_tick + 1) rate.note(executor.next_tick(), Clock::now());
-    if (layout.on_record_error == OnRecordError::kStop) report.aborted = bookkeeper.failure();
-    const auto now = Clock::now();
-    if (now >= next_look) {
-      next_look = now + kSignalPeriod;
-      report.interrupted_by = signals.take();
-    }
-    if (report.interrupted_by != 0) {
-      report.aborted = "interrupted by signal " + std::to_string(report.interrupted_by) + " (" +
-                       ::strsignal(report.interrupted_by) + ")";
-    }
-    if (display && now - displayed_at >= kDisplayPeriod) {
-      displayed_at = now;
-      rate.note(executor.next_tick(), displayed_at);
-      display(statistics, rate.per_s());
-    }
-  }
-
-  report.statistics = statistics;
-  report.wall_s = seconds_since(start.started_at);
-  rate.note(executor.next_tick(), Clock::now());
-  report.ticks_per_s = rate.per_s();
-  if (layout.hash && report.aborted.empty()) report.hash = run_hash(bookkeeper.account().chains());
-  return report;
+                                     const ProgressDisplay& display, ComposedOrders* orders) {
+  return ComposedLoop(plan, std::move(start), layout, recording, display, orders).run();
 }
 
 }  // namespace clew::bridge

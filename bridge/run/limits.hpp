@@ -17,6 +17,11 @@ inline constexpr std::uint32_t kHistoryDepth = 512;
 /// Ticks that the stage that starts them may be ahead of the slowest member: a quarter, so that a
 /// late reader still finds what it needs.
 inline constexpr std::uint32_t kLead = kHistoryDepth / 4;
+/// The same of a run that is held back to a pace, in seconds of the wall clock: what somebody
+/// changes takes effect after so long.
+inline constexpr double kPacedLead_s = 0.5;
+/// In real time a change is announced so long before: a behaviour is made and fed meanwhile.
+inline constexpr double kRealtimeNotice_s = 1.0;
 /// Ticks that a run may be ahead of what the recorder has in closed chunks: half a history.
 inline constexpr std::uint64_t kRecorderLead = kHistoryDepth / 2;
 /// Two are enough for members that go in step; one that nobody waits for may lag behind by the lead
@@ -63,6 +68,8 @@ inline constexpr std::size_t kMostHelloBytes = std::size_t{4} * 1024;
 inline constexpr std::size_t kMostPayloadBytes = std::size_t{512} << 20;
 /// Connections that have not said hello: more than a run has processes.
 inline constexpr std::size_t kMostNewcomers = 64;
+/// People and programs who command a run at a time.
+inline constexpr std::size_t kMostCommanders = 16;
 /// A process says hello as soon as it is connected.
 inline constexpr auto kHelloTimeout = std::chrono::seconds(5);
 
@@ -80,6 +87,8 @@ inline constexpr auto kRecorderStartTimeout = std::chrono::seconds(10);
 inline constexpr auto kPatience = std::chrono::hours(1);
 /// The same in a replay, where nothing but the replay waits.
 inline constexpr double kReplayPatience_s = 60.0;
+/// In real time a run whose end has come goes on until the robot rests, but not for longer.
+inline constexpr auto kRestTimeout = std::chrono::seconds(2);
 /// How long a process may take to end once it should.
 inline constexpr auto kEndGrace = std::chrono::milliseconds(500);
 /// A component that is on the wire itself comes back when everybody has given up its predecessor:

@@ -34,8 +34,9 @@ struct RunReport {
   double wall_s = 0.0;                        ///< from start to end
   double ticks_per_s = 0.0;                   ///< from the first tick to the last
   std::optional<RecordingAccount> recording;  ///< none: it was not recorded
-  std::string aborted;     ///< why the run ended without an outcome; empty if it has one
-  int interrupted_by = 0;  ///< the signal that ended the run, if one did
+  std::string aborted;        ///< why the run ended without an outcome; empty if it has one
+  bool goal_changed = false;  ///< while it went on: the world's shortest path is another's
+  int interrupted_by = 0;     ///< the signal that ended the run, if one did
 };
 
 /// What is wrong with a recording, as the end of the sentence `clew: `; empty if nothing is.

@@ -33,7 +33,9 @@ void RunStatistics::add(const domain::State& state) {
                    state.hit_by,
                    state.safety_stops,
                    late_before + (state.command_late ? 1 : 0),
-                   standstill};
+                   standstill,
+                   state.speed_mps,
+                   state.turn_rate_radps};
 }
 
 void RunStatistics::add(const domain::Guidance& guidance) {

@@ -35,6 +35,10 @@ struct RunTruth {
   std::uint32_t safety_stops = 0;
   std::uint32_t late_commands = 0;
   Standstill standstill;
+  double speed_mps = 0.0;
+  double turn_rate_radps = 0.0;
+
+  bool at_rest() const { return speed_mps == 0.0 && turn_rate_radps == 0.0; }
 };
 
 /// How often a rule said *trap*.
@@ -76,7 +80,7 @@ void visit_fields(V& v, Standstill& s) {
 template <typename V>
 void visit_fields(V& v, RunTruth& t) {
   v(t.tick, t.outcome, t.sim_time_s, t.path_length_m, t.x_m, t.y_m, t.collisions, t.hit_by,
-    t.safety_stops, t.late_commands, t.standstill);
+    t.safety_stops, t.late_commands, t.standstill, t.speed_mps, t.turn_rate_radps);
 }
 template <typename V>
 void visit_fields(V& v, RuleAlarms& a) {

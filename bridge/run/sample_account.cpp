@@ -4,6 +4,8 @@
 #include <cstring>
 #include <utility>
 
+#include "core/archive.hpp"
+
 namespace clew::bridge {
 namespace {
 
@@ -11,9 +13,10 @@ struct SpoolHeader {
   std::uint64_t tick;
   std::uint64_t sequence;  ///< of a state: bytes of the stage's name, which is in front of it
   std::uint32_t size;
-  std::uint32_t topic;  ///< or kState
+  std::uint32_t topic;  ///< or kState, or kIntervention
 };
 constexpr std::uint32_t kState = domain::kTopicCount;
+constexpr std::uint32_t kIntervention = kState + 1;
 
 void append(std::string& spool, const SpoolHeader& header) {
   char raw[sizeof header];
@@ -58,17 +61,32 @@ std::string SampleAccount::take_spooled() {
   return taken;
 }
 
+std::string spooled(const domain::Intervention& intervention) {
+  core::StateWriter writer;
+  writer(intervention);
+  std::string spool;
+  append(spool,
+         {intervention.tick, 0, static_cast<std::uint32_t>(writer.bytes().size()), kIntervention});
+  return spool + writer.bytes();
+}
+
 bool for_each_spooled(std::string_view spool, const SpoolVisitor& visitor) {
   while (!spool.empty()) {
     SpoolHeader header;
     if (spool.size() < sizeof header) return false;
     std::memcpy(&header, spool.data(), sizeof header);
     spool.remove_prefix(sizeof header);
-    if (header.size > spool.size() || header.topic > kState) return false;
+    if (header.size > spool.size() || header.topic > kIntervention) return false;
     const std::string_view bytes = spool.substr(0, header.size);
     if (header.topic < kState) {
       visitor.on_sample(
           {static_cast<domain::Topic>(header.topic), header.tick, header.sequence, bytes});
+    } else if (header.topic == kIntervention) {
+      domain::Intervention intervention;
+      core::StateReader reader(bytes);
+      reader(intervention);
+      if (!reader.complete()) return false;
+      if (visitor.on_intervention) visitor.on_intervention(intervention);
     } else {
       if (header.sequence > bytes.size()) return false;
       visitor.on_state(

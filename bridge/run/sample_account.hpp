@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/hash128.hpp"
+#include "domain/intervention.hpp"
 #include "run/run_statistics.hpp"
 #include "wire/codec.hpp"
 #include "wire/sample.hpp"
@@ -67,7 +68,11 @@ class SampleAccount {
 struct SpoolVisitor {
   std::function<void(const SampleView&)> on_sample;
   std::function<void(const SpooledState&)> on_state;
+  std::function<void(const domain::Intervention&)> on_intervention = nullptr;
 };
+
+/// An intervention as an entry of a spool.
+std::string spooled(const domain::Intervention& intervention);
 
 /// Calls `visitor` for each entry of a spool, in order; false if it is not one.
 bool for_each_spooled(std::string_view spool, const SpoolVisitor& visitor);

@@ -16,6 +16,9 @@ class SampleSink {
   /// Whether it wants the components' states, too: at every multiple of kTicksPerCheckpoint but 0.
   virtual bool wants_states() const { return false; }
   virtual void add_state(const SpooledState&) {}
+
+  /// Takes what somebody changed in the run, before the samples of its tick.
+  virtual void add_intervention(const domain::Intervention&) {}
 };
 
 }  // namespace clew::bridge

@@ -35,14 +35,14 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 }
 
 // Runs in the child, between fork and exec: only calls that are safe there.
-[[noreturn]] void become(char* const* arguments, char** environment, bool keeps_terminal,
+[[noreturn]] void become(char* const* arguments, char** environment, const ChildCommand& command,
                          int parent, int error_pipe) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::prctl(PR_SET_PDEATHSIG, command.brings_to_rest ? SIGTERM : SIGKILL);
   if (::getppid() != parent) ::_exit(1);
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  if (!keeps_terminal) {
+  if (!command.keeps_terminal) {
     // A group of its own: Ctrl-C is for the supervisor, which then ends the run in order.
     ::setpgid(0, 0);
     const int nothing = ::open("/dev/null", O_RDONLY);
@@ -78,8 +78,7 @@ core::Result<ChildProcess> ChildProcess::start(const ChildCommand& command) {
   const int parent = ::getpid();
   const int child = ::fork();
   if (child == 0) {
-    become(argument_pointers.data(), environment_pointers.data(), command.keeps_terminal, parent,
-           error_pipe[1]);
+    become(argument_pointers.data(), environment_pointers.data(), command, parent, error_pipe[1]);
   }
   const int fork_error = errno;
   ::close(error_pipe[1]);

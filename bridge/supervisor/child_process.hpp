@@ -17,6 +17,7 @@ struct ChildCommand {
   std::vector<std::string> arguments;              ///< the program first, looked up in PATH
   std::map<std::string, std::string> environment;  ///< on top of ours
   bool keeps_terminal = false;  ///< for a debugger; else no input, and output goes to stderr
+  bool brings_to_rest = false;  ///< is sent SIGTERM, not SIGKILL, when we die
   bool may_start_others =
       false;  ///< a program that we know nothing of: what it starts ends with it
 };

@@ -103,6 +103,8 @@ ChildCommand command_of(const Member& member, const runtime::RunPlan& plan,
     command.arguments.insert(command.arguments.begin(), shell.begin(), shell.end());
     command.keeps_terminal = true;
   }
+  command.brings_to_rest =
+      member.starts_ticks && !member.third_party && layout.pace == Pace::kRealtime;
   return command;
 }
 

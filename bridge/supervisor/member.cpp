@@ -17,6 +17,12 @@ void Member::begin(const ProcessStart& start) {
   if (checkpoint != start.checkpoints.end()) checkpoints.push_back(checkpoint->second);
 }
 
+void Member::keep_inputs() {
+  if (third_party) return;
+  auto history = InputHistory::create();
+  if (history.ok()) inputs = std::make_shared<InputHistory>(std::move(history).value());
+}
+
 void Member::note(const Frame& frame, std::chrono::steady_clock::time_point now) {
   if (frame.type == FrameType::kPreparing) {
     if (const auto doing = frame.as<Text>()) missing = {doing->text};

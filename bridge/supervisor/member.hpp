@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "component/input_history.hpp"
 #include "line/link.hpp"
 #include "runtime/run_plan.hpp"
 #include "supervisor/child_process.hpp"
@@ -38,8 +39,9 @@ struct Member {
   std::chrono::steady_clock::time_point heard_at{};
   /// When its line broke; its process is about to end.
   std::optional<std::chrono::steady_clock::time_point> left_at;
-  bool was_lonely = false;             ///< killed since it did not find the others
-  std::deque<Checkpoint> checkpoints;  ///< the newest last, at most kCheckpointsKept
+  bool was_lonely = false;               ///< killed since it did not find the others
+  std::shared_ptr<InputHistory> inputs;  ///< of late, which outlive its process; null: not kept
+  std::deque<Checkpoint> checkpoints;    ///< the newest last, at most kCheckpointsKept
   // While it is down, or has not yet caught up with itself:
   bool down = false;
   bool catching_up = false;
@@ -50,6 +52,8 @@ struct Member {
 
   /// Takes its place in a run that begins there.
   void begin(const ProcessStart& start);
+  /// Has its process keep its inputs, as far as that can be done.
+  void keep_inputs();
   /// Notes what a frame says of the member alone: for whom it waits, its checkpoints, its end.
   void note(const Frame& frame, std::chrono::steady_clock::time_point now);
   /// The checkpoint at `tick`, if it is kept.

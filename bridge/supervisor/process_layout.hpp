@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "line/frames.hpp"
 #include "run/pace.hpp"
@@ -18,6 +19,7 @@ struct ProcessLayout {
   std::string middleware = "cyclonedds";                ///< of stages that do not say
   std::map<std::string, std::string> stage_middleware;  ///< by stage
   std::optional<int> domain;                            ///< none: the first free one
+  std::string name;                                     ///< under which it is found; may be empty
   Pace pace = Pace::kLockstep;
   double pace_factor = 1.0;
   int realtime_priority = 0;  ///< of component processes: 1 to 99, first in, first out; 0: none
@@ -32,6 +34,8 @@ struct ProcessStart {
   std::uint64_t next_tick = 0;
   std::map<std::string, Checkpoint> checkpoints;  ///< by stage, at `next_tick`; none at tick 0
   std::string spooled;  ///< samples before that, for a recording that is to have them, too
+  /// What changed before, and what is to change later.
+  std::vector<domain::Intervention> interventions = {};
 };
 
 }  // namespace clew::bridge

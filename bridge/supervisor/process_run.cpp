@@ -5,8 +5,10 @@
 
 #include <chrono>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "line/acceptor.hpp"
 #include "line/domain_lock.hpp"
@@ -39,20 +41,29 @@ void take_arrivals(Supervisor& supervisor, Acceptor& acceptor) {
 
 core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const ProcessLayout& layout,
                                       const std::optional<RecordingOrder>& recording,
-                                      const ProgressDisplay& display, const ProcessStart& start) {
+                                      const ProgressDisplay& display, const ProcessStart& start,
+                                      RunControl* control) {
   const auto lock = DomainLock::take(layout.domain);
   if (!lock.ok()) return lock.error();
-  Acceptor acceptor(*lock);
+  std::optional<RunName> name;
+  std::vector<int> listening = {lock->socket()};
+  if (!layout.name.empty()) {
+    auto taken = RunName::take(layout.name);
+    if (!taken.ok()) return taken.error();
+    name.emplace(std::move(taken).value());
+    listening.push_back(name->socket());
+  }
+  Acceptor acceptor(listening);
   EndSignals signals;  // before any thread of a vendor's
   const auto say = [](const std::string& line) {
     std::fprintf(stderr, "clew: %s\n", line.c_str());
   };
-  Supervisor supervisor(plan, layout, lock->domain(), recording, start, {say, display},
-                        Clock::now());
+  Supervisor supervisor(plan, layout, lock->domain(), recording, start,
+                        {say, display, ChildProcess::start, control}, Clock::now());
   supervisor.start();
   while (!supervisor.over()) {
     wait_for_something(supervisor, acceptor, signals);
-    if (const int number = signals.take()) supervisor.interrupt(number);
+    if (const int number = signals.take()) supervisor.interrupt(number, Clock::now());
     take_arrivals(supervisor, acceptor);
     supervisor.turn(Clock::now());
   }

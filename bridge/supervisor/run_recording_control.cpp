@@ -9,7 +9,10 @@ namespace clew::bridge {
 
 RunRecordingControl::RunRecordingControl(const RecordingOrder& order, ChildCommand recorder,
                                          OnRecordError on_error, bool drops)
-    : client_(order, std::move(recorder), drops), path_(order.path), on_error_(on_error) {}
+    : client_(order, std::move(recorder), drops),
+      path_(order.path),
+      overwrite_(order.overwrite),
+      on_error_(on_error) {}
 
 void RunRecordingControl::serve(Time now) {
   client_.serve(now);
@@ -29,7 +32,7 @@ RecordingAccount RunRecordingControl::finish() const {
   RecordingAccount account = client_.account().value_or(
       RecordingAccount{"the recorder did not end in time", {}, 0, false});
   if (!account.failure.empty() || account.nothing) return account;
-  const auto named = mcap::OutputFile::give_name(path_);
+  const auto named = mcap::OutputFile::give_name(path_, overwrite_);
   if (!named.ok()) account.failure = named.error().text();
   return account;
 }

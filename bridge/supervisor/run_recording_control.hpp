@@ -53,6 +53,7 @@ class RunRecordingControl {
  private:
   RecorderClient client_;
   const std::string path_;
+  const bool overwrite_;
   const OnRecordError on_error_;
   bool told_ = false;
   std::string failure_;

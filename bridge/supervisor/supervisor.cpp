@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "recorder/recorder_process.hpp"
@@ -17,6 +19,17 @@ namespace clew::bridge {
 
 using Clock = std::chrono::steady_clock;
 
+namespace {
+
+/// At a pace of its own a run need not be far ahead, and what somebody changes shall not wait long.
+std::uint64_t lead_of(const runtime::RunPlan& plan, const ProcessLayout& layout) {
+  if (layout.pace != Pace::kScaled) return kLead;
+  const double ticks = kPacedLead_s * layout.pace_factor / plan.graph.tick_s;
+  return static_cast<std::uint64_t>(std::clamp(std::ceil(ticks), 4.0, double{kLead}));
+}
+
+}  // namespace
+
 Supervisor::Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
                        const std::optional<RecordingOrder>& recording, const ProcessStart& start,
                        Outside outside, Time now)
@@ -26,9 +39,14 @@ Supervisor::Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout
       members_(list_members(plan, layout)),
       launcher_(plan, layout, domain, spooling_for(recording), outside_.start),
       restart_policy_(members_, plan.graph),
+      live_control_(outside_.control, members_, layout.pace == Pace::kRealtime),
       started_at_(now),
-      credit_(start.next_tick + kLead) {
-  for (Member& member : members_) member.begin(start);
+      lead_(lead_of(plan, layout)),
+      credit_(start.next_tick + lead_) {
+  for (Member& member : members_) {
+    member.begin(start);
+    if (outside_.control != nullptr) member.keep_inputs();
+  }
   if (const auto found = start.checkpoints.find(kObserverName); found != start.checkpoints.end()) {
     observed_before_ = found->second;
   }
@@ -78,6 +96,7 @@ void Supervisor::refuse(Link& link, const std::string& why) const {
 }
 
 void Supervisor::welcome(std::unique_ptr<Link> link, const Hello& hello, Time now) {
+  if (hello.stage == kCommander) return live_control_.welcome(std::move(link), now);
   if (recording_ && hello.stage == kRecorderName) return recording_->welcome(std::move(link), now);
   const auto admitted = launcher_.admit(hello, members_);
   if (!admitted.ok()) {
@@ -93,12 +112,16 @@ void Supervisor::welcome(std::unique_ptr<Link> link, const Hello& hello, Time no
   }
   Assignment assignment = launcher_.assignment_for(*member);
   assignment.resumes = gone_;
+  assignment.lead = lead_;
+  live_control_.fill(assignment);
+  if (member->inputs) assignment.input_history = member->inputs->path();
   link->post(FrameType::kAssignment, std::move(assignment));
   if (member->starts_ticks) link->post(FrameType::kCredit, Tick{credit_});
   if (last_tick_) link->post(FrameType::kFinish, Tick{*last_tick_});
   member->joined_at = now;
   member->heard_at = now;
   member->link = std::move(link);
+  live_control_.join(*member);
 }
 
 // ---- while it runs ----
@@ -110,6 +133,7 @@ std::vector<pollfd> Supervisor::descriptors() const {
       descriptors.push_back({member.link->socket(), member.link->poll_events(), 0});
     }
   }
+  for (const pollfd& descriptor : live_control_.descriptors()) descriptors.push_back(descriptor);
   if (recording_) {
     if (const auto descriptor = recording_->descriptor()) descriptors.push_back(*descriptor);
   }
@@ -119,13 +143,33 @@ std::vector<pollfd> Supervisor::descriptors() const {
 void Supervisor::turn(Time now) {
   for (Member& member : members_) serve(member, now);
   if (observer_) observe(now);
+  serve_commands(now);
   turn_recording(now);
   watch(now);
 }
 
-void Supervisor::interrupt(int number) {
+void Supervisor::serve_commands(Time now) {
+  LiveControl::Situation situation{gone_, last_tick_.has_value(), credit_, 0};
+  for (const Member& member : members_) {
+    if (member.starts_ticks) situation.ticks = member.progress.ticks;
+  }
+  if (layout_.pace == Pace::kRealtime) {
+    situation.first_open_tick =
+        situation.ticks +
+        static_cast<std::uint64_t>(std::ceil(kRealtimeNotice_s / plan_.graph.tick_s));
+  }
+  live_control_.serve(situation, now);
+  for (const domain::Intervention& change : live_control_.take_interventions()) {
+    if (recording_) recording_->add(spooled(change), change.tick + 1);
+  }
+  if (live_control_.holds()) stalled_since_ = now;
+  if (!live_control_.stopped().empty()) end_at_rest(live_control_.stopped(), now);
+}
+
+void Supervisor::interrupt(int number, Time now) {
   report_.interrupted_by = number;
-  abort("interrupted by signal " + std::to_string(number) + " (" + ::strsignal(number) + ")");
+  end_at_rest("interrupted by signal " + std::to_string(number) + " (" + ::strsignal(number) + ")",
+              now);
 }
 
 void Supervisor::serve(Member& member, Time now) {
@@ -164,7 +208,13 @@ void Supervisor::lose(Member& member, Time now) {
   member.busy = false;
   const std::string why_not = layout_.pace == Pace::kRealtime ? "; in real time it is not restarted"
                                                               : restart_policy_.take(member, now);
-  if (!why_not.empty()) return abort(what + why_not);
+  if (!why_not.empty() && member.starts_ticks && speed_mps() > 0.0) {
+    return abort(what + why_not + fmt::format("; it ended in motion at {:.2f} m/s", speed_mps()));
+  }
+  if (!why_not.empty()) {
+    member.down = true;
+    return end_at_rest(what + why_not, now);
+  }
   log({what + "; restarting it"});
   ++report_.restarts;
 }
@@ -172,6 +222,7 @@ void Supervisor::lose(Member& member, Time now) {
 void Supervisor::handle(Member& member, Frame frame, Time now) {
   member.heard_at = now;
   member.note(frame, now);
+  live_control_.note(member.stage, frame);
   if (frame.type == FrameType::kProgress) {
     if (const auto progress = frame.as<Progress>()) note_progress(member, *progress, now);
   } else if (frame.type == FrameType::kSamples) {
@@ -180,7 +231,7 @@ void Supervisor::handle(Member& member, Frame frame, Time now) {
   } else if (frame.type == FrameType::kNotice) {
     if (const auto text = frame.as<Text>()) log({text->text});
   } else if (frame.type == FrameType::kFatal) {
-    if (const auto text = frame.as<Text>()) abort(text->text);
+    if (const auto text = frame.as<Text>()) end_at_rest(text->text, now);
   }
 }
 
@@ -235,122 +286,6 @@ void Supervisor::turn_recording(Time now) {
   if (!recording_->failure().empty()) abort(recording_->failure());
 }
 
-void Supervisor::watch(Time now) {
-  if (gone_) {
-    watch_stall(now);
-  } else {
-    watch_start(now);
-  }
-  if (!launcher_.patient()) {
-    const bool realtime = layout_.pace == Pace::kRealtime;
-    log(restart_policy_.kill_frozen(now, realtime ? kRealtimeFrozenAfter : kFrozenAfter));
-    if (!realtime) log(restart_policy_.kill_lonely(now));
-  }
-  for (Member* member : restart_policy_.due(now)) start_child(*member);
-  give_credit();
-  if (last_tick_ && everybody_finished()) all_finished_ = true;
-  if (outside_.display && gone_ && now - displayed_at_ >= kDisplayPeriod) {
-    displayed_at_ = now;
-    outside_.display(statistics(), rate_.per_s());
-  }
-}
-
-void Supervisor::watch_start(Time now) {
-  if (everybody_ready()) {
-    go(now);
-  } else if (now - started_at_ > launcher_.start_timeout()) {
-    abort_start();
-  }
-}
-
-// Everybody reports, and nothing goes on: something was lost between them. The components go back
-// together, since each that is known to the others only by half is then new to all. If that does
-// not help at the same tick, nothing will.
-void Supervisor::watch_stall(Time now) {
-  const auto stalled = now - stalled_since_;
-  if (stalled > stall_timeout()) {
-    return abort(fmt::format(
-        "no tick was completed for {} s; ticks done:{}",
-        std::chrono::duration_cast<std::chrono::seconds>(stall_timeout()).count(), ticks_done()));
-  }
-  std::uint64_t started = 0;
-  for (const Member& member : members_) {
-    if (member.starts_ticks) started = member.progress.ticks;
-  }
-  if (stalled < kStallRestart || restarted_at_ == started || !may_restart_all()) return;
-  log({fmt::format(
-      "no tick was completed for {} s, though all report; restarting all; ticks done:{}",
-      kStallRestart.count(), ticks_done())});
-  restarted_at_ = started;
-  stalled_since_ = now;
-  for (const Member& member : members_) member.child->signal(SIGKILL);
-}
-
-bool Supervisor::may_restart_all() const {
-  if (launcher_.patient() || layout_.pace == Pace::kRealtime) return false;
-  return std::all_of(members_.begin(), members_.end(), [](const Member& member) {
-    return member.child && member.link && !member.third_party && !member.busy;
-  });
-}
-
-std::string Supervisor::ticks_done() const {
-  return ticks_text(members_) + (observer_ ? observer_->ticks_text() : "");
-}
-
-void Supervisor::abort_start() {
-  std::vector<std::string> missing;
-  if (observer_) missing = observer_->missing();
-  if (recording_ && !recording_->ready()) missing.push_back("the recorder has not reported");
-  abort(fmt::format("startup timed out after {} s:{}", plan_.graph.start_timeout_s,
-                    missing_text(members_, missing)));
-}
-
-Clock::duration Supervisor::stall_timeout() const {
-  if (launcher_.patient()) return launcher_.start_timeout();
-  const bool busy = std::any_of(members_.begin(), members_.end(),
-                                [](const Member& member) { return member.busy; });
-  const double tick_s =
-      layout_.pace == Pace::kLockstep ? 0.0 : plan_.graph.tick_s / layout_.pace_factor;
-  return (busy ? kLongestStep : kStallTimeout) +
-         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(2.0 * tick_s));
-}
-
-bool Supervisor::everybody_ready() const {
-  return all_ready(members_) && (!observer_ || observer_->ready()) &&
-         (!recording_ || recording_->ready());
-}
-
-bool Supervisor::everybody_finished() const {
-  return all_finished(members_) && (!observer_ || observer_->finished(*last_tick_));
-}
-
-void Supervisor::go(Time now) {
-  gone_ = true;
-  stalled_since_ = now;
-  const bool all_wait = keeps_own_pace(members_);
-  for (Member& member : members_) {
-    const bool waits = all_wait || member.starts_ticks;
-    if (waits && member.link) member.link->post(FrameType::kGo, Tick{0});
-  }
-}
-
-// The stage that starts ticks does not run away from the slowest member, so that histories hold
-// what anybody may need, nor from the recorder.
-void Supervisor::give_credit() {
-  std::uint64_t done = UINT64_MAX;
-  for (const Member& member : members_) {
-    if (!member.third_party) done = std::min(done, member.progress.ticks);
-  }
-  if (observer_) done = std::min(done, observer_->ticks());
-  std::uint64_t credit = done + kLead;
-  if (recording_) credit = std::min(credit, recording_->credit());
-  if (credit < credit_ + kLead / 4) return;
-  credit_ = credit;
-  for (Member& member : members_) {
-    if (member.starts_ticks && member.link) member.link->post(FrameType::kCredit, Tick{credit});
-  }
-}
-
 // ---- end ----
 
 // A run that is cut off has gone further than was told, by what components report in a while.
@@ -384,6 +319,8 @@ RunReport Supervisor::finish(Time now) {
     report_.restarts += recording_->restarts();
   }
   report_.statistics = statistics();
+  report_.goal_changed =
+      report_.statistics.truth && live_control_.goal_changed_by(report_.statistics.truth->tick);
   report_.ticks_per_s = rate_.per_s();
   report_.wall_s = std::chrono::duration<double>(now - started_at_).count();
   auto chains = all_chains(members_);

@@ -17,6 +17,7 @@
 #include "run/tick_rate.hpp"
 #include "runtime/run_plan.hpp"
 #include "supervisor/launcher.hpp"
+#include "supervisor/live_control.hpp"
 #include "supervisor/member.hpp"
 #include "supervisor/process_layout.hpp"
 #include "supervisor/restart_policy.hpp"
@@ -37,6 +38,7 @@ class Supervisor {
     Log log;                                   ///< a line for people
     ProgressDisplay display;                   ///< may be null
     StartProcess start = ChildProcess::start;  ///< starts a program
+    RunControl* control = nullptr;  ///< what is changed while the run goes on; null: nothing may be
   };
 
   Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
@@ -52,7 +54,7 @@ class Supervisor {
   /// Takes what has arrived, and does what is due.
   void turn(Time now);
   /// A signal asks for an end.
-  void interrupt(int number);
+  void interrupt(int number, Time now);
   /// Whether the run has an outcome that everybody has confirmed, or was aborted.
   bool over() const { return !report_.aborted.empty() || all_finished_; }
 
@@ -69,6 +71,9 @@ class Supervisor {
 
  private:
   void abort(const std::string& why);
+  void end_at_rest(const std::string& why, Time now);
+  void watch_rest(Time now);
+  double speed_mps() const;
   void log(const std::vector<std::string>& lines) const;
   void start_child(Member& member);
   void refuse(Link& link, const std::string& why) const;
@@ -81,6 +86,7 @@ class Supervisor {
   void note_observed(Time now);
   void observe(Time now);
   void take_last_reports();
+  void serve_commands(Time now);
   void watch(Time now);
   void watch_start(Time now);
   void watch_stall(Time now);
@@ -100,6 +106,7 @@ class Supervisor {
   std::vector<Member> members_;
   const Launcher launcher_;
   RestartPolicy restart_policy_;
+  LiveControl live_control_;
   std::optional<RunRecordingControl> recording_;
   std::optional<Checkpoint> observed_before_;
   std::unique_ptr<ThirdPartyObserver> observer_;
@@ -108,8 +115,13 @@ class Supervisor {
   TickRate rate_;
   bool gone_ = false;
   bool all_finished_ = false;
+  const std::uint64_t lead_;  ///< ticks that may be started before the slowest member has done them
   std::uint64_t credit_;
   std::optional<std::uint64_t> last_tick_;
+  /// In real time: why the run ends as soon as the robot rests, and when it ends anyway.
+  std::string ends_at_rest_;
+  Time ends_by_{};
+  std::optional<Time> rests_at_;  ///< since when it does
   Time stalled_since_{};
   std::optional<std::uint64_t> restarted_at_;  ///< tick at which a stall was last answered
   Time displayed_at_{};

@@ -6,9 +6,9 @@
 namespace clew::runtime {
 
 ComposedExecutor::ComposedExecutor(std::vector<Node> nodes, SampleObserver* observer)
-    : ComposedExecutor(std::move(nodes), observer, 0, {}) {}
+    : ComposedExecutor(alone(std::move(nodes)), observer, 0, {}) {}
 
-ComposedExecutor::ComposedExecutor(std::vector<Node> nodes, SampleObserver* observer,
+ComposedExecutor::ComposedExecutor(std::vector<NodeSuccession> nodes, SampleObserver* observer,
                                    std::uint64_t next_tick, domain::Messages messages)
     : nodes_(std::move(nodes)),
       observer_(observer),
@@ -16,7 +16,7 @@ ComposedExecutor::ComposedExecutor(std::vector<Node> nodes, SampleObserver* obse
       next_tick_(next_tick) {}
 
 void ComposedExecutor::step() {
-  for (Node& node : nodes_) {
+  for (NodeSuccession& node : nodes_) {
     TopicSet present = node.ports().inputs;
     // A delayed input still holds the sample of the tick before: its writer comes later.
     if (next_tick_ > 0) present |= node.ports().delayed_inputs;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/node.hpp"
+#include "runtime/node_succession.hpp"
 
 namespace clew::runtime {
 
@@ -23,10 +23,12 @@ class ComposedExecutor {
   ComposedExecutor(std::vector<Node> nodes, SampleObserver* observer);
   /// Goes on from `next_tick`: the nodes have stepped every tick before it, and `messages` holds
   /// the samples of the last one.
-  ComposedExecutor(std::vector<Node> nodes, SampleObserver* observer, std::uint64_t next_tick,
-                   domain::Messages messages);
+  ComposedExecutor(std::vector<NodeSuccession> nodes, SampleObserver* observer,
+                   std::uint64_t next_tick, domain::Messages messages);
 
-  const std::vector<Node>& nodes() const { return nodes_; }
+  /// In the order of their steps. Successors may be added for ticks to come.
+  std::vector<NodeSuccession>& nodes() { return nodes_; }
+  const std::vector<NodeSuccession>& nodes() const { return nodes_; }
   /// The tick that step() runs next.
   std::uint64_t next_tick() const { return next_tick_; }
   /// Runs one tick of all nodes.
@@ -35,7 +37,7 @@ class ComposedExecutor {
   const domain::Messages& messages() const { return messages_; }
 
  private:
-  std::vector<Node> nodes_;
+  std::vector<NodeSuccession> nodes_;
   SampleObserver* observer_;
   domain::Messages messages_;
   std::uint64_t next_tick_ = 0;

@@ -180,4 +180,12 @@ void add_to_bundle(const std::string& folder, const std::string& name, const cor
   if (!file.image.empty()) bundle[folder + '/' + name + kImageExtension] = file.image;
 }
 
+core::Result<core::Resource> BundleAndFiles::find(const std::string& folder,
+                                                  const std::string& name) const {
+  const bool is_data = folder != "graphs" && folder != "worlds" && folder != "robots";
+  auto bundled = BundleSource(bundle_).find(folder, name);
+  if (bundled.ok() || !is_data) return bundled;
+  return files_.find(folder, name);
+}
+
 }  // namespace clew::runtime

@@ -48,6 +48,19 @@ using Bundle = std::map<std::string, std::string>;
 void add_to_bundle(const std::string& folder, const std::string& name, const core::Resource& file,
                    Bundle& bundle);
 
+/// A bundle's own files, and others for data files that it does not have.
+class BundleAndFiles : public ConfigSource {
+ public:
+  BundleAndFiles(const Bundle& bundle, const ConfigSource& files)
+      : bundle_(bundle), files_(files) {}
+  core::Result<core::Resource> find(const std::string& folder,
+                                    const std::string& name) const override;
+
+ private:
+  const Bundle& bundle_;
+  const ConfigSource& files_;
+};
+
 /// A bundle as a source: every graph, world and robot is the one that it holds.
 class BundleSource : public ConfigSource {
  public:

@@ -11,6 +11,7 @@
 #include "runtime/config_source.hpp"
 #include "runtime/node.hpp"
 #include "runtime/stage.hpp"
+#include "world/world.hpp"
 
 namespace clew::runtime {
 
@@ -22,6 +23,7 @@ struct GraphOverrides {
   std::vector<std::string> set;   ///< `STAGE[.PART][.NAME].PARAM=VALUE`
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> max_ticks;
+  std::optional<world::Goal> goal;
 };
 
 /// Where something stands: in a graph file, or in the option that gave it.
@@ -66,6 +68,9 @@ struct GraphStage {
   NodePorts ports;
   Place place;
   std::vector<NamedFile> files;
+
+  /// Its part of a graph file, with every value in it.
+  std::string expanded_yaml() const;
 };
 
 /// A graph, complete: every default filled in, every port wired.
@@ -76,6 +81,7 @@ struct Graph {
   std::uint64_t seed = 1;
   std::uint64_t max_ticks = 20000;
   double start_timeout_s = 10.0;
+  std::optional<world::Goal> goal;  ///< in the place of the world's target
   double tick_s = 0.0;
   /// In an order in which an input of the same tick is written before it is read.
   std::vector<GraphStage> stages;
@@ -83,6 +89,7 @@ struct Graph {
   Place place;
   Place world_place;
   Place robot_place;
+  Place goal_place;
 
   const GraphStage* find(const std::string& stage) const;
   /// The stage that writes a topic, if any.

@@ -84,23 +84,27 @@ std::string part_text(const PartInfo& part, const std::vector<PartChoice>& choic
 
 }  // namespace
 
+std::string GraphStage::expanded_yaml() const {
+  std::string text = info->name + ":\n";
+  if (!deployment.exec.empty()) {
+    text += "  exec: " + list(deployment.exec) + '\n';
+    if (deployment.json_lines) text += "  via: json_lines\n";
+    if (deployment.stateless) text += "  restart: stateless\n";
+    if (config.parts.empty()) return text;
+  }
+  for (const PartInfo& part : info->parts) text += part_text(part, config.parts.at(part.name));
+  if (!deployment.exec.empty()) return text;
+  return text + parameters_text(info->parameters, config.parameters, "  ");
+}
+
 std::string Graph::expanded_yaml() const {
   std::string text = fmt::format("world: {}\nrobot: {}\nseed: {}\nmax_ticks: {}\n", quote(world),
                                  quote(robot), seed, max_ticks);
-  for (const GraphStage& stage : stages) {
-    text += stage.info->name + ":\n";
-    if (!stage.deployment.exec.empty()) {
-      text += "  exec: " + list(stage.deployment.exec) + '\n';
-      if (stage.deployment.json_lines) text += "  via: json_lines\n";
-      if (stage.deployment.stateless) text += "  restart: stateless\n";
-      if (stage.config.parts.empty()) continue;
-    }
-    for (const PartInfo& part : stage.info->parts) {
-      text += part_text(part, stage.config.parts.at(part.name));
-    }
-    if (!stage.deployment.exec.empty()) continue;
-    text += parameters_text(stage.info->parameters, stage.config.parameters, "  ");
+  if (goal) {
+    text += fmt::format("goal: [{}, {}", goal->place.x(), goal->place.y());
+    text += goal->radius_m ? fmt::format(", {}]\n", *goal->radius_m) : "]\n";
   }
+  for (const GraphStage& stage : stages) text += stage.expanded_yaml();
   return text;
 }
 

@@ -148,6 +148,17 @@ Result<std::uint64_t> read_count(const YamlNode& node, const char* key) {
   return static_cast<std::uint64_t>(*value);
 }
 
+Result<world::Goal> read_goal(const YamlNode& node) {
+  const auto items = node.items();
+  if (!items.ok()) return items.error();
+  const bool with_radius = items->size() == 3;
+  const auto numbers = node.numbers(with_radius ? 3 : 2, "[x, y] or [x, y, radius]");
+  if (!numbers.ok()) return numbers.error();
+  world::Goal goal{{(*numbers)[0], (*numbers)[1]}, std::nullopt};
+  if (with_radius) goal.radius_m = (*numbers)[2];
+  return goal;
+}
+
 Result<void> read_head(const YamlNode& root, Graph& head) {
   const auto text = [&](const char* key, std::string& field, bool required) -> Result<void> {
     if (!required && !root.find(key)) return {};
@@ -182,6 +193,12 @@ Result<void> read_head(const YamlNode& root, Graph& head) {
       return node->error("start_timeout_s is " + node->found() + "; allowed: 0.1 to 3600 s");
     }
     head.start_timeout_s = *value;
+  }
+  if (const auto node = root.find("goal")) {
+    const auto goal = read_goal(*node);
+    if (!goal.ok()) return goal.error();
+    head.goal = *goal;
+    head.goal_place = place_of(*node);
   }
   return {};
 }
@@ -281,8 +298,8 @@ Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& n
                                 const std::vector<StageInfo>& stages) {
   const auto root = YamlNode::parse(file.text, file.file);
   if (!root.ok()) return root.error();
-  std::vector<std::string> keys = {"name", "about",     "world",           "robot",
-                                   "seed", "max_ticks", "start_timeout_s", "mission"};
+  std::vector<std::string> keys = {"name",      "about",           "world",   "robot", "seed",
+                                   "max_ticks", "start_timeout_s", "mission", "goal"};
   for (const StageInfo& stage : stages) keys.push_back(stage.name);
   if (const auto format = root->find("format")) {
     return format->error("found a file of the format " + format->found() +

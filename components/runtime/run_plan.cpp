@@ -23,7 +23,10 @@ core::Error not_found(const Place& place, const std::string& key, const core::Er
 Result<void> load_world(const ConfigSource& source, RunPlan& plan) {
   auto file = source.find("worlds", plan.graph.world);
   if (!file.ok()) return not_found(plan.graph.world_place, "world", file.error());
-  auto world = world::World::parse(file->text, file->file);
+  auto world = world::World::parse(file->text, file->file, plan.graph.goal);
+  if (!world.ok() && world.error().file.empty()) {
+    return plan.graph.goal_place.error(world.error().message);
+  }
   if (!world.ok()) return world.error();
   const auto fits = world->check_robot_fits(plan.setup.behaviour.robot.radius_m);
   if (!fits.ok()) {
@@ -178,6 +181,12 @@ Result<RunPlan> prepare_run(const Bundle& bundle, const std::vector<StageInfo>& 
 Result<RunPlan> read_prepared_run(const Bundle& bundle, const std::vector<StageInfo>& stages,
                                   const std::string& only) {
   return read_run("graph", {}, BundleSource(bundle), stages, only);
+}
+
+Result<RunPlan> read_changed_run(const GraphOverrides& overrides, const ConfigSource& source,
+                                 const std::vector<StageInfo>& stages,
+                                 const std::optional<std::string>& only) {
+  return read_run("graph", overrides, source, stages, only);
 }
 
 Result<Node> make_node(const RunPlan& plan, const GraphStage& stage) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,12 @@ core::Result<RunPlan> prepare_run(const Bundle& bundle, const std::vector<StageI
 /// the world, which may be large, is read only for a stage that knows it.
 core::Result<RunPlan> read_prepared_run(const Bundle& bundle, const std::vector<StageInfo>& stages,
                                         const std::string& only);
+
+/// The run that the bundle in `source` describes, with overrides; with `only`, what that stage
+/// needs of it. No component is made.
+core::Result<RunPlan> read_changed_run(const GraphOverrides& overrides, const ConfigSource& source,
+                                       const std::vector<StageInfo>& stages,
+                                       const std::optional<std::string>& only);
 
 /// Makes the component of a stage with its ports.
 core::Result<Node> make_node(const RunPlan& plan, const GraphStage& stage);

@@ -111,8 +111,14 @@ struct World::Content {
 };
 
 core::Result<World> World::parse(std::string_view yaml, const std::string& file) {
+  return parse(yaml, file, std::nullopt);
+}
+
+core::Result<World> World::parse(std::string_view yaml, const std::string& file,
+                                 const std::optional<Goal>& goal) {
   auto world = read_world_file(yaml, file);
   if (!world.ok()) return world.error();
+  if (goal) CLEW_RETURN_IF_ERROR(set_goal(*goal, *world));
   return World(std::make_unique<const Content>(*std::move(world)));
 }
 

@@ -53,6 +53,12 @@ struct ConeDirection {
 
 class RayFan;
 
+/// Where a run is to end instead of at the target that its world file names.
+struct Goal {
+  Vec2 place = Vec2::Zero();
+  std::optional<double> radius_m;  ///< none: the world's
+};
+
 /// A world file (`clew-world/1`), checked and indexed for queries. Immutable; safe to share between
 /// threads. Obstacles are the boundary, walls, polygons and circles (filled), and moving discs; all
 /// queries take the simulated time, which only moving ones need.
@@ -63,6 +69,10 @@ class World {
   /// that are not finite, empty bounds, start or target outside or inside an obstacle, radii that
   /// are not positive, polygons that cross themselves, times that do not rise.
   static core::Result<World> parse(std::string_view yaml, const std::string& file);
+  /// The same with another target: nothing is known of the way there, and the file's subgoals are
+  /// none of it. Refused, too: a goal where the file's target could not lie.
+  static core::Result<World> parse(std::string_view yaml, const std::string& file,
+                                   const std::optional<Goal>& goal);
 
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;

@@ -203,19 +203,26 @@ Result<void> read_bounds(const YamlNode& root, WorldFile& world) {
                   size.x(), size.y()));
 }
 
-// A point that the robot is to be at lies within the bounds and in no obstacle.
-Result<void> check_free(const YamlNode& node, const char* what, const Vec2& point,
-                        const WorldFile& world, Obstacles obstacles) {
+// A point that the robot is to be at lies within the bounds and in no obstacle: else, why not.
+std::string why_not_free(const char* what, const Vec2& point, const WorldFile& world,
+                         Obstacles obstacles) {
   const Vec2& min = world.bounds_min;
   const Vec2& max = world.bounds_max;
   if (!(min.x() < point.x() && point.x() < max.x() && min.y() < point.y() && point.y() < max.y())) {
-    return node.error(fmt::format("the {} [{}, {}] is not within the bounds [{}, {}, {}, {}]", what,
-                                  point.x(), point.y(), min.x(), min.y(), max.x(), max.y()));
+    return fmt::format("the {} [{}, {}] is not within the bounds [{}, {}, {}, {}]", what, point.x(),
+                       point.y(), min.x(), min.y(), max.x(), max.y());
   }
   const NearestObstacle nearest = nearest_obstacle(world, point, obstacles);
   if (nearest.clearance_m > 0.0) return {};
-  return node.error(fmt::format("the {} [{}, {}] is inside or on an obstacle, {}", what, point.x(),
-                                point.y(), nearest.name));
+  return fmt::format("the {} [{}, {}] is inside or on an obstacle, {}", what, point.x(), point.y(),
+                     nearest.name);
+}
+
+Result<void> check_free(const YamlNode& node, const char* what, const Vec2& point,
+                        const WorldFile& world, Obstacles obstacles) {
+  std::string why_not = why_not_free(what, point, world, obstacles);
+  if (why_not.empty()) return {};
+  return node.error(std::move(why_not));
 }
 
 // What moves may leave a target or subgoal again; only the start must be free of it.
@@ -255,6 +262,20 @@ std::vector<World::Segment> WorldFile::boundary() const {
           {lower_right, bounds_max},
           {bounds_max, upper_left},
           {upper_left, bounds_min}};
+}
+
+core::Result<void> set_goal(const Goal& goal, WorldFile& world) {
+  std::string why_not = why_not_free("goal", goal.place, world, Obstacles::kStatic);
+  if (goal.radius_m && !(*goal.radius_m > 0.0)) {
+    why_not = fmt::format("the goal's radius is {} m; it must be positive", *goal.radius_m);
+  }
+  if (!why_not.empty()) return core::Error{std::move(why_not), {}, 0, 0};
+  world.target = goal.place;
+  world.target_radius_m = goal.radius_m.value_or(world.target_radius_m);
+  world.subgoals.clear();
+  world.solvable.reset();
+  world.shortest_path_m.reset();
+  return {};
 }
 
 core::Result<WorldFile> read_world_file(std::string_view yaml, const std::string& file) {

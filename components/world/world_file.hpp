@@ -37,4 +37,7 @@ struct WorldFile {
 /// Reads a world file; see World::parse.
 core::Result<WorldFile> read_world_file(std::string_view yaml, const std::string& file);
 
+/// Puts a goal in the target's place; see World::parse.
+core::Result<void> set_goal(const Goal& goal, WorldFile& world);
+
 }  // namespace clew::world

@@ -73,7 +73,7 @@ class Host : public testing::Test {
 
   NodeHost& make(Assignment assignment = {}) {
     host_ = std::make_unique<NodeHost>(
-        echo_node(), assignment, plan_,
+        runtime::NodeSuccession(echo_node()), assignment, plan_,
         NodeHost::Handlers{[this](std::string text) { notices_.push_back(std::move(text)); },
                            [this](std::string text) { fatal_.push_back(std::move(text)); },
                            [this](const Progress& progress) { progress_.push_back(progress); },
@@ -235,7 +235,7 @@ TEST_F(Host, GoesOnFromACheckpointWithTheSameBytesAndHash) {
   const auto chains = host_->finished(99)->chains;
 
   FakeParticipant again;
-  NodeHost second(echo_node(), assignment, plan_,
+  NodeHost second(runtime::NodeSuccession(echo_node()), assignment, plan_,
                   {[](auto) {}, [](auto) {}, [](const auto&) {}, [](const auto&) {}, [](auto) {}});
   ASSERT_TRUE(second.restore(checkpoints_[0]).ok());
   ASSERT_TRUE(second.open(again, barrier_).ok());

@@ -102,7 +102,7 @@ TEST(ComposedExecutor, GoesOnFromTheMiddleOfARun) {
     ASSERT_TRUE(nodes[i].load(stepped[i].save()).ok());
   }
 
-  ComposedExecutor rest(std::move(nodes), nullptr, 2, first.messages());
+  ComposedExecutor rest(alone(std::move(nodes)), nullptr, 2, first.messages());
   rest.step();
 
   const auto& expected = std::get<domain::Command>(whole.messages());

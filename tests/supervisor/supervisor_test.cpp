@@ -287,7 +287,7 @@ TEST_F(Run, IsNotHeldUpByAProcessThatNeverReadsItsAssignment) {
   pass(kFrozenAfter + milliseconds(200), {"sense"});
 
   EXPECT_TRUE(logged("does not report; killing it"));
-  supervisor_->interrupt(SIGINT);
+  supervisor_->interrupt(SIGINT, now_);
   EXPECT_EQ(aborted(), "interrupted by signal 2 (Interrupt)");
 }
 

@@ -158,6 +158,7 @@ class Component(Published):
         run_graph(graph, "--record", recording)
 
         report = self.replayed([recording, "--component", "control", "--publish", "--start",
+                                "--exec", f"{THIRD_PARTY}/straight_control --without-guidance",
                                 "--json"], 0).report
 
         self.assertTrue(report["identical"])

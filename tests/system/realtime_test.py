@@ -78,6 +78,59 @@ class RealTime(unittest.TestCase):
             self.assertGreater(sum(after.x_m - before.x_m for before, after in way), 0.2)
         self.assertTrue(Run(["replay", self.recording, "--json"]).report["identical"])
 
+    def moving(self):
+        """A run whose robot is on its way."""
+        growing = pathlib.Path(f"{self.recording}.tmp~")
+        self.recording.unlink(missing_ok=True)
+        growing.unlink(missing_ok=True)
+        run = start(self.arguments(), start_new_session=True)
+        self.assertTrue(wait_until(lambda: growing.exists() and len(states_of(growing)) > 5))
+        return run
+
+    def test_the_robot_is_brought_to_rest_when_a_component_dies(self):
+        for victim in ("control", "sense"):
+            with self.subTest(victim=victim):
+                run = self.moving()
+                os.kill(components_of(run.pid)[victim], signal.SIGKILL)
+                _, err = run.communicate(timeout=30)
+                states = states_of(self.recording)
+
+                self.assertEqual(run.returncode, 1)
+                self.assertRegex(err, victim + r" \(process \d+\) was killed .*; in real time it is "
+                                              "not restarted; bringing the robot to rest")
+                # The last tick is one in which it did not move, and says why.
+                self.assertTrue(states[-1].command_late)
+                self.assertEqual(states[-2][1:4], states[-1][1:4])
+                self.assertTrue(Run(["replay", self.recording, "--json"]).report["identical"])
+
+    def test_a_signal_and_a_command_bring_the_robot_to_rest_too(self):
+        run = self.moving()
+        os.kill(run.pid, signal.SIGTERM)
+        run.communicate(timeout=30)
+        states = states_of(self.recording)
+
+        self.assertEqual(run.returncode, 130)
+        self.assertTrue(states[-1].command_late)
+        self.assertEqual(states[-2][1:4], states[-1][1:4])
+
+    def test_a_robot_whose_own_process_dies_ended_in_motion_and_the_run_says_so(self):
+        run = self.moving()
+        os.kill(components_of(run.pid)["drive"], signal.SIGKILL)
+        _, err = run.communicate(timeout=30)
+
+        self.assertEqual(run.returncode, 1)
+        self.assertRegex(err, r"drive \(process \d+\) was killed .*; it ended in motion at "
+                              r"\d+\.\d\d m/s")
+        self.assertIn("it ended in motion at", Run(["info", self.recording]).out)
+
+    def test_drive_outlives_its_supervisor_until_the_robot_rests_and_no_longer(self):
+        run = self.moving()
+        drive = components_of(run.pid)["drive"]
+        os.kill(run.pid, signal.SIGKILL)
+        run.communicate(timeout=30)
+
+        self.assertTrue(wait_until(lambda: not pathlib.Path(f"/proc/{drive}").exists(), 3))
+
     def test_a_command_that_is_refused_is_a_late_one(self):
         at = 10
         run = Run([*self.arguments(f"{{exec: [{THIRD_PARTY}/straight_control, --without-guidance, "

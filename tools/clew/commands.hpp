@@ -21,5 +21,7 @@ void add_echo(CLI::App& main, int& status);
 void add_world(CLI::App& main, int& status);
 void add_diff(CLI::App& main, int& status);
 void add_replay(CLI::App& main, int& status);
+/// swap, goal, pause, step, resume, stop: what is done to a run that goes on.
+void add_live(CLI::App& main, int& status);
 
 }  // namespace clew::tools

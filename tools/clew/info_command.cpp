@@ -145,6 +145,11 @@ void print(const RunRecording& recording, const RecordingFacts& facts) {
   if (const auto& box = description.black_box) {
     fmt::print("black box  {}; can be replayed from tick {} on\n", box->why, box->tick);
   }
+  for (const auto& change : recording.interventions()) {
+    fmt::print(
+        "changed    at tick {}: {}\n", change.tick,
+        change.order.empty() ? fmt::format("{}", fmt::join(change.changes, ", ")) : change.order);
+  }
   if (facts.branch_tick) {
     fmt::print("branched   at tick {}; the ticks before are those of another run\n",
                *facts.branch_tick);
@@ -215,6 +220,11 @@ ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts)
   json["tick_s"] = description.tick_s;
   json["duration_s"] = static_cast<double>(facts.last_tick) * description.tick_s;
   json["branch_tick"] = facts.branch_tick ? ordered_json(*facts.branch_tick) : nullptr;
+  json["interventions"] = ordered_json::array();
+  for (const auto& change : recording.interventions()) {
+    json["interventions"].push_back(
+        {{"tick", change.tick}, {"changes", change.changes}, {"order", change.order}});
+  }
   json["black_box"] = nullptr;
   if (const auto& box = description.black_box) {
     json["black_box"] = {{"first_tick", box->tick}, {"why", box->why}};

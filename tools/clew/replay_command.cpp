@@ -169,6 +169,9 @@ void add_publish(CLI::App& app, ReplayOptions& options) {
   app.add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)");
   app.add_option("--middleware", options.middleware, "cyclonedds | fastdds (cyclonedds)");
   app.add_flag("--start", options.start, "start the component's process, too");
+  app.add_option("--exec", options.exec,
+                 "with --start, the COMMAND of a component of someone else's: as the recording has "
+                 "it, else nothing is run");
   app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it under a command");
   app.add_option("--reader", options.readers, "start a COMMAND that reads; may be repeated")
       ->allow_extra_args(false);

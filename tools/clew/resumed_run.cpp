@@ -31,6 +31,7 @@ Result<void> check_nothing_is_decided_anew(const RunOptions& options) {
                                                   {!overrides.set.empty(), "--set"},
                                                   {overrides.seed.has_value(), "--seed"},
                                                   {overrides.max_ticks.has_value(), "--max-ticks"},
+                                                  {!options.at.empty(), "--at"},
                                                   {!options.compression.empty(), "--compression"}};
   for (const auto& [given, name] : decided) {
     if (!given) continue;
@@ -101,10 +102,11 @@ Result<ResumedRun> resume_run(const RunOptions& options) {
                  file, 0, 0};
   }
   const std::string becomes = options.record.empty() ? final_name(file) : options.record;
-  bridge::RecordingOrder order{becomes, bridge::describe_run(*plan), 0.0};
+  bridge::RecordingOrder order{becomes, bridge::describe_run(*plan), 0.0, options.force};
   // What it says of itself stays, whatever of it this version would say otherwise.
   order.description.versions = recording->description().versions;
   order.description.bundle = recording->description().bundle;
+  order.description.planned = recording->description().planned;
   order.description.compression = recording->description().compression;
   return ResumedRun{std::move(plan).value(), std::move(order), std::move(resumption).value(), file};
 }

@@ -2,17 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <chrono>
 #include <cstdio>
 #include <memory>
-#include <set>
 
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/foreign_programs.hpp"
-#include "clew/own_program.hpp"
 #include "clew/resumed_run.hpp"
+#include "clew/run_layout.hpp"
 #include "clew/run_options.hpp"
 #include "clew/run_output.hpp"
 #include "core/nearest_name.hpp"
@@ -20,8 +19,9 @@
 #include "recorder/recording_sink.hpp"
 #include "run/composed_run.hpp"
 #include "run/end_signals.hpp"
-#include "runtime/middleware.hpp"
+#include "run/run_control.hpp"
 #include "stages/all.hpp"
+#include "supervisor/composed_control.hpp"
 #include "supervisor/launcher.hpp"
 #include "supervisor/process_run.hpp"
 
@@ -35,105 +35,6 @@ const std::vector<std::string> kCompressions = {"none", "zstd", "lz4"};
 const std::vector<std::string> kRecordOn = {"trap"};
 constexpr double kRecordLast_s = 30.0;
 const std::vector<std::string> kOnRecordError = {"stop", "continue"};
-
-struct Speed {
-  bridge::Pace pace = bridge::Pace::kLockstep;
-  double factor = 1.0;
-};
-
-Result<Speed> read_pace(const std::string& text) {
-  if (text == "lockstep") return Speed{};
-  if (text == "realtime") return Speed{bridge::Pace::kRealtime, 1.0};
-  double factor = 0.0;
-  char unit = 0;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%lf%c%c", &factor, &unit, &rest) == 2 && unit == 'x' &&
-      std::isfinite(factor) && factor >= 0.001 && factor <= 1000.0) {
-    return Speed{bridge::Pace::kScaled, factor};
-  }
-  return Error{"found '" + text + "'; allowed: lockstep, realtime, or a factor of simulated time " +
-                   "from 0.001x to 1000x",
-               "--pace", 0, 0};
-}
-
-Result<void> check_stage(const runtime::Graph& graph, const std::string& stage,
-                         const char* option) {
-  if (graph.find(stage) != nullptr) return {};
-  std::vector<std::string> known;
-  for (const auto& candidate : graph.stages) known.push_back(candidate.info->name);
-  return Error{core::unknown_name("stage of this graph", stage, known), option, 0, 0};
-}
-
-Error given_twice(const char* option, const std::string& what) {
-  return {"is given twice" + (what.empty() ? "" : " for " + what) + "; once is allowed", option, 0,
-          0};
-}
-
-Result<void> read_middleware(const RunOptions& options, const runtime::Graph& graph,
-                             bridge::ProcessLayout& layout) {
-  std::set<std::string> given;
-  for (const std::string& text : options.middleware) {
-    const std::size_t equals = text.find('=');
-    const std::string vendor = equals == std::string::npos ? text : text.substr(equals + 1);
-    if (!runtime::is_middleware(vendor)) {
-      return Error{runtime::unknown_middleware(vendor), "--middleware", 0, 0};
-    }
-    const std::string stage = equals == std::string::npos ? "" : text.substr(0, equals);
-    if (!given.insert(stage).second) return given_twice("--middleware", stage);
-    if (equals == std::string::npos) {
-      // The command line outranks the graph.
-      layout.middleware = vendor;
-      for (const auto& each : graph.stages) {
-        layout.stage_middleware.emplace(each.info->name, vendor);
-      }
-    } else {
-      CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--middleware"));
-      layout.stage_middleware[stage] = vendor;
-    }
-  }
-  return {};
-}
-
-Result<bridge::ProcessLayout> read_layout(const RunOptions& options, const runtime::Graph& graph,
-                                          const Speed& speed) {
-  bridge::ProcessLayout layout;
-  layout.program = own_program();
-  layout.domain = options.domain;
-  layout.pace = speed.pace;
-  layout.pace_factor = speed.factor;
-  layout.realtime_priority = options.realtime_priority.value_or(0);
-  layout.hash = !options.no_hash;
-  layout.on_record_error = options.on_record_error == "stop" ? bridge::OnRecordError::kStop
-                                                             : bridge::OnRecordError::kContinue;
-  CLEW_RETURN_IF_ERROR(read_middleware(options, graph, layout));
-  for (const std::string& stage : options.external) {
-    CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--external"));
-    if (!layout.external.insert(stage).second) return given_twice("--external", stage);
-  }
-  for (const std::string& text : options.prefix) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals + 1 == text.size()) {
-      return Error{"expected STAGE='command', found '" + text + "'", "--prefix", 0, 0};
-    }
-    const std::string stage = text.substr(0, equals);
-    CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--prefix"));
-    const bool first = layout.prefix.emplace(stage, text.substr(equals + 1)).second;
-    if (!first) return given_twice("--prefix", stage);
-  }
-  return layout;
-}
-
-// One vendor's name, or each stage with its own.
-std::string middleware_text(const runtime::Graph& graph, const bridge::ProcessLayout& layout) {
-  std::set<std::string> vendors;
-  std::string each;
-  for (const auto& stage : graph.stages) {
-    const std::string vendor = bridge::middleware_of(stage, layout);
-    vendors.insert(vendor);
-    each += (each.empty() ? "" : ",") + stage.info->name + '=' + vendor;
-  }
-  return vendors.size() == 1 ? *vendors.begin() : each;
-}
 
 Result<void> check_black_box(const RunOptions& options) {
   const bool wanted = !options.record_on.empty();
@@ -190,6 +91,28 @@ struct Job {
   std::string resumed_from;  ///< the recording that is gone on with
 };
 
+/// What is to be changed while it goes on, as the options have it.
+Result<void> plan_changes(const RunOptions& options, Job& job, bridge::RunControl& control) {
+  if (job.resumption) {
+    control.take_over(job.resumption->interventions, job.resumption->plans,
+                      job.resumption->processes.next_tick);
+  }
+  std::vector<domain::Intervention> planned;
+  for (const std::string& text : options.at) {
+    auto read = runtime::read_intervention(text, "--at");
+    if (!read.ok()) return read.error();
+    planned.push_back(std::move(read).value());
+  }
+  CLEW_RETURN_IF_ERROR(control.plan(std::move(planned)));
+  if (job.resumption || !job.recording) return {};
+  for (domain::Intervention change : control.interventions()) {
+    job.recording->description.bundle.insert(change.files.begin(), change.files.end());
+    change.files.clear();
+    job.recording->description.planned.push_back(std::move(change));
+  }
+  return {};
+}
+
 Result<Job> new_job(const RunOptions& options) {
   if (options.graph.empty()) return Error{"which graph? see 'clew list graphs'", {}, 0, 0};
   auto plan = runtime::prepare_run(options.graph, options.overrides,
@@ -199,7 +122,7 @@ Result<Job> new_job(const RunOptions& options) {
   if (options.record.empty()) return job;
   const double keep_last_s =
       options.record_on.empty() ? 0.0 : options.record_last_s.value_or(kRecordLast_s);
-  job.recording = {options.record, bridge::describe_run(job.plan), keep_last_s};
+  job.recording = {options.record, bridge::describe_run(job.plan), keep_last_s, options.force};
   const std::string compression = options.compression == "none" ? "" : options.compression;
   job.recording->description.compression = *bridge::mcap::compression_from_name(compression);
   return job;
@@ -213,16 +136,46 @@ Result<Job> resumed_job(const RunOptions& options) {
 }
 
 /// Takes the recording's name, when nothing that was asked for can be wrong any more: a command
-/// that is refused leaves no file in the way of the right one.
-Result<void> claim_recording(const RunOptions& options, const Job& job) {
+/// that is refused leaves no file in the way of the right one. The file says at once which run it
+/// is of, so that a run that dies can be gone on with. A disk that is full already is the user's
+/// choice in every layout: the run is refused, or goes on without a recording.
+Result<void> claim_recording(const RunOptions& options, Job& job) {
   if (job.resumption) return claim_resumed(options, job.resumed_from, job.recording->path);
-  if (job.recording) return bridge::mcap::OutputFile::reserve(options.record, options.force);
+  if (!job.recording) return {};
+  CLEW_RETURN_IF_ERROR(bridge::mcap::OutputFile::reserve(options.record, options.force));
+  if (job.recording->keep_last_s > 0.0) return {};
+  const bool is_device = bridge::mcap::OutputFile::temporary_name(options.record) == options.record;
+  if (is_device) return {};
+  const auto described = bridge::RunRecorder::describe(options.record, job.recording->description);
+  if (described.ok()) return {};
+  bridge::mcap::OutputFile::discard(options.record);
+  if (options.on_record_error == "stop") return described.error();
+  std::fprintf(stderr, "clew: the run is not recorded: %s\n", described.error().text().c_str());
+  job.recording.reset();
   return {};
+}
+
+/// Where a composed run begins, with all that is planned for it.
+Result<bridge::ComposedStart> composed_start(Job& job, const bridge::RunControl& control,
+                                             bool hash) {
+  if (job.resumption) return std::move(job.resumption->composed);
+  const auto started_at = std::chrono::steady_clock::now();
+  auto nodes = runtime::make_successions(job.plan, control.interventions(), control.plans());
+  if (!nodes.ok()) return nodes.error();
+  return bridge::ComposedStart{
+      std::move(nodes).value(), 0, {}, bridge::SampleAccount(hash, false), started_at};
 }
 
 /// A composed run is one process with its recorder: it dies with it. So is one that has ended, and
 /// whose recording only lacks its end.
-Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& layout) {
+Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& layout,
+                                       bridge::RunControl& control) {
+  std::optional<bridge::RunName> name;
+  if (!layout.name.empty()) {
+    auto taken = bridge::RunName::take(layout.name);
+    if (!taken.ok()) return taken.error();
+    name.emplace(std::move(taken).value());
+  }
   std::unique_ptr<bridge::RunSink> sink;
   if (job.recording) {
     auto opened = bridge::open_sink(*job.recording);
@@ -232,20 +185,34 @@ Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& la
   const bridge::ComposedLayout composed{layout.pace, layout.pace_factor, layout.hash,
                                         layout.on_record_error};
   const auto display = terminal_display(job.plan);
-  auto report = job.resumption ? bridge::run_composed(job.plan, std::move(job.resumption->composed),
-                                                      composed, sink.get(), display)
-                               : bridge::run_composed(job.plan, composed, sink.get(), display);
-  if (sink && report.ok()) report->recording = sink->close({report->aborted, false});
+  bridge::ComposedControl orders(control, name ? &*name : nullptr);
+  auto start = composed_start(job, control, layout.hash);
+  if (!start.ok()) return start.error();
+  auto report = bridge::run_composed(job.plan, std::move(start).value(), composed, sink.get(),
+                                     display, &orders);
+  if (report.ok() && report->statistics.truth) {
+    report->goal_changed = control.goal_changed_by(report->statistics.truth->tick);
+  }
+  if (sink && report.ok()) {
+    report->recording = sink->close({report->aborted, true});
+    if (report->recording->failure.empty() && !report->recording->nothing) {
+      const auto named =
+          bridge::mcap::OutputFile::give_name(job.recording->path, job.recording->overwrite);
+      if (!named.ok()) report->recording->failure = named.error().text();
+    }
+  }
   return report;
 }
 
-Result<bridge::RunReport> run_job(Job& job, const bridge::ProcessLayout& layout, bool composed) {
+Result<bridge::RunReport> run_job(Job& job, const bridge::ProcessLayout& layout, bool composed,
+                                  bridge::RunControl& control) {
   const bool has_ended = job.resumption && job.resumption->has_ended;
-  auto report = composed || has_ended
-                    ? run_composed(job, layout)
-                    : bridge::run_processes(
-                          job.plan, layout, job.recording, terminal_display(job.plan),
-                          job.resumption ? job.resumption->processes : bridge::ProcessStart{});
+  auto report =
+      composed || has_ended
+          ? run_composed(job, layout, control)
+          : bridge::run_processes(
+                job.plan, layout, job.recording, terminal_display(job.plan),
+                job.resumption ? job.resumption->processes : bridge::ProcessStart{}, &control);
   // What was only reserved is in nobody's way.
   const bool nothing = report.ok() && report->recording && report->recording->nothing;
   if ((!report.ok() || nothing) && job.recording && !job.resumption) {
@@ -280,11 +247,17 @@ int run_command(const RunOptions& options) {
   if (!paced.ok()) return complain(paced.error());
   const auto programs = check_programs(job->plan.graph, options.external);
   if (!programs.ok()) return complain(programs.error());
+  const runtime::ConfigPath files = runtime::ConfigPath::from_environment();
+  const auto stages = stages::all();
+  bridge::RunControl control(job->plan, stages, files);
+  if (const auto planned = plan_changes(options, *job, control); !planned.ok()) {
+    return complain(planned.error());
+  }
   const auto claimed = claim_recording(options, *job);
   if (!claimed.ok()) return complain(claimed.error());
 
   const bool composed = options.layout == "composed";
-  auto report = run_job(*job, *layout, composed);
+  auto report = run_job(*job, *layout, composed, control);
   clear_display();
   if (!report.ok()) return complain(report.error());
   judge_recording(*layout, *report);
@@ -322,6 +295,14 @@ void add_ways(CLI::App& app, RunOptions& options) {
       ->check(number_between(1, 99))
       ->group("How it runs");
   app.add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)")
+      ->group("How it runs");
+  app.add_option("--name", options.name, "what 'clew swap', 'clew goal' and others call the run")
+      ->group("How it runs");
+  app.add_option(
+         "--at", options.at,
+         "TICK:STAGE.PART=NAME, TICK:STAGE.PARAM=VALUE or TICK:goal=X,Y[,RADIUS]: change the "
+         "run from that tick on; may be repeated")
+      ->allow_extra_args(false)
       ->group("How it runs");
   app.add_option("--external", options.external, "wait for a STAGE that you start yourself")
       ->allow_extra_args(false)

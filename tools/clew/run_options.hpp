@@ -17,6 +17,8 @@ struct RunOptions {
   std::vector<std::string> middleware;  ///< `VENDOR` or `STAGE=VENDOR`
   std::string pace = "lockstep";
   std::optional<int> domain;
+  std::string name;             ///< under which the run is found while it goes on
+  std::vector<std::string> at;  ///< `TICK:CHANGE`
   std::optional<int> realtime_priority;
   std::string record;
   std::string resume;  ///< a recording to go on with, in the graph's place

@@ -57,6 +57,11 @@ std::string alarms_text(const RunStatistics& statistics) {
   return in_command.empty() ? "" : " (" + in_command + ')';
 }
 
+/// None is known of the way to a goal that came later.
+std::optional<double> shortest_path_m(const RunReport& report, const runtime::RunPlan& plan) {
+  return report.goal_changed ? std::nullopt : plan.setup.world->shortest_path_m();
+}
+
 }  // namespace
 
 std::string outcome_word(const RunReport& report) {
@@ -158,7 +163,7 @@ std::vector<std::string> notes_on(const RunReport& report, const runtime::RunPla
 std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
                         const RunFacts& facts) {
   const RunTruth truth = truth_of(report);
-  const auto shortest_m = plan.setup.world->shortest_path_m();
+  const auto shortest_m = shortest_path_m(report, plan);
   nlohmann::ordered_json json;
   json["outcome"] = outcome_word(report);
   json["graph"] = plan.graph.name;
@@ -198,7 +203,7 @@ std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
 
 std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {
   const RunTruth truth = truth_of(report);
-  const auto shortest_m = plan.setup.world->shortest_path_m();
+  const auto shortest_m = shortest_path_m(report, plan);
   std::string line =
       fmt::format("{} in {}: {} ticks ({:.1f} s), path {:.2f} m", outcome_word(report),
                   plan.graph.world, truth.tick, truth.sim_time_s, truth.path_length_m);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "component/node_host.hpp"
+#include "runtime/intervention.hpp"
+
+namespace clew::bridge {
+
+/// Makes and feeds those that take a node's place while it steps on, in a thread of its own.
+class SuccessionWorker {
+ public:
+  /// `last` is the plan up to the first intervention; `on_fatal` takes why one cannot be made.
+  SuccessionWorker(NodeHost& host, std::string stage, std::shared_ptr<const runtime::RunPlan> last,
+                   const std::vector<runtime::StageInfo>& stages,
+                   std::function<void(std::string)> on_fatal);
+  /// Waits for the one at work.
+  ~SuccessionWorker();
+  SuccessionWorker(const SuccessionWorker&) = delete;
+  SuccessionWorker& operator=(const SuccessionWorker&) = delete;
+
+  /// The run changes at a later tick. The host does not begin it before the node is there.
+  void take(domain::Intervention intervention);
+  bool is_busy() const { return busy_.load(); }
+
+ private:
+  void work();
+  core::Result<void> succeed(const domain::Intervention& intervention);
+
+  NodeHost& host_;
+  const std::string stage_;
+  std::shared_ptr<const runtime::RunPlan> last_;
+  const std::vector<runtime::StageInfo>& stages_;
+  const std::function<void(std::string)> on_fatal_;
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  std::deque<domain::Intervention> waiting_;
+  bool ends_ = false;
+  std::atomic<bool> busy_{false};
+  std::thread thread_;
+};
+
+}  // namespace clew::bridge

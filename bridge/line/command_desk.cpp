@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "line/command_desk.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "run/limits.hpp"
+
+namespace clew::bridge {
+namespace {
+
+bool is_number(const std::string& text) {
+  return !text.empty() && text.size() <= 3 &&
+         std::all_of(text.begin(), text.end(),
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+core::Result<int> connect(const std::string& run) {
+  const auto deadline = Link::Time::clock::now() + kSilence;
+  return is_number(run) ? Link::connect(std::stoi(run), deadline) : Link::connect(run, deadline);
+}
+
+}  // namespace
+
+void CommandDesk::welcome(std::unique_ptr<Link> link, Time now) {
+  link->allow_payload(kMostHelloBytes);
+  if (visitors_.size() >= kMostCommanders) visitors_.pop_front();
+  visitors_.push_back({std::move(link), now});
+}
+
+std::vector<pollfd> CommandDesk::descriptors() const {
+  std::vector<pollfd> descriptors;
+  for (const Visitor& visitor : visitors_) {
+    descriptors.push_back({visitor.link->socket(), visitor.link->poll_events(), 0});
+  }
+  return descriptors;
+}
+
+void CommandDesk::serve(const std::function<std::optional<CommandAnswer>(RunCommand&)>& decide,
+                        Time now) {
+  for (Visitor& visitor : visitors_) {
+    visitor.link->flush();
+    const bool open = visitor.link->receive();
+    if (!visitor.command && !visitor.answered) {
+      const auto frame = visitor.link->next();
+      if (frame && frame->type == FrameType::kCommand) visitor.command = frame->as<RunCommand>();
+    }
+    if (visitor.command && !visitor.answered) {
+      if (auto answer = decide(*visitor.command)) {
+        visitor.link->post(FrameType::kAnswer, *std::move(answer));
+        visitor.answered = true;
+      }
+    }
+    const bool silent = !visitor.command && now - visitor.came_at > kHelloTimeout;
+    if (!open || silent) visitor.link.reset();
+  }
+  visitors_.erase(std::remove_if(visitors_.begin(), visitors_.end(),
+                                 [](const Visitor& visitor) { return !visitor.link; }),
+                  visitors_.end());
+}
+
+core::Result<CommandAnswer> command_run(const std::string& run, const RunCommand& command) {
+  const auto socket = connect(run);
+  if (!socket.ok()) return socket.error();
+  Link link(*socket);
+  link.post(FrameType::kHello, Hello{kCommander, ::getpid(), {}});
+  link.post(FrameType::kCommand, command);
+  const auto frame = link.wait_for_frame(Link::Time::clock::now() + kAssignmentTimeout);
+  if (!frame.ok()) return frame.error();
+  const auto answer = frame->as<CommandAnswer>();
+  if (frame->type != FrameType::kAnswer || !answer) {
+    return core::Error{"run " + run + " takes no commands", {}, 0, 0};
+  }
+  if (!answer->done) return core::Error{answer->text, {}, 0, 0};
+  return *answer;
+}
+
+}  // namespace clew::bridge

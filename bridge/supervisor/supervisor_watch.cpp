@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the supervisor does by the clock: start, stall, and the end of a run in real time.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <limits>
+
+#include "run/limits.hpp"
+#include "supervisor/supervisor.hpp"
+
+namespace clew::bridge {
+
+using Clock = std::chrono::steady_clock;
+
+void Supervisor::watch(Time now) {
+  if (gone_) {
+    watch_stall(now);
+  } else {
+    watch_start(now);
+  }
+  if (!launcher_.patient()) {
+    const bool realtime = layout_.pace == Pace::kRealtime;
+    log(restart_policy_.kill_frozen(now, realtime ? kRealtimeFrozenAfter : kFrozenAfter));
+    if (!realtime) log(restart_policy_.kill_lonely(now));
+  }
+  watch_rest(now);
+  if (ends_at_rest_.empty()) {
+    for (Member* member : restart_policy_.due(now)) start_child(*member);
+  }
+  give_credit();
+  if (last_tick_ && everybody_finished()) all_finished_ = true;
+  if (outside_.display && gone_ && now - displayed_at_ >= kDisplayPeriod) {
+    displayed_at_ = now;
+    outside_.display(statistics(), rate_.per_s());
+  }
+}
+
+void Supervisor::watch_start(Time now) {
+  if (everybody_ready()) {
+    go(now);
+  } else if (now - started_at_ > launcher_.start_timeout()) {
+    abort_start();
+  }
+}
+
+// Everybody reports, and nothing goes on: something was lost between them. The components go back
+// together, since each that is known to the others only by half is then new to all. If that does
+// not help at the same tick, nothing will.
+void Supervisor::watch_stall(Time now) {
+  const auto stalled = now - stalled_since_;
+  if (stalled > stall_timeout()) {
+    return abort(fmt::format(
+        "no tick was completed for {} s; ticks done:{}",
+        std::chrono::duration_cast<std::chrono::seconds>(stall_timeout()).count(), ticks_done()));
+  }
+  std::uint64_t started = 0;
+  for (const Member& member : members_) {
+    if (member.starts_ticks) started = member.progress.ticks;
+  }
+  if (stalled < kStallRestart || restarted_at_ == started || !may_restart_all()) return;
+  log({fmt::format(
+      "no tick was completed for {} s, though all report; restarting all; ticks done:{}",
+      kStallRestart.count(), ticks_done())});
+  restarted_at_ = started;
+  stalled_since_ = now;
+  for (const Member& member : members_) member.child->signal(SIGKILL);
+}
+
+bool Supervisor::may_restart_all() const {
+  if (launcher_.patient() || layout_.pace == Pace::kRealtime) return false;
+  return std::all_of(members_.begin(), members_.end(), [](const Member& member) {
+    return member.child && member.link && !member.third_party && !member.busy;
+  });
+}
+
+std::string Supervisor::ticks_done() const {
+  return ticks_text(members_) + (observer_ ? observer_->ticks_text() : "");
+}
+
+void Supervisor::abort_start() {
+  std::vector<std::string> missing;
+  if (observer_) missing = observer_->missing();
+  if (recording_ && !recording_->ready()) missing.push_back("the recorder has not reported");
+  abort(fmt::format("startup timed out after {} s:{}", plan_.graph.start_timeout_s,
+                    missing_text(members_, missing)));
+}
+
+Clock::duration Supervisor::stall_timeout() const {
+  if (launcher_.patient()) return launcher_.start_timeout();
+  const bool busy = std::any_of(members_.begin(), members_.end(),
+                                [](const Member& member) { return member.busy; });
+  const double tick_s =
+      layout_.pace == Pace::kLockstep ? 0.0 : plan_.graph.tick_s / layout_.pace_factor;
+  return (busy ? kLongestStep : kStallTimeout) +
+         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(2.0 * tick_s));
+}
+
+bool Supervisor::everybody_ready() const {
+  return all_ready(members_) && (!observer_ || observer_->ready()) &&
+         (!recording_ || recording_->ready());
+}
+
+bool Supervisor::everybody_finished() const {
+  return all_finished(members_) && (!observer_ || observer_->finished(*last_tick_));
+}
+
+void Supervisor::go(Time now) {
+  gone_ = true;
+  stalled_since_ = now;
+  const bool all_wait = keeps_own_pace(members_);
+  for (Member& member : members_) {
+    const bool waits = all_wait || member.starts_ticks;
+    if (waits && member.link) member.link->post(FrameType::kGo, Tick{0});
+  }
+}
+
+// The stage that starts ticks does not run away from the slowest member, so that histories hold
+// what anybody may need, nor from the recorder.
+void Supervisor::give_credit() {
+  std::uint64_t done = UINT64_MAX;
+  for (const Member& member : members_) {
+    if (!member.third_party) done = std::min(done, member.progress.ticks);
+  }
+  if (observer_) done = std::min(done, observer_->ticks());
+  std::uint64_t credit = done + lead_;
+  if (recording_) credit = std::min(credit, recording_->credit());
+  credit = std::min(credit, live_control_.credit());
+  if (credit < credit_ + std::max<std::uint64_t>(lead_ / 4, 1)) return;
+  credit_ = credit;
+  for (Member& member : members_) {
+    if (member.starts_ticks && member.link) member.link->post(FrameType::kCredit, Tick{credit});
+  }
+}
+
+// What ends a run in real time must not leave the robot in motion: drive is told to take no command
+// any more, and writes its ticks until it rests.
+void Supervisor::end_at_rest(const std::string& why, Time now) {
+  if (layout_.pace != Pace::kRealtime || !gone_ || speed_mps() == 0.0) return abort(why);
+  if (!ends_at_rest_.empty()) return;
+  ends_at_rest_ = why;
+  ends_by_ = now + kRestTimeout;
+  log({why + "; bringing the robot to rest"});
+  for (Member& member : members_) {
+    if (member.starts_ticks && member.link) member.link->post(FrameType::kRest, Tick{0});
+  }
+}
+
+void Supervisor::watch_rest(Time now) {
+  if (ends_at_rest_.empty()) return;
+  if (speed_mps() == 0.0) {
+    // What drive wrote follows its report.
+    if (!rests_at_) rests_at_ = now;
+    if (now - *rests_at_ >= 3 * kFlushPeriod) abort(ends_at_rest_);
+    return;
+  }
+  rests_at_.reset();
+  if (now < ends_by_) return;
+  abort(ends_at_rest_ + fmt::format("; it ended in motion at {:.2f} m/s", speed_mps()));
+}
+
+double Supervisor::speed_mps() const {
+  for (const Member& member : members_) {
+    const auto& truth = member.progress.statistics.truth;
+    if (member.starts_ticks && truth && !truth->at_rest()) {
+      return std::max(std::fabs(truth->speed_mps), std::numeric_limits<double>::min());
+    }
+  }
+  return 0.0;
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clew/command_line.hpp"
+#include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
+#include "line/command_desk.hpp"
+
+namespace clew::tools {
+namespace {
+
+using bridge::RunCommand;
+
+struct LiveOptions {
+  std::string run;
+  std::vector<std::string> with;
+  std::vector<std::string> set;
+  double x_m = 0.0;
+  double y_m = 0.0;
+  std::optional<double> radius_m;
+  std::optional<std::uint64_t> at;
+  std::uint64_t ticks = 1;
+  bool json = false;
+};
+
+/// Tells the run, and prints from which tick on it holds.
+int tell(const LiveOptions& options, const RunCommand& command, const std::string& what) {
+  const auto answer = bridge::command_run(options.run, command);
+  if (!answer.ok()) return complain(answer.error());
+  if (options.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"run", options.run}, {"tick", answer->tick}}.dump());
+  } else {
+    fmt::print("{} at tick {}\n", what, answer->tick);
+  }
+  return kExitGood;
+}
+
+int swap_command(const LiveOptions& options) {
+  RunCommand command{RunCommand::Kind::kChange, options.with, options.at, 1};
+  command.changes.insert(command.changes.end(), options.set.begin(), options.set.end());
+  if (command.changes.empty()) {
+    return complain(
+        {"what is to be changed? STAGE.PART=NAME, or --set STAGE.PARAM=VALUE", {}, 0, 0});
+  }
+  return tell(options, command, "changes");
+}
+
+int goal_command(const LiveOptions& options) {
+  std::string goal = fmt::format("goal={},{}", options.x_m, options.y_m);
+  if (options.radius_m) goal += fmt::format(",{}", *options.radius_m);
+  return tell(options, {RunCommand::Kind::kChange, {goal}, options.at, 1}, "new goal");
+}
+
+CLI::App* add_command(CLI::App& main, const char* name, const char* about,
+                      const std::shared_ptr<LiveOptions>& options) {
+  CLI::App* app = main.add_subcommand(name, about);
+  app->add_option("run", options->run, "the number of its domain, or its name (run --name)")
+      ->required();
+  app->add_flag("--json", options->json, "print the tick as a JSON object");
+  return app;
+}
+
+void add_order(CLI::App& main, int& status, const char* name, const char* about,
+               RunCommand::Kind kind, const char* done) {
+  const auto options = std::make_shared<LiveOptions>();
+  CLI::App* app = add_command(main, name, about, options);
+  if (kind == RunCommand::Kind::kStep) {
+    app->add_option("ticks", options->ticks, "how many (1)")->check(number_between(1, 1e9));
+  }
+  app->callback([options, &status, kind, done] {
+    status = tell(*options, {kind, {}, {}, options->ticks}, done);
+  });
+}
+
+}  // namespace
+
+void add_live(CLI::App& main, int& status) {
+  const auto add_tick = [](CLI::App& app, LiveOptions& options) {
+    app.add_option("--at", options.at, "the tick from which on it holds (as soon as can be)")
+        ->check(whole_number());
+  };
+  const auto swap = std::make_shared<LiveOptions>();
+  CLI::App* app = add_command(main, "swap", "Change a behaviour of a run that goes on", swap);
+  app->add_option("change", swap->with, "STAGE.PART=NAME[,NAME...]");
+  app->add_option("--set", swap->set, "STAGE[.PART][.NAME].PARAM=VALUE: another value")
+      ->allow_extra_args(false);
+  add_tick(*app, *swap);
+  app->callback([swap, &status] { status = swap_command(*swap); });
+
+  const auto goal = std::make_shared<LiveOptions>();
+  app = add_command(main, "goal", "Send the robot of a run that goes on somewhere else", goal);
+  app->add_option("x", goal->x_m, "m")->required();
+  app->add_option("y", goal->y_m, "m")->required();
+  app->add_option("radius", goal->radius_m, "m (the world's)");
+  add_tick(*app, *goal);
+  app->callback([goal, &status] { status = goal_command(*goal); });
+
+  using Kind = RunCommand::Kind;
+  add_order(main, status, "pause", "Hold a run before its next tick", Kind::kPause, "paused");
+  add_order(main, status, "step", "Run ticks of a run that is paused", Kind::kStep, "paused");
+  add_order(main, status, "resume", "Let a run that is paused go on", Kind::kResume, "goes on");
+  add_order(main, status, "stop", "End a run", Kind::kStop, "stopped");
+}
+
+}  // namespace clew::tools
