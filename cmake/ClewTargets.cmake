@@ -76,3 +76,28 @@ function(clew_library name)
   target_link_libraries(clew_${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK} clew_warnings)
   target_precompile_headers(clew_${name} REUSE_FROM clew_precompiled)
 endfunction()
+
+# Where programs look for the modules that they load: in the build tree, tests as well, and once
+# installed. A run path of the older kind, since the newer one is that of whoever calls dlopen: with
+# a sanitizer, not the program.
+set(CLEW_MODULE_DIRECTORY lib/clew)
+set(CMAKE_BUILD_RPATH ${PROJECT_BINARY_DIR})
+set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CLEW_MODULE_DIRECTORY}")
+add_link_options(-Wl,--disable-new-dtags)
+
+# clew_module(<name> SOURCES ... [LINK ...])
+# A shared library libclew-<name>.so beside the command, which core::SharedLibrary loads when it is
+# needed: what is large and not always wanted stays out of a process. It exports what it declares so,
+# and has its own copy of what it links of ours, so that must have no state. It is bound when it is
+# loaded: what it lacks shows then.
+function(clew_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_library(clew_${name}_module MODULE ${ARG_SOURCES})
+  target_include_directories(clew_${name}_module PRIVATE ${CLEW_INCLUDE_ROOT})
+  target_link_libraries(clew_${name}_module PRIVATE ${ARG_LINK} clew_warnings)
+  target_link_options(clew_${name}_module PRIVATE -Wl,-z,now)
+  target_precompile_headers(clew_${name}_module REUSE_FROM clew_precompiled)
+  set_target_properties(clew_${name}_module PROPERTIES OUTPUT_NAME clew-${name}
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+endfunction()

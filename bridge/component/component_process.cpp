@@ -243,9 +243,11 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
                         say(link, FrameType::kFatal)});
   const auto vendor = vendor_from_name(assignment.middleware);
   if (!vendor) return Error{"unknown middleware '" + assignment.middleware + "'", {}, 0, 0};
-  auto participant =
-      create_participant(*vendor, {assignment.domain, stage, assignment.lease_s}, barrier);
+  auto participant = create_unsettled_participant(
+      *vendor, {assignment.domain, stage, assignment.lease_s}, barrier);
   if (!participant.ok()) return participant.error();
+  // Those that are late are found, too, if not as fast.
+  static_cast<void>(barrier.wait_for_participants(assignment.peers, Clock::now() + kMeetTimeout));
   NodeHost host(std::move(prepared->node), assignment, prepared->plan, handlers_for(link));
   keep_inputs(link, assignment, host);
   if (assignment.checkpoint) CLEW_RETURN_IF_ERROR(host.restore(*assignment.checkpoint));

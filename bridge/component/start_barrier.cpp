@@ -56,6 +56,15 @@ std::vector<std::string> StartBarrier::missing() const {
   return missing;
 }
 
+bool StartBarrier::wait_for_participants(const std::vector<std::string>& names,
+                                         std::chrono::steady_clock::time_point deadline) const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  return participants_changed_.wait_until(lock, deadline, [&] {
+    return std::all_of(names.begin(), names.end(),
+                       [this](const std::string& name) { return participants_.count(name) > 0; });
+  });
+}
+
 std::string StartBarrier::objection(const RemoteEndpoint& remote) const {
   const UserData user_data = UserData::parse(remote.user_data);
   const std::string own(idl_fingerprint());
@@ -84,6 +93,14 @@ bool StartBarrier::accepts(const RemoteEndpoint* writer) const {
   if (writer == nullptr) return false;
   const std::lock_guard<std::mutex> lock(mutex_);
   return matched_.count(writer->guid) != 0;
+}
+
+void StartBarrier::on_participants(const std::set<std::string>& names) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    participants_ = names;
+  }
+  participants_changed_.notify_all();
 }
 
 void StartBarrier::on_matched(const RemoteEndpoint& remote) {

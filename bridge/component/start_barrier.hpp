@@ -2,9 +2,12 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,12 +37,18 @@ class StartBarrier : public DiscoveryListener {
   /// The expected endpoints that are not matched, a sentence each.
   std::vector<std::string> missing() const;
 
+  /// Waits until the participants with these names are known, at most until `deadline`. Whether
+  /// they are.
+  bool wait_for_participants(const std::vector<std::string>& names,
+                             std::chrono::steady_clock::time_point deadline) const;
+
   /// Whether samples of this writer may enter: it is the expected one of its topic, built from the
   /// same IDL.
   bool accepts(const RemoteEndpoint* writer) const;
   /// Changes whenever an answer of accepts() may have changed.
   std::uint64_t version() const { return version_.load(); }
 
+  void on_participants(const std::set<std::string>& names) override;
   void on_matched(const RemoteEndpoint& remote) override;
   void on_unmatched(const RemoteEndpoint& remote) override;
   void on_incompatible_qos(const std::string& topic, bool local_is_writer,
@@ -56,6 +65,8 @@ class StartBarrier : public DiscoveryListener {
   mutable std::mutex mutex_;
   std::vector<ExpectedEndpoint> expected_;
   std::map<std::string, RemoteEndpoint> matched_;  // accepted ones, by guid
+  std::set<std::string> participants_;
+  mutable std::condition_variable participants_changed_;
 };
 
 }  // namespace clew::bridge

@@ -4,11 +4,16 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 
 #include "dds/remote_endpoints.hpp"
+#include "dds/rtps_ports.hpp"
 
 namespace clew::bridge {
 namespace {
+
+/// As many as there can be in a domain.
+using ParticipantSamples = std::array<void*, kMaxParticipantIndex + 1>;
 
 std::string hex(const dds_guid_t& guid) {
   constexpr char kDigits[] = "0123456789abcdef";
@@ -47,7 +52,8 @@ core::Result<void> CycloneDiscovery::start() {
     reader = CycloneEntity(handle);
     return {};
   };
-  CLEW_RETURN_IF_ERROR(create(DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, nullptr, participants_reader_));
+  CLEW_RETURN_IF_ERROR(
+      create(DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, &on_participants, participants_reader_));
   CLEW_RETURN_IF_ERROR(
       create(DDS_BUILTIN_TOPIC_DCPSPUBLICATION, &on_endpoints<true>, writers_reader_));
   return create(DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION, &on_endpoints<false>, readers_reader_);
@@ -67,6 +73,32 @@ std::shared_ptr<const RemoteEndpoint> CycloneDiscovery::describe(
   remote.guid = hex(endpoint.key);
   remote.process_id = process_id(endpoint.participant_instance_handle);
   return std::make_shared<const RemoteEndpoint>(std::move(remote));
+}
+
+void CycloneDiscovery::on_participants(dds_entity_t reader, void* self) {
+  static_cast<CycloneDiscovery*>(self)->report_participants(reader);
+}
+
+// Reads them all, since process_id() reads some of them, too, and may be first.
+void CycloneDiscovery::report_participants(dds_entity_t reader) const {
+  ParticipantSamples samples{};
+  std::array<dds_sample_info_t, std::tuple_size_v<ParticipantSamples>> infos{};
+  const dds_return_t count =
+      dds_read_mask(reader, samples.data(), infos.data(), samples.size(),
+                    static_cast<std::uint32_t>(samples.size()),
+                    DDS_ANY_SAMPLE_STATE | DDS_ANY_VIEW_STATE | DDS_ALIVE_INSTANCE_STATE);
+  if (count <= 0) return;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    const auto& found = *static_cast<const dds_builtintopic_participant_t*>(samples[i]);
+    char* name = nullptr;
+    if (infos[i].valid_data && dds_qget_entity_name(found.qos, &name) && name != nullptr) {
+      names.insert(name);
+      dds_free(name);
+    }
+  }
+  dds_return_loan(reader, samples.data(), count);
+  listener().on_participants(names);
 }
 
 template <bool is_writer>
@@ -94,19 +126,21 @@ void CycloneDiscovery::take_endpoints(dds_entity_t reader, bool is_writer) {
 }
 
 int CycloneDiscovery::process_id(dds_instance_handle_t participant) const {
-  void* sample = nullptr;
+  // Cyclone fills as many pointers as it has ever lent of this reader, however many are asked for.
+  ParticipantSamples samples{};
   dds_sample_info_t info{};
   int id = 0;
-  if (dds_read_instance(participants_reader_.handle(), &sample, &info, 1, 1, participant) <= 0) {
+  if (dds_read_instance(participants_reader_.handle(), samples.data(), &info, samples.size(), 1,
+                        participant) <= 0) {
     return id;
   }
-  const auto& found = *static_cast<const dds_builtintopic_participant_t*>(sample);
+  const auto& found = *static_cast<const dds_builtintopic_participant_t*>(samples.front());
   char* value = nullptr;
   if (info.valid_data && dds_qget_prop(found.qos, kProcessIdProperty, &value)) {
     id = std::atoi(value);
     dds_free(value);
   }
-  dds_return_loan(participants_reader_.handle(), &sample, 1);
+  dds_return_loan(participants_reader_.handle(), samples.data(), 1);
   return id;
 }
 

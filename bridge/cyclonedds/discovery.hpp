@@ -35,6 +35,8 @@ class CycloneDiscovery {
   DiscoveryListener& listener() const { return remotes_.listener(); }
 
  private:
+  static void on_participants(dds_entity_t reader, void* self);
+  void report_participants(dds_entity_t reader) const;
   template <bool is_writer>
   static void on_endpoints(dds_entity_t reader, void* self);
   void take_endpoints(dds_entity_t reader, bool is_writer);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,8 @@ class SampleListener {
 class DiscoveryListener {
  public:
   virtual ~DiscoveryListener() = default;
+  /// The names of the participants that are known now; that of the own one may be among them.
+  virtual void on_participants(const std::set<std::string>& names) = 0;
   /// A remote endpoint on a topic of ours matched one of our endpoints (the local one is a writer
   /// if the remote one is a reader).
   virtual void on_matched(const RemoteEndpoint& remote) = 0;

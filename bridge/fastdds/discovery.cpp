@@ -6,6 +6,8 @@
 #include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
 
 #include <cstdlib>
+#include <set>
+#include <utility>
 
 #include "dds/remote_endpoints.hpp"
 
@@ -33,17 +35,22 @@ std::string hex(const GUID_t& guid) {
 }  // namespace
 
 void FastDiscovery::on_participant_discovery(DomainParticipant*, ParticipantDiscoveryInfo&& info) {
-  int process_id = 0;
+  Process process{info.info.m_participantName.to_string(), 0};
   for (auto it = info.info.m_properties.begin(); it != info.info.m_properties.end(); ++it) {
-    if (it->first() == kProcessIdProperty) process_id = std::atoi(it->second().c_str());
+    if (it->first() == kProcessIdProperty) process.id = std::atoi(it->second().c_str());
   }
-  const std::lock_guard lock(mutex_);
-  if (info.status == ParticipantDiscoveryInfo::REMOVED_PARTICIPANT ||
-      info.status == ParticipantDiscoveryInfo::DROPPED_PARTICIPANT) {
-    process_ids_.erase(info.info.m_guid.guidPrefix);
-  } else {
-    process_ids_[info.info.m_guid.guidPrefix] = process_id;
+  std::set<std::string> names;
+  {
+    const std::lock_guard lock(mutex_);
+    if (info.status == ParticipantDiscoveryInfo::REMOVED_PARTICIPANT ||
+        info.status == ParticipantDiscoveryInfo::DROPPED_PARTICIPANT) {
+      processes_.erase(info.info.m_guid.guidPrefix);
+    } else {
+      processes_[info.info.m_guid.guidPrefix] = std::move(process);
+    }
+    for (const auto& [prefix, known] : processes_) names.insert(known.name);
   }
+  listener().on_participants(names);
 }
 
 void FastDiscovery::on_subscriber_discovery(DomainParticipant*, ReaderDiscoveryInfo&& info) {
@@ -73,8 +80,8 @@ void FastDiscovery::add_remote(const ProxyData& endpoint, bool is_writer) {
   remote->guid = hex(endpoint.guid());
   {
     const std::lock_guard lock(mutex_);
-    const auto process = process_ids_.find(endpoint.guid().guidPrefix);
-    if (process != process_ids_.end()) remote->process_id = process->second;
+    const auto process = processes_.find(endpoint.guid().guidPrefix);
+    if (process != processes_.end()) remote->process_id = process->second.id;
   }
   remotes_.add(endpoint.guid(), remote);
 }

@@ -47,7 +47,11 @@ class FastDiscovery : public eprosima::fastdds::dds::DomainParticipantListener {
 
   RemoteEndpoints<Guid> remotes_;
   std::mutex mutex_;
-  std::map<eprosima::fastrtps::rtps::GuidPrefix_t, int> process_ids_;
+  struct Process {
+    std::string name;
+    int id = 0;
+  };
+  std::map<eprosima::fastrtps::rtps::GuidPrefix_t, Process> processes_;  ///< by participant
 };
 
 }  // namespace clew::bridge

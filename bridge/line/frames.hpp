@@ -98,6 +98,8 @@ struct Assignment {
   std::uint64_t lead = 1;  ///< ticks that may be started before the first credit
   std::vector<ExpectedEndpoint> expected;
   bool waits_for_go = false;  ///< with its first step, as the stage that starts ticks always does
+  /// The names of the participants of ours among them, which meet before they create endpoints.
+  std::vector<std::string> peers;
   bool resumes = false;  ///< the run is under way: go on from `checkpoint`, or else from tick 0
   std::optional<Checkpoint> checkpoint;
   std::vector<domain::Intervention> interventions;  ///< that took effect, and that will
@@ -181,7 +183,7 @@ template <typename V>
 void visit_fields(V& v, Assignment& m) {
   v(m.run_id, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor,
     m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected, m.waits_for_go,
-    m.resumes, m.checkpoint, m.interventions, m.input_history);
+    m.peers, m.resumes, m.checkpoint, m.interventions, m.input_history);
 }
 template <typename V>
 void visit_fields(V& v, RunCommand& m) {

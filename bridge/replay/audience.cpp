@@ -14,7 +14,7 @@
 namespace clew::bridge {
 
 Audience::Audience()
-    : barrier_("replay", {},
+    : barrier_(kReplayName, {},
                {[this] {
                   news_ = true;
                   wake_.ring();

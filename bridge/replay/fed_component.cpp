@@ -79,10 +79,11 @@ Assignment FedComponent::assignment() const {
   assignment.history_depth = static_cast<std::uint32_t>(settings_.history_depth);
   assignment.lead = 0;
   assignment.interventions = settings_.interventions;
+  assignment.peers = {kReplayName};
   for (Topic topic : domain::kAllTopics) {
     const auto index = index_of(topic);
     const std::string name(domain::topic_name(topic));
-    if (ports().outputs[index]) assignment.expected.push_back({name, false, "replay", false});
+    if (ports().outputs[index]) assignment.expected.push_back({name, false, kReplayName, false});
     if (!ports().all_inputs()[index]) continue;
     const runtime::GraphStage* writer = plan_.graph.writer_of(topic);
     assignment.expected.push_back({name, true, writer->info->name, is_third_party(*writer)});

@@ -49,7 +49,7 @@ LiveComparison::~LiveComparison() { readers_.clear(); }
 
 Result<void> LiveComparison::open(Participant& participant, const StartBarrier& barrier,
                                   int history_depth) {
-  const std::string user_data = UserData{std::string(idl_fingerprint()), "replay"}.to_text();
+  const std::string user_data = UserData{std::string(idl_fingerprint()), kReplayName}.to_text();
   for (Topic topic : ports_.output_order) {
     domain::visit_topic(topic, [&](auto constant) {
       using Message = typename decltype(constant)::Message;

@@ -19,6 +19,9 @@
 
 namespace clew::bridge {
 
+/// What a replay is called on the wire.
+inline constexpr const char* kReplayName = "replay";
+
 /// Reads what a component writes on the wire and compares it with what was recorded, tick by tick.
 class LiveComparison {
  public:

@@ -44,7 +44,7 @@ Result<void> LiveReplay::open() {
   const auto vendor = vendor_from_name(options_.middleware);
   if (!vendor) return Error{"unknown middleware " + options_.middleware, {}, 0, 0};
   auto participant = create_participant(
-      *vendor, {domain_lock_.domain(), "replay", settings_.lease_s}, audience_.barrier());
+      *vendor, {domain_lock_.domain(), kReplayName, settings_.lease_s}, audience_.barrier());
   if (!participant.ok()) return participant.error();
   participant_ = std::move(participant).value();
   console_.log(fmt::format("publishes on domain {}", domain_lock_.domain()));

@@ -81,6 +81,9 @@ inline constexpr auto kSilence = std::chrono::seconds(1);
 inline constexpr auto kConnectPeriod = std::chrono::milliseconds(50);
 /// A supervisor that starts a large world answers late; one that is gone closes the line.
 inline constexpr auto kAssignmentTimeout = std::chrono::seconds(30);
+/// How long a component waits for the participants of the others before it creates its endpoints
+/// nevertheless: those that come later are found a second later at the most.
+inline constexpr auto kMeetTimeout = std::chrono::seconds(2);
 /// A recorder reports that it lives from its first moment.
 inline constexpr auto kRecorderStartTimeout = std::chrono::seconds(10);
 /// With a debugger, or a component that a person starts: as long as a person may take.

@@ -74,6 +74,13 @@ void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
     // Nobody tells a third-party drive when all are there.
     const GraphStage* robot = plan.graph.writer_of(Topic::kState);
     assignment.waits_for_go = robot != nullptr && is_third_party(*robot);
+    for (const ExpectedEndpoint& endpoint : assignment.expected) {
+      const auto& known = assignment.peers;
+      if (endpoint.third_party || std::count(known.begin(), known.end(), endpoint.stage) > 0) {
+        continue;
+      }
+      assignment.peers.push_back(endpoint.stage);
+    }
   }
 }
 

@@ -2,18 +2,18 @@
 #include "vendors/participant_factory.hpp"
 
 #include <chrono>
+#include <string>
 #include <thread>
 
-#include "cyclonedds/participant.hpp"
+#include "core/shared_library.hpp"
 #include "dds/rtps_ports.hpp"
-#include "fastdds/participant.hpp"
+#include "dds/vendor_module.hpp"
 
 namespace clew::bridge {
 namespace {
 
-// How long a new participant waits before it may have endpoints. Fast DDS answers the endpoints of
-// a participant that it has just met with the next of its heartbeats, a second later, unless both
-// know each other by then.
+// Fast DDS answers the endpoints of a participant that it has just met with the next of its
+// heartbeats, a second later, unless both know each other by then.
 constexpr std::chrono::milliseconds kSettlingTime{100};
 
 }  // namespace
@@ -29,13 +29,23 @@ std::optional<Vendor> vendor_from_name(std::string_view name) {
   return std::nullopt;
 }
 
+core::Result<std::unique_ptr<Participant>> create_unsettled_participant(
+    Vendor vendor, const ParticipantConfig& config, DiscoveryListener& discovery) {
+  CLEW_RETURN_IF_ERROR(check_domain(config.domain));
+  const auto module =
+      core::SharedLibrary::load("libclew-" + std::string(vendor_name(vendor)) + ".so");
+  if (!module.ok()) return module.error();
+  const auto create = module->function<CreateParticipant>(kCreateParticipant);
+  if (!create.ok()) return create.error();
+  core::Result<std::unique_ptr<Participant>> participant = std::unique_ptr<Participant>();
+  (*create)(config, discovery, participant);
+  return participant;
+}
+
 core::Result<std::unique_ptr<Participant>> create_participant(Vendor vendor,
                                                               const ParticipantConfig& config,
                                                               DiscoveryListener& discovery) {
-  CLEW_RETURN_IF_ERROR(check_domain(config.domain));
-  auto participant = vendor == Vendor::kCycloneDds
-                         ? create_cyclonedds_participant(config, discovery)
-                         : create_fastdds_participant(config, discovery);
+  auto participant = create_unsettled_participant(vendor, config, discovery);
   if (participant.ok()) std::this_thread::sleep_for(kSettlingTime);
   return participant;
 }

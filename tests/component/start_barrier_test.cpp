@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "fake_participant.hpp"
@@ -107,6 +109,26 @@ TEST_F(Barrier, SaysWhichPolicyKeepsEndpointsApart) {
                           "history may be any"});
   EXPECT_EQ(refused_, Texts{"control refuses the writer of 'scan' in sense (process 7): it uses "
                             "type Other"});
+}
+
+TEST_F(Barrier, WaitsForParticipantsUntilTheLastIsKnown) {
+  const auto late = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  StartBarrier barrier = make({});
+  barrier.on_participants({"sense"});
+  std::thread discovery([&] { barrier.on_participants({"control", "drive", "sense"}); });
+
+  EXPECT_TRUE(barrier.wait_for_participants({"sense", "drive"}, late));
+
+  discovery.join();
+}
+
+TEST_F(Barrier, WaitsForParticipantsNoLongerThanItMay) {
+  StartBarrier barrier = make({});
+  barrier.on_participants({"sense", "drive"});
+  barrier.on_participants({"sense"});
+
+  EXPECT_FALSE(barrier.wait_for_participants({"sense", "drive"}, std::chrono::steady_clock::now()));
+  EXPECT_TRUE(barrier.wait_for_participants({}, std::chrono::steady_clock::now()));
 }
 
 }  // namespace

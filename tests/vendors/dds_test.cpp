@@ -244,6 +244,20 @@ TEST_P(DdsPair, DoesNotReachAnotherDomain) {
   EXPECT_TRUE(other_samples.samples().empty());
 }
 
+TEST_P(DdsPair, KnowEachOtherByName) {
+  join_both();
+
+  const auto knows = [](DiscoveryRecord& side, const std::string& name) {
+    return side.wait_until([&](const auto& events) { return events.participants.count(name) > 0; });
+  };
+  EXPECT_TRUE(knows(writer_side_, "reader"));
+  EXPECT_TRUE(knows(reader_side_, "writer"));
+
+  reader_participant_.reset();
+  EXPECT_TRUE(writer_side_.wait_until(
+      [](const auto& events) { return events.participants.count("reader") == 0; }));
+}
+
 TEST(Vendor, HasOneNameEach) {
   EXPECT_EQ(vendor_name(Vendor::kCycloneDds), "cyclonedds");
   EXPECT_EQ(vendor_from_name("fastdds"), Vendor::kFastDds);

@@ -17,6 +17,7 @@ namespace {
 using namespace clew::bridge;
 
 class Deaf : public DiscoveryListener {
+  void on_participants(const std::set<std::string>&) override {}
   void on_matched(const RemoteEndpoint&) override {}
   void on_unmatched(const RemoteEndpoint&) override {}
   void on_incompatible_qos(const std::string&, bool, const std::string&) override {}

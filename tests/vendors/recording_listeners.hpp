@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,12 +26,16 @@ class DiscoveryRecord : public DiscoveryListener {
     std::string policy;
   };
   struct Events {
+    std::set<std::string> participants;
     std::vector<RemoteEndpoint> matched;
     std::vector<RemoteEndpoint> unmatched;
     std::vector<Incompatibility> incompatible;
     std::vector<RemoteEndpoint> inconsistent;
   };
 
+  void on_participants(const std::set<std::string>& names) override {
+    change([&](Events& e) { e.participants = names; });
+  }
   void on_matched(const RemoteEndpoint& remote) override {
     change([&](Events& e) { e.matched.push_back(remote); });
   }
