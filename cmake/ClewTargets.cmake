@@ -72,8 +72,9 @@ function(clew_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(clew_${name} STATIC ${ARG_SOURCES})
   add_library(clew::${name} ALIAS clew_${name})
-  target_include_directories(clew_${name} PUBLIC ${CLEW_INCLUDE_ROOT})
-  target_link_libraries(clew_${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK} clew_warnings)
+  target_include_directories(clew_${name} PUBLIC "$<BUILD_INTERFACE:${CLEW_INCLUDE_ROOT}>")
+  target_link_libraries(clew_${name} PUBLIC ${ARG_LINK}
+    PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:clew_warnings>)
   target_precompile_headers(clew_${name} REUSE_FROM clew_precompiled)
 endfunction()
 

@@ -22,6 +22,7 @@
 #include "component/succession_worker.hpp"
 #include "line/heartbeat.hpp"
 #include "line/link.hpp"
+#include "plugins/plugin_loader.hpp"
 #include "run/limits.hpp"
 #include "vendors/participant_factory.hpp"
 #include "wire/codec.hpp"
@@ -169,6 +170,10 @@ JsonLines::Fail end_with_program(Link& link, const runtime::GraphStage& stage) {
 
 Result<Prepared> prepare(Link& link, const Assignment& assignment, const std::string& stage,
                          const std::vector<runtime::StageInfo>& stages) {
+  const auto plugins = assignment.bundle.find(kPluginLines);
+  if (plugins != assignment.bundle.end()) {
+    CLEW_RETURN_IF_ERROR(load_plugin_lines(plugins->second));
+  }
   auto plan = runtime::read_prepared_run(assignment.bundle, stages, stage);
   if (!plan.ok()) return plan.error();
   const runtime::GraphStage* graph_stage = plan->graph.find(stage);

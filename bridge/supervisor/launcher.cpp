@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "component/json_lines.hpp"
+#include "plugins/plugin_loader.hpp"
 #include "run/limits.hpp"
 #include "wire/codec.hpp"
 
@@ -65,6 +66,8 @@ void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
                      const std::string& stage, Assignment& assignment) {
   if (const GraphStage* found = plan.graph.find(stage))
     assignment.bundle = bundle_for(plan, *found);
+  // What the user has named for the run holds for its processes; recordings do not carry it.
+  assignment.bundle[kPluginLines] = plugin_lines();
   assignment.pace = layout.pace;
   assignment.pace_factor = layout.pace_factor;
   assignment.realtime_priority = layout.realtime_priority;

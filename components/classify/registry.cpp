@@ -5,8 +5,8 @@
 
 namespace clew::classify {
 
-const runtime::Registry<Classifier>& classifiers() {
-  static const runtime::Registry<Classifier> registry = {
+runtime::Registry<Classifier>& classifiers() {
+  static runtime::Registry<Classifier> registry = {
       runtime::registration<Classifier, KrishnaKalra>(
           "krishna_kalra",
           "nine spatial classes, SOM and fuzzy ART over their changes (Krishna & Kalra 2000, "

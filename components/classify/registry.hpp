@@ -6,7 +6,7 @@
 
 namespace clew::classify {
 
-/// All classifiers.
-const runtime::Registry<Classifier>& classifiers();
+/// All classifiers; those of plug-ins, once they are loaded, stand behind ours.
+runtime::Registry<Classifier>& classifiers();
 
 }  // namespace clew::classify

@@ -10,8 +10,8 @@
 
 namespace clew::control {
 
-const runtime::Registry<Controller>& controllers() {
-  static const runtime::Registry<Controller> registry = {
+runtime::Registry<Controller>& controllers() {
+  static runtime::Registry<Controller> registry = {
       runtime::registration<Controller, KrishnaKalraFuzzy>(
           "krishna_kalra_fuzzy",
           "fuzzy target attraction and obstacle repulsion (Krishna & Kalra 2000, section 2.1)"),

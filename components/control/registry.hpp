@@ -6,7 +6,7 @@
 
 namespace clew::control {
 
-/// All controllers.
-const runtime::Registry<Controller>& controllers();
+/// All controllers; those of plug-ins, once they are loaded, stand behind ours.
+runtime::Registry<Controller>& controllers();
 
 }  // namespace clew::control

@@ -7,8 +7,8 @@
 
 namespace clew::drive {
 
-const runtime::Registry<DriveModel>& drive_models() {
-  static const runtime::Registry<DriveModel> registry = {
+runtime::Registry<DriveModel>& drive_models() {
+  static runtime::Registry<DriveModel> registry = {
       runtime::registration<DriveModel, TurnThenStep>(
           "turn_then_step", "a turn on the spot, then a straight step (Krishna & Kalra 2000)"),
       runtime::registration<DriveModel, Unicycle>(

@@ -6,7 +6,7 @@
 
 namespace clew::drive {
 
-/// All drive models.
-const runtime::Registry<DriveModel>& drive_models();
+/// All drive models; those of plug-ins, once they are loaded, stand behind ours.
+runtime::Registry<DriveModel>& drive_models();
 
 }  // namespace clew::drive

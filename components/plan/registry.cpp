@@ -6,8 +6,8 @@
 
 namespace clew::plan {
 
-const runtime::Registry<Planner>& planners() {
-  static const runtime::Registry<Planner> registry = {
+runtime::Registry<Planner>& planners() {
+  static runtime::Registry<Planner> registry = {
       runtime::registration<Planner, NeuralMapPlanner>(
           "neural_map", "subgoals along the ascent of a neural map (Lagoudakis & Maida 1999)"),
       runtime::registration<Planner, WorldSubgoals>("world_subgoals",

@@ -6,7 +6,7 @@
 
 namespace clew::plan {
 
-/// All planners.
-const runtime::Registry<Planner>& planners();
+/// All planners; those of plug-ins, once they are loaded, stand behind ours.
+runtime::Registry<Planner>& planners();
 
 }  // namespace clew::plan

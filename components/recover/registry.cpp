@@ -19,10 +19,10 @@
 
 namespace clew::recover {
 
-const runtime::Registry<TrapDetector>& detectors() {
+runtime::Registry<TrapDetector>& detectors() {
   static const runtime::TopicSet landmark =
       runtime::TopicSet().set(static_cast<std::size_t>(domain::Topic::kLandmark));
-  static const runtime::Registry<TrapDetector> registry = {
+  static runtime::Registry<TrapDetector> registry = {
       runtime::registration<TrapDetector, LandmarkRevisit>(
           "landmark_revisit",
           "the same landmark at the same place: the distant memory (Krishna & Kalra 2000, section "
@@ -50,8 +50,8 @@ const runtime::Registry<TrapDetector>& detectors() {
   return registry;
 }
 
-const runtime::Registry<Escape>& escapes() {
-  static const runtime::Registry<Escape> registry = {
+runtime::Registry<Escape>& escapes() {
+  static runtime::Registry<Escape> registry = {
       runtime::registration<Escape, ObstacleFollowing>(
           "obstacle_following",
           "the four cases of the distant memory's action space (Krishna & Kalra 2000, section "

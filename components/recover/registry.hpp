@@ -7,10 +7,10 @@
 
 namespace clew::recover {
 
-/// All detectors.
-const runtime::Registry<TrapDetector>& detectors();
+/// All detectors; those of plug-ins, once they are loaded, stand behind ours.
+runtime::Registry<TrapDetector>& detectors();
 
-/// All escapes.
-const runtime::Registry<Escape>& escapes();
+/// All escapes; those of plug-ins, once they are loaded, stand behind ours.
+runtime::Registry<Escape>& escapes();
 
 }  // namespace clew::recover

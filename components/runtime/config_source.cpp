@@ -12,6 +12,7 @@
 
 #include "core/nearest_name.hpp"
 #include "core/yaml_reader.hpp"
+#include "runtime/plugin_list.hpp"
 
 namespace clew::runtime {
 namespace {
@@ -103,26 +104,37 @@ std::string hint_at_file(const std::string& name) {
   return {};
 }
 
+/// share/clew in the nearest folder above the program that has one. In a build tree it is a link to
+/// the source tree's configs/.
+std::string shipped_configs(const std::string& program) {
+  std::error_code code;
+  const fs::path file = fs::canonical(program, code);
+  for (fs::path folder = file.parent_path(); folder.has_relative_path();
+       folder = folder.parent_path()) {
+    const fs::path configs = fs::canonical(folder / "share" / "clew", code);
+    if (!code && fs::is_directory(configs / "graphs", code)) return configs.string();
+  }
+  return (file.parent_path().parent_path() / "share" / "clew").string();
+}
+
 bool is_path(const std::string& name) {
   return name.find('/') != std::string::npos || fs::path(name).extension() == kExtension;
 }
 
 }  // namespace
 
-ConfigPath ConfigPath::from_environment() {
-  std::vector<std::string> roots;
-  std::error_code code;
-  const fs::path program = fs::read_symlink("/proc/self/exe", code);
-  const fs::path installed = program.parent_path().parent_path() / "share" / "clew";
-  roots.push_back(fs::is_directory(installed, code) ? installed.string() : CLEW_CONFIG_DIRECTORY);
+std::vector<std::string> config_roots(const std::string& program) {
+  std::vector<std::string> roots = {shipped_configs(program)};
   if (const char* path = std::getenv("CLEW_PATH")) {
     std::istringstream stream(path);
     for (std::string root; std::getline(stream, root, ':');) {
       if (!root.empty()) roots.push_back(root);
     }
   }
-  return ConfigPath(std::move(roots));
+  return roots;
 }
+
+ConfigPath ConfigPath::from_environment() { return ConfigPath(config_roots()); }
 
 core::Result<core::Resource> ConfigPath::find(const std::string& folder,
                                               const std::string& name) const {

@@ -3,6 +3,7 @@
 
 #include <cctype>
 
+#include "runtime/plugin_list.hpp"
 #include "runtime/raw_graph.hpp"
 
 namespace clew::runtime {
@@ -100,6 +101,7 @@ std::string GraphStage::expanded_yaml() const {
 std::string Graph::expanded_yaml() const {
   std::string text = fmt::format("world: {}\nrobot: {}\nseed: {}\nmax_ticks: {}\n", quote(world),
                                  quote(robot), seed, max_ticks);
+  text += plugins_text(*this);
   if (goal) {
     text += fmt::format("goal: [{}, {}", goal->place.x(), goal->place.y());
     text += goal->radius_m ? fmt::format(", {}]\n", *goal->radius_m) : "]\n";

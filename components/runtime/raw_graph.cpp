@@ -5,6 +5,7 @@
 
 #include "core/nearest_name.hpp"
 #include "runtime/middleware.hpp"
+#include "runtime/plugin_list.hpp"
 
 namespace clew::runtime {
 namespace {
@@ -299,13 +300,15 @@ Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& n
   const auto root = YamlNode::parse(file.text, file.file);
   if (!root.ok()) return root.error();
   std::vector<std::string> keys = {"name",      "about",           "world",   "robot", "seed",
-                                   "max_ticks", "start_timeout_s", "mission", "goal"};
+                                   "max_ticks", "start_timeout_s", "mission", "goal",  "plugins"};
   for (const StageInfo& stage : stages) keys.push_back(stage.name);
   if (const auto format = root->find("format")) {
     return format->error("found a file of the format " + format->found() +
                          ", expected a graph, which has none");
   }
   CLEW_RETURN_IF_ERROR(root->check_keys(keys));
+  // Before the behaviours: an unknown one is explained by a plug-in that is missing.
+  CLEW_RETURN_IF_ERROR(check_plugins(*root));
 
   RawGraph graph{{}, *root, {}};
   graph.head.name = name;

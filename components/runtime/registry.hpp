@@ -33,6 +33,17 @@ class Registry {
 
   const std::vector<Registration<Behaviour>>& all() const { return registrations_; }
 
+  /// Puts one at the end. Refused: a name that is taken.
+  core::Result<void> add(Registration<Behaviour> added) {
+    for (const auto& registration : registrations_) {
+      if (registration.info.name == added.info.name) {
+        return core::Error{"there is a behaviour '" + added.info.name + "' already", {}, 0, 0};
+      }
+    }
+    registrations_.push_back(std::move(added));
+    return {};
+  }
+
   std::vector<VariantInfo> variants() const {
     std::vector<VariantInfo> infos;
     for (const auto& registration : registrations_) infos.push_back(registration.info);

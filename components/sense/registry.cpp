@@ -8,8 +8,8 @@
 
 namespace clew::sense {
 
-const runtime::Registry<RangeSensor>& sensors() {
-  static const runtime::Registry<RangeSensor> registry = {
+runtime::Registry<RangeSensor>& sensors() {
+  static runtime::Registry<RangeSensor> registry = {
       runtime::registration<RangeSensor, Cones>(
           "cones", "seven sonar cones of 15 degrees (Krishna & Kalra 2000, section 2)"),
       runtime::registration<RangeSensor, Laser>(

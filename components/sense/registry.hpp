@@ -6,7 +6,7 @@
 
 namespace clew::sense {
 
-/// All range sensors.
-const runtime::Registry<RangeSensor>& sensors();
+/// All range sensors; those of plug-ins, once they are loaded, stand behind ours.
+runtime::Registry<RangeSensor>& sensors();
 
 }  // namespace clew::sense

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "contract/behaviour_contract.hpp"
 #include "mission.hpp"
 #include "stages/all.hpp"
 
@@ -31,57 +32,45 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
   return name;
 }
 
-constexpr char kWorld[] = "kk-fig12-hooks";  // with a trap, where all parts get to work
-
-/// The first of the shipped graphs, the fullest one before all others, in which a choice fits.
-std::string graph_for(const std::string& choice) {
-  std::vector<std::string> graphs = shipped_graphs();
-  graphs.insert(graphs.begin(), "krishna_kalra");
-  for (const std::string& graph : graphs) {
-    if (Mission::refusal(graph, kWorld, {choice}).empty()) return graph;
+class EveryBehaviour : public ::testing::TestWithParam<std::string> {
+ protected:
+  /// `recover.detector=none`, taken apart.
+  static contract::Subject subject() {
+    static const runtime::ConfigPath configs = shipped_configs();
+    const std::string& choice = GetParam();
+    const std::size_t dot = choice.find('.');
+    const std::size_t equals = choice.find('=');
+    return contract::find_graph({choice.substr(0, dot), choice.substr(dot + 1, equals - dot - 1),
+                                 choice.substr(equals + 1)},
+                                configs)
+        .value();
   }
-  ADD_FAILURE() << choice << " fits in no shipped graph";
-  return graphs.front();
-}
+  static std::string wrong(core::Result<void> (*rule)(const contract::Subject&)) {
+    const auto kept = rule(subject());
+    return kept.ok() ? "" : kept.error().text();
+  }
+};
 
-Mission mission_with(const std::string& choice) {
-  // With errors of the sensor and of odometry, so that random numbers are at work as well.
-  return Mission(graph_for(choice), kWorld, {choice},
-                 {"sense.noise_stddev_m=0.01", "drive.drift_rad_per_sqrt_m=0.01"});
+TEST_P(EveryBehaviour, DeclaresItsParametersInFull) {
+  EXPECT_EQ(wrong(contract::check_declarations), "");
 }
-
-class EveryBehaviour : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryBehaviour, GivesTheSameSamplesForTheSameRun) {
-  Mission first = mission_with(GetParam());
-  Mission second = mission_with(GetParam());
-
-  for (int tick = 0; tick < 500 && !first.over(); ++tick) {
-    first.step();
-    second.step();
-    ASSERT_EQ(first.digest(), second.digest()) << "tick " << tick;
-  }
+  EXPECT_EQ(wrong(contract::check_determinism), "");
 }
 
 TEST_P(EveryBehaviour, GoesOnAsBeforeAfterSaveAndLoad) {
-  Mission uninterrupted = mission_with(GetParam());
-  std::vector<std::string> digests;
-  std::vector<Mission::Saved> breaks;
-  // A break every 29 ticks falls into step 1, turning about, following and seeking.
-  for (int tick = 0; tick < 500 && !uninterrupted.over(); ++tick) {
-    if (tick % 29 == 0) breaks.push_back(uninterrupted.save());
-    uninterrupted.step();
-    digests.push_back(uninterrupted.digest());
-  }
+  EXPECT_EQ(wrong(contract::check_save_and_load), "");
+}
 
-  for (const Mission::Saved& saved : breaks) {
-    Mission restored = mission_with(GetParam());
-    restored.load(saved);
-    for (std::uint64_t tick = saved.next_tick; tick < digests.size(); ++tick) {
-      restored.step();
-      ASSERT_EQ(restored.digest(), digests[tick]) << "saved at " << saved.next_tick << ", " << tick;
-    }
-  }
+TEST_P(EveryBehaviour, KeepsTheRulesOfEveryField) { EXPECT_EQ(wrong(contract::check_bounds), ""); }
+
+TEST_P(EveryBehaviour, KeepsThemWithTheScansOfABrokenSensor) {
+  EXPECT_EQ(wrong(contract::check_bad_scans), "");
+}
+
+TEST_P(EveryBehaviour, WorksOrIsRefusedAtBothEndsOfEachRange) {
+  EXPECT_EQ(wrong(contract::check_parameter_ranges), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryBehaviour, ::testing::ValuesIn(all_variants()), test_name);
@@ -114,17 +103,6 @@ TEST(Stages, DeclareEveryParameterInFull) {
         EXPECT_FALSE(info.unit.empty()) << stage.name << '.' << info.name;
         EXPECT_GE(*number, info.range->min) << stage.name << '.' << info.name;
         EXPECT_LE(*number, info.range->max) << stage.name << '.' << info.name;
-      }
-    }
-  }
-}
-
-TEST(Stages, SayWhatEachBehaviourIs) {
-  for (const runtime::StageInfo& stage : all()) {
-    EXPECT_FALSE(stage.summary.empty());
-    for (const runtime::PartInfo& part : stage.parts) {
-      for (const runtime::VariantInfo& variant : part.variants) {
-        EXPECT_FALSE(variant.summary.empty()) << stage.name << '.' << variant.name;
       }
     }
   }

@@ -10,9 +10,11 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/plugin_options.hpp"
 #include "clew/terminal.hpp"
 #include "clew/version.hpp"
 #include "core/hash128.hpp"
+#include "runtime/plugin_list.hpp"
 #include "stages/all.hpp"
 
 namespace clew::tools {
@@ -24,8 +26,9 @@ struct BenchCommandOptions {
   std::vector<std::string> with;
   std::vector<std::string> set;
   std::vector<std::string> vary;  ///< `PATH=VALUE,VALUE,...`
-  std::size_t jobs = 0;           ///< worker processes; 0: one a core
-  std::string out;                ///< empty: out/bench/SUITE
+  std::vector<std::string> plugins;
+  std::size_t jobs = 0;  ///< worker processes; 0: one a core
+  std::string out;       ///< empty: out/bench/SUITE
   bool force = false;
   bool json = false;
   std::string write_worlds;  ///< a directory for the generated worlds, instead of running
@@ -53,6 +56,10 @@ Result<bench::BenchPlan> make_plan(const BenchCommandOptions& options,
   if (!file.ok()) return file.error();
   const auto suite = bench::read_suite(*file, options.suite);
   if (!suite.ok()) return suite.error();
+  CLEW_RETURN_IF_ERROR(load_plugins_of(options.plugins));
+  for (const std::string& graph : options.graphs.empty() ? suite->graphs : options.graphs) {
+    CLEW_RETURN_IF_ERROR(load_plugins_of({}, graph));
+  }
   bench::BenchChanges changes;
   changes.graphs = options.graphs;
   changes.with = options.with;
@@ -67,6 +74,10 @@ Result<bench::BenchPlan> make_plan(const BenchCommandOptions& options,
   const auto program = program_text();
   if (!program.ok()) return program.error();
   plan->configuration["clew"] = *program;
+  // Results of another plug-in are no results of this one.
+  for (const auto& plugin : runtime::loaded_plugins()) {
+    plan->configuration["plugin " + plugin.name] = plugin.digest;
+  }
   return plan;
 }
 
@@ -159,6 +170,7 @@ void add_bench(CLI::App& main, int& status) {
          "of them; A+B is the list of A and B; repeated: all combinations, and two make a "
          "matrix in the report")
       ->allow_extra_args(false);
+  add_plugins(*app, options->plugins);
   app->add_option("--jobs", options->jobs, "worker processes (one a core)")
       ->check(number_between(1, 1024));
   app->add_option("--out", options->out,

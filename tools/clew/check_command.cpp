@@ -4,6 +4,7 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/plugin_options.hpp"
 #include "clew/stage_text.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
@@ -14,6 +15,7 @@ namespace {
 struct CheckOptions {
   std::string graph;
   runtime::GraphOverrides overrides;
+  std::vector<std::string> plugins;
   bool expand = false;
 };
 
@@ -37,6 +39,8 @@ void print_wiring(const Graph& graph) {
 }
 
 int check_command(const CheckOptions& options) {
+  const auto plugins = load_plugins_of(options.plugins, options.graph);
+  if (!plugins.ok()) return complain(plugins.error());
   const auto plan = runtime::prepare_run(options.graph, options.overrides,
                                          runtime::ConfigPath::from_environment(), stages::all());
   if (!plan.ok()) return complain(plan.error());
@@ -64,6 +68,7 @@ void add_check(CLI::App& main, int& status) {
   CLI::App* app = main.add_subcommand("check", "Check a graph and show its wiring");
   app->add_option("graph", options->graph, "a name or a path")->required();
   add_overrides(*app, options->overrides);
+  add_plugins(*app, options->plugins);
   app->add_flag("--expand", options->expand, "print the graph with every value in it");
   app->callback([options, &status] { status = check_command(*options); });
 }

@@ -23,5 +23,10 @@ void add_diff(CLI::App& main, int& status);
 void add_replay(CLI::App& main, int& status);
 /// swap, goal, pause, step, resume, stop: what is done to a run that goes on.
 void add_live(CLI::App& main, int& status);
+void add_check_plugin(CLI::App& main, int& status);
+void add_new(CLI::App& main, int& status);
+void add_completion(CLI::App& main, int& status);
+/// For those who build packages only.
+void add_manual(CLI::App& main, int& status);
 
 }  // namespace clew::tools

@@ -8,6 +8,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/plugin_options.hpp"
 #include "clew/stage_text.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/recorded_plan.hpp"
@@ -19,6 +20,7 @@ namespace {
 
 struct InfoOptions {
   std::string recording;
+  std::vector<std::string> plugins;
   bool json = false;
 };
 
@@ -257,6 +259,8 @@ int info_command(const InfoOptions& options) {
   if (!branch.ok()) return complain(branch.error());
   RecordingFacts facts = gather(*recording, *survey);
   if (*branch) facts.branch_tick = (*branch)->tick;
+  const auto plugins = load_plugins_for(*recording, options.plugins);
+  if (!plugins.ok()) return complain(plugins.error());
   if (facts.types_match) {
     const auto plan = runtime::prepare_run(recording->description().bundle, stages::all());
     if (!plan.ok()) facts.no_plan = plan.error().text();
@@ -276,6 +280,7 @@ void add_info(CLI::App& main, int& status) {
   CLI::App* app =
       main.add_subcommand("info", "Show what a recording holds, and whether it is complete");
   app->add_option("recording", options->recording)->required();
+  add_plugins(*app, options->plugins);
   app->add_flag("--json", options->json, "print it as one JSON object");
   app->callback([options, &status] { status = info_command(*options); });
 }

@@ -6,9 +6,11 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/parameter_table.hpp"
+#include "clew/plugin_options.hpp"
 #include "core/nearest_name.hpp"
 #include "core/yaml_reader.hpp"
 #include "runtime/config_source.hpp"
+#include "runtime/plugin_list.hpp"
 #include "runtime/stage.hpp"
 #include "stages/all.hpp"
 
@@ -18,6 +20,7 @@ namespace {
 struct ListOptions {
   std::string what;  ///< `graphs`, `worlds`, a stage, or `STAGE.PART`; empty: what there is
   std::string name;
+  std::vector<std::string> plugins;
   bool markdown = false;  ///< tables for a README
 };
 
@@ -53,7 +56,9 @@ void print_port(const PortInfo& port) {
 }
 
 void print_variant(const StageInfo& stage, const PartInfo& part, const VariantInfo& variant) {
-  fmt::print("  {}.{} {}: {}\n", stage.name, part.name, variant.name, variant.summary);
+  const auto* plugin = runtime::plugin_of({stage.name, part.name, variant.name});
+  const std::string from = plugin == nullptr ? "" : " (plug-in " + plugin->name + ')';
+  fmt::print("  {}.{} {}{}: {}\n", stage.name, part.name, variant.name, from, variant.summary);
   print_parameters(variant.parameters);
 }
 
@@ -133,6 +138,8 @@ int list_all() {
 }
 
 int list_command(const ListOptions& options) {
+  const auto plugins = load_plugins_of(options.plugins);
+  if (!plugins.ok()) return complain(plugins.error());
   if (options.what.empty()) return list_all();
   std::vector<std::string> known = kFolders;
   if (std::find(known.begin(), known.end(), options.what) != known.end()) {
@@ -160,6 +167,7 @@ void add_list(CLI::App& main, int& status) {
   app->add_option("what", options->what,
                   "graphs | worlds | suites | robots | maps | rulebases | training | STAGE[.PART]");
   app->add_option("name", options->name, "only this one");
+  add_plugins(*app, options->plugins);
   app->add_flag("--markdown", options->markdown,
                 "the parameters of a stage, or of the behaviour NAME, as a table for a README");
   app->callback([options, &status] { status = list_command(*options); });

@@ -4,6 +4,7 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/plugin_options.hpp"
 #include "plot/plot.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/recorded_plan.hpp"
@@ -15,6 +16,7 @@ namespace {
 struct PlotOptions {
   std::vector<std::string> recordings;
   std::string output;
+  std::vector<std::string> plugins;
   std::optional<std::uint64_t> tick;  ///< what components show of it, instead of the whole run
 };
 
@@ -22,9 +24,11 @@ using core::Error;
 using core::Result;
 
 /// What all components of ours show of a tick; their states are built from the recording.
-Result<plot::InsideView> look_inside(const std::string& path, std::uint64_t tick) {
+Result<plot::InsideView> look_inside(const std::string& path, std::uint64_t tick,
+                                     const std::vector<std::string>& plugins) {
   const auto recording = bridge::RunRecording::open(path);
   if (!recording.ok()) return recording.error();
+  CLEW_RETURN_IF_ERROR(load_plugins_for(*recording, plugins));
   const auto plan = bridge::recorded_plan(*recording, stages::all());
   if (!plan.ok()) return plan.error();
   plot::InsideView inside;
@@ -52,7 +56,7 @@ Result<void> plot_inside(const PlotOptions& options) {
         0,
         0};
   }
-  const auto inside = look_inside(options.recordings.front(), *options.tick);
+  const auto inside = look_inside(options.recordings.front(), *options.tick, options.plugins);
   if (!inside.ok()) return inside.error();
   return plot::plot_tick(options.recordings.front(), *inside, options.output);
 }
@@ -73,6 +77,7 @@ void add_plot(CLI::App& main, int& status) {
   app->add_option("-o,--output", options->output, "FILE.svg, FILE.png or FILE.pdf")
       ->required()
       ->check(file_to_write());
+  add_plugins(*app, options->plugins);
   app->add_option("--tick", options->tick,
                   "draw what the components show of this tick, from one recording")
       ->check(whole_number());

@@ -9,6 +9,7 @@
 #include "clew/difference_output.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/plugin_options.hpp"
 #include "clew/replay_branch.hpp"
 #include "clew/replay_options.hpp"
 #include "clew/replay_output.hpp"
@@ -138,6 +139,8 @@ int replay_command(const ReplayOptions& options) {
   if (const auto checked = check_options(options); !checked.ok()) return complain(checked.error());
   const auto recording = bridge::RunRecording::open(options.recording);
   if (!recording.ok()) return complain(recording.error());
+  const auto plugins = load_plugins_for(*recording, options.plugins);
+  if (!plugins.ok()) return complain(plugins.error());
   const auto recorded = bridge::recorded_plan(*recording, stages::all());
   if (!recorded.ok()) return complain(recorded.error());
   const auto plan = bridge::changed_plan(*recording, options.overrides,
@@ -194,6 +197,7 @@ void add_replay(CLI::App& main, int& status) {
       ->allow_extra_args(false);
   app->add_option("--set", options->overrides.set, "STAGE[.PART][.NAME].PARAM=VALUE: other value")
       ->allow_extra_args(false);
+  add_plugins(*app, options->plugins);
   app->add_option("--from", options->first_tick, "compare from this tick")->check(whole_number());
   app->add_option("--to", options->last_tick, "end with this tick")->check(whole_number());
   app->add_option("--rate", options->rate, "simulated over wall-clock time (as fast as it goes)")

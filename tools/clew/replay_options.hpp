@@ -22,6 +22,7 @@ struct ReplayOptions {
   std::string record;  ///< of the branch
   bool force = false;
   bool json = false;
+  std::vector<std::string> plugins;  ///< names or paths
   bool publishes = false;            ///< over DDS, instead of into a component in this process
   std::vector<std::string> publish;  ///< topics besides the component's inputs
   std::optional<int> domain;

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "clew/plugin_options.hpp"
 #include "recorder/recording_sink.hpp"
 #include "recording/output_file.hpp"
 #include "replay/recorded_plan.hpp"
@@ -92,6 +93,7 @@ Result<ResumedRun> resume_run(const RunOptions& options) {
   const std::string file = existing(options.resume);
   const auto recording = bridge::RunRecording::open(file);
   if (!recording.ok()) return recording.error();
+  CLEW_RETURN_IF_ERROR(load_plugins_for(*recording, options.plugins));
   auto plan = bridge::recorded_plan(*recording, stages::all());
   if (!plan.ok()) return plan.error();
   auto resumption = bridge::resume(*recording, *plan);

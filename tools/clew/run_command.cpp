@@ -10,6 +10,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/foreign_programs.hpp"
+#include "clew/plugin_options.hpp"
 #include "clew/resumed_run.hpp"
 #include "clew/run_layout.hpp"
 #include "clew/run_options.hpp"
@@ -115,6 +116,7 @@ Result<void> plan_changes(const RunOptions& options, Job& job, bridge::RunContro
 
 Result<Job> new_job(const RunOptions& options) {
   if (options.graph.empty()) return Error{"which graph? see 'clew list graphs'", {}, 0, 0};
+  CLEW_RETURN_IF_ERROR(load_plugins_of(options.plugins, options.graph));
   auto plan = runtime::prepare_run(options.graph, options.overrides,
                                    runtime::ConfigPath::from_environment(), stages::all());
   if (!plan.ok()) return plan.error();
@@ -338,6 +340,7 @@ void add_run(CLI::App& main, int& status) {
   CLI::App* app = main.add_subcommand("run", "Run a graph with a simulated robot");
   app->add_option("graph", options->graph, "a name or a path; see 'clew list graphs'");
   add_overrides(*app, options->overrides);
+  add_plugins(*app, options->plugins);
   add_ways(*app, *options);
   add_recording(*app, *options);
   app->add_flag("--json", options->json, "print the result as one JSON object");

@@ -28,7 +28,8 @@ struct RunOptions {
   std::string compression;  ///< empty: as the recording that is gone on with has it, else none
   std::string on_record_error = "stop";
   std::vector<std::string> external;
-  std::vector<std::string> prefix;  ///< `STAGE=COMMAND`
+  std::vector<std::string> prefix;   ///< `STAGE=COMMAND`
+  std::vector<std::string> plugins;  ///< names or paths
   bool json = false;
   bool no_hash = false;
 };
