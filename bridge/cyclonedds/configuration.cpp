@@ -21,10 +21,11 @@ namespace clew::bridge {
 // - Watermarks: a writer takes what it is given until this much is not acknowledged, and does not
 //   lower the mark after a lost packet.
 std::string cyclonedds_configuration(const ParticipantConfig& config) {
-  return fmt::format(
-      "<CycloneDDS><Domain Id=\"any\">"
+  constexpr char kLoopback[] =
       "<General><Interfaces><NetworkInterface name=\"lo\" multicast=\"false\"/></Interfaces>"
-      "<AllowMulticast>false</AllowMulticast></General>"
+      "<AllowMulticast>false</AllowMulticast></General>";
+  return fmt::format(
+      "<CycloneDDS><Domain Id=\"any\">{}"
       "<Discovery><ExternalDomainId>{}</ExternalDomainId>"
       "<ParticipantIndex>auto</ParticipantIndex>"
       "<MaxAutoParticipantIndex>{}</MaxAutoParticipantIndex>"
@@ -36,7 +37,7 @@ std::string cyclonedds_configuration(const ParticipantConfig& config) {
       "<Watermarks><WhcHigh>1 MiB</WhcHigh><WhcHighInit>1 MiB</WhcHighInit>"
       "<WhcAdaptive>false</WhcAdaptive></Watermarks></Internal>"
       "</Domain></CycloneDDS>",
-      config.domain, kMaxParticipantIndex, kLoopbackAddress,
+      config.on_network ? "" : kLoopback, config.domain, kMaxParticipantIndex, kLoopbackAddress,
       static_cast<std::int64_t>(config.lease_s * 1e3), kLinger.count());
 }
 

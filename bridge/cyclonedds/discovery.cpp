@@ -36,6 +36,12 @@ std::string user_data_of(const dds_qos_t* qos) {
 
 }  // namespace
 
+std::string cyclone_guid(dds_entity_t entity) {
+  dds_guid_t guid{};
+  dds_get_guid(entity, &guid);
+  return hex(guid);
+}
+
 CycloneDiscovery::CycloneDiscovery(dds_entity_t participant, DiscoveryListener& listener)
     : participant_(participant), remotes_(listener) {
   dds_get_guid(participant_, &participant_guid_);

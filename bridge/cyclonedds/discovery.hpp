@@ -12,6 +12,9 @@
 
 namespace clew::bridge {
 
+/// The GUID of an entity of ours, as 32 hexadecimal digits.
+std::string cyclone_guid(dds_entity_t entity);
+
 /// What Cyclone DDS tells of other participants' endpoints, and the one check that it does not
 /// make: it takes two types on a topic without a word, so types are compared here.
 class CycloneDiscovery {

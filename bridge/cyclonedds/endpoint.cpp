@@ -29,12 +29,18 @@ core::Result<void> CycloneEndpoint::create_topic(dds_entity_t participant) {
 CycloneQos CycloneEndpoint::qos() const {
   CycloneQos qos = make_cyclone_qos();
   // A write that would have to wait for acknowledgements fails at once.
-  dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, 0);
-  dds_qset_durability(qos.get(), DDS_DURABILITY_TRANSIENT_LOCAL);
-  // KEEP_LAST would drop what is not acknowledged when it is full. So the writer drops nothing
-  // before it is acknowledged, and what it keeps for late readers is bounded by the durability
-  // service.
-  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, DDS_LENGTH_UNLIMITED);
+  dds_qset_reliability(
+      qos.get(), spec_.qos.reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, 0);
+  dds_qset_durability(qos.get(), spec_.qos.transient_local ? DDS_DURABILITY_TRANSIENT_LOCAL
+                                                           : DDS_DURABILITY_VOLATILE);
+  // KEEP_LAST drops what is not acknowledged when it is full. Unless that is wanted, the writer
+  // drops nothing before it is acknowledged, and what it keeps for late readers is bounded by the
+  // durability service.
+  if (spec_.qos.keep_last) {
+    dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, spec_.history_depth);
+  } else {
+    dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, DDS_LENGTH_UNLIMITED);
+  }
   dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, spec_.history_depth,
                               DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
   const dds_data_representation_id_t xcdr1 = DDS_DATA_REPRESENTATION_XCDR1;

@@ -36,6 +36,7 @@ class CycloneWriter : public SampleWriter {
   bool acknowledged() const override {
     return dds_wait_for_acks(endpoint_.handle(), 0) == DDS_RETCODE_OK;
   }
+  std::string guid() const override { return cyclone_guid(endpoint_.handle()); }
 
  private:
   CycloneEndpoint endpoint_;
@@ -46,6 +47,7 @@ class CycloneReader : public SampleReader {
   CycloneReader(CycloneDiscovery& discovery, const EndpointSpec& spec, SampleListener& listener)
       : listener_(listener), endpoint_(discovery, spec, false) {}
   ~CycloneReader() override { endpoint_.detach(); }
+  std::string guid() const override { return cyclone_guid(endpoint_.handle()); }
 
   core::Result<void> open(dds_entity_t participant) {
     CLEW_RETURN_IF_ERROR(endpoint_.create_topic(participant));
@@ -104,13 +106,16 @@ class CycloneParticipant : public Participant {
     domain_ = CycloneEntity(domain_handle);
     const CycloneQos qos = make_cyclone_qos();
     dds_qset_entity_name(qos.get(), config.name.c_str());
+    dds_qset_userdata(qos.get(), config.user_data.data(), config.user_data.size());
     const dds_entity_t handle = dds_create_participant(domain, qos.get(), nullptr);
     if (handle < 0) return cyclone_error("creating participant " + config.name, handle);
     participant_ = CycloneEntity(handle);
-    confine_to_loopback(config.domain);
+    if (!config.on_network) confine_to_loopback(config.domain);
     discovery_ = std::make_unique<CycloneDiscovery>(handle, listener_);
     return discovery_->start();
   }
+
+  std::string guid() const override { return cyclone_guid(participant_.handle()); }
 
   core::Result<std::unique_ptr<SampleWriter>> create_writer(const EndpointSpec& spec) override {
     auto writer = std::make_unique<CycloneWriter>(*discovery_, spec);

@@ -18,13 +18,24 @@
 
 namespace clew::bridge {
 
-/// An endpoint's topic, its type, and how much of its past it keeps. The rest of the QoS is the
-/// same everywhere: RELIABLE, TRANSIENT_LOCAL with the last history_depth samples, XCDR1, keyless.
+/// What becomes of samples on the way. Between the components of a run it is as here; other values
+/// are for endpoints that meet somebody else's.
+struct Qos {
+  bool reliable = true;
+  bool transient_local = true;  ///< a late reader is given the last samples
+  /// What a full history does: it refuses the write while a live reader lacks the oldest sample, or
+  /// it drops that (KEEP_LAST), so that no reader ever holds up the writer.
+  bool keep_last = false;
+};
+
+/// An endpoint's topic, its type, and how much of its past it keeps: history_depth samples. The
+/// rest of the QoS is the same everywhere: XCDR1, keyless.
 struct EndpointSpec {
   std::string topic;      ///< `scan`
   std::string type;       ///< `clew::msg::Scan`
   std::string user_data;  ///< USER_DATA, e.g. `clew_idl=<hex>;clew_stage=sense;`
   int history_depth = 1;
+  Qos qos{};
 };
 
 /// An endpoint of somebody else, as discovery tells of it.
@@ -83,24 +94,34 @@ class SampleWriter {
   virtual WriteStatus write(std::string_view cdr) = 0;
   /// Whether every live reader has what was written; asks, and does not wait.
   virtual bool acknowledged() const = 0;
+  /// As others see it in RemoteEndpoint::guid.
+  virtual std::string guid() const = 0;
 };
 
 class SampleReader {
  public:
   virtual ~SampleReader() = default;
+  /// As others see it in RemoteEndpoint::guid.
+  virtual std::string guid() const = 0;
 };
 
 struct ParticipantConfig {
-  int domain = 0;    ///< 0..99
-  std::string name;  ///< for people: `sense`
-  double lease_s;    ///< how long it is believed alive while it is silent
+  int domain = 0;           ///< 0..99
+  std::string name;         ///< for people: `sense`
+  double lease_s;           ///< how long it is believed alive while it is silent
+  std::string user_data{};  ///< USER_DATA of the participant, as `enclave=/;`
+  /// Whether it speaks on every network of the host, with multicast, or on 127.0.0.1 only.
+  bool on_network = false;
 };
 
-/// A participant that speaks on 127.0.0.1 only, by unicast, and finds up to 100 others there.
+/// A participant that speaks on 127.0.0.1 only, by unicast, and finds up to 100 others there,
+/// unless it was told to speak on the network.
 /// Destruction closes every endpoint; endpoints must be destroyed before.
 class Participant {
  public:
   virtual ~Participant() = default;
+  /// 32 hexadecimal digits, of which its endpoints' begin with the same 24.
+  virtual std::string guid() const = 0;
   /// The listeners must outlive the endpoint.
   virtual core::Result<std::unique_ptr<SampleWriter>> create_writer(const EndpointSpec& spec) = 0;
   virtual core::Result<std::unique_ptr<SampleReader>> create_reader(const EndpointSpec& spec,

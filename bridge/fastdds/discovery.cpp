@@ -20,7 +20,9 @@ using eprosima::fastrtps::rtps::ParticipantDiscoveryInfo;
 using eprosima::fastrtps::rtps::ReaderDiscoveryInfo;
 using eprosima::fastrtps::rtps::WriterDiscoveryInfo;
 
-std::string hex(const GUID_t& guid) {
+}  // namespace
+
+std::string fastdds_guid(const GUID_t& guid) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
   const auto append = [&](eprosima::fastrtps::rtps::octet byte) {
@@ -31,8 +33,6 @@ std::string hex(const GUID_t& guid) {
   for (const auto byte : guid.entityId.value) append(byte);
   return text;
 }
-
-}  // namespace
 
 void FastDiscovery::on_participant_discovery(DomainParticipant*, ParticipantDiscoveryInfo&& info) {
   Process process{info.info.m_participantName.to_string(), 0};
@@ -77,7 +77,7 @@ void FastDiscovery::add_remote(const ProxyData& endpoint, bool is_writer) {
   remote->type = endpoint.typeName().to_string();
   const auto& user_data = endpoint.m_qos.m_userData.data_vec();
   remote->user_data.assign(user_data.begin(), user_data.end());
-  remote->guid = hex(endpoint.guid());
+  remote->guid = fastdds_guid(endpoint.guid());
   {
     const std::lock_guard lock(mutex_);
     const auto process = processes_.find(endpoint.guid().guidPrefix);

@@ -14,6 +14,9 @@
 
 namespace clew::bridge {
 
+/// A GUID as 32 hexadecimal digits.
+std::string fastdds_guid(const eprosima::fastrtps::rtps::GUID_t& guid);
+
 /// What Fast DDS tells of other participants and their endpoints. It passes over endpoints with
 /// another type in silence, so types are compared here. Nothing of Fast DDS is called with the lock
 /// held.

@@ -58,6 +58,7 @@ class FastWriter : public SampleWriter, private DataWriterListener {
     return writer_->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(0, 0)) ==
            ReturnCode_t::RETCODE_OK;
   }
+  std::string guid() const override { return fastdds_guid(writer_->guid()); }
 
  private:
   void on_publication_matched(DataWriter*, const PublicationMatchedStatus& status) override {
@@ -89,6 +90,7 @@ class FastReader : public SampleReader, private DataReaderListener {
     if (reader_ == nullptr) return fast_error("creating a reader of " + endpoint_.spec().topic);
     return {};
   }
+  std::string guid() const override { return fastdds_guid(reader_->guid()); }
 
  private:
   void on_data_available(DataReader* reader) override {
@@ -140,6 +142,8 @@ class FastParticipant : public Participant {
     if (publisher_ == nullptr || subscriber_ == nullptr) return fast_error("creating a publisher");
     return {};
   }
+
+  std::string guid() const override { return fastdds_guid(participant_->guid()); }
 
   core::Result<std::unique_ptr<SampleWriter>> create_writer(const EndpointSpec& spec) override {
     const core::Result<Topic*> topic = find_topic(spec);

@@ -35,12 +35,24 @@ Locator_t loopback_locator(std::uint32_t port) {
   return locator;
 }
 
+/// Port 0: the one that belongs to the participant's index. Naming locators keeps multicast out.
+void confine_to_loopback(WireProtocolConfigQos& wire, int domain) {
+  wire.builtin.metatrafficUnicastLocatorList.push_back(loopback_locator(0));
+  wire.default_unicast_locator_list.push_back(loopback_locator(0));
+  for (int index = 0; index <= kMaxParticipantIndex; ++index) {
+    wire.builtin.initialPeersList.push_back(loopback_locator(discovery_port(domain, index)));
+  }
+}
+
 template <typename Qos>
 void set_common(Qos& qos, const EndpointSpec& spec) {
-  qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
+  qos.reliability().kind =
+      spec.qos.reliable ? RELIABLE_RELIABILITY_QOS : BEST_EFFORT_RELIABILITY_QOS;
   qos.reliability().max_blocking_time = Duration_t(0, 0);
-  qos.durability().kind = TRANSIENT_LOCAL_DURABILITY_QOS;
-  qos.history().kind = KEEP_ALL_HISTORY_QOS;
+  qos.durability().kind =
+      spec.qos.transient_local ? TRANSIENT_LOCAL_DURABILITY_QOS : VOLATILE_DURABILITY_QOS;
+  qos.history().kind = spec.qos.keep_last ? KEEP_LAST_HISTORY_QOS : KEEP_ALL_HISTORY_QOS;
+  qos.history().depth = spec.history_depth;
   qos.resource_limits().max_instances = 1;
   qos.endpoint().history_memory_policy =
       eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
@@ -70,19 +82,16 @@ void prepare_fastdds_process() {
 DomainParticipantQos fastdds_participant_qos(const ParticipantConfig& config) {
   DomainParticipantQos qos;
   qos.name(config.name);
-  // No shared memory: its segments outlive a kill. Only the loopback interface.
+  qos.user_data().data_vec(std::vector<eprosima::fastrtps::rtps::octet>(config.user_data.begin(),
+                                                                        config.user_data.end()));
+  // No shared memory: its segments outlive a kill. Only the loopback interface, unless others are
+  // wanted.
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
-  udp->interfaceWhiteList.emplace_back(kLoopbackAddress);
+  if (!config.on_network) udp->interfaceWhiteList.emplace_back(kLoopbackAddress);
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.push_back(udp);
-  // Port 0: the one that belongs to the participant's index. Naming locators here keeps multicast
-  // out.
   auto& wire = qos.wire_protocol();
-  wire.builtin.metatrafficUnicastLocatorList.push_back(loopback_locator(0));
-  wire.default_unicast_locator_list.push_back(loopback_locator(0));
-  for (int index = 0; index <= kMaxParticipantIndex; ++index) {
-    wire.builtin.initialPeersList.push_back(loopback_locator(discovery_port(config.domain, index)));
-  }
+  if (!config.on_network) confine_to_loopback(wire, config.domain);
   auto& discovery = wire.builtin.discovery_config;
   discovery.leaseDuration = Duration_t(static_cast<long double>(config.lease_s));
   discovery.leaseDuration_announcementperiod = Duration_t(0.4L);

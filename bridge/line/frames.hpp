@@ -61,6 +61,10 @@ struct Hello {
   std::string idl_fingerprint;
 };
 
+/// What a process calls itself in its hello that only looks on: it is told all that the run is made
+/// of, and nothing waits for it.
+inline constexpr const char* kWatcherName = "watcher";
+
 /// An endpoint of another process that must be matched before tick 0.
 struct ExpectedEndpoint {
   std::string topic;

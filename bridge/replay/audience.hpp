@@ -9,7 +9,7 @@
 
 #include "component/start_barrier.hpp"
 #include "replay/fed_component.hpp"
-#include "replay/wake_up.hpp"
+#include "line/wake_up.hpp"
 #include "runtime/component.hpp"
 #include "vendors/third_party_environment.hpp"
 

@@ -202,6 +202,18 @@ Assignment Launcher::assignment_for(const Member& member) const {
   return assignment;
 }
 
+Assignment Launcher::assignment_for_watcher() const {
+  Assignment assignment;
+  assignment.run_id = run_id_;
+  assignment.bundle = plan_.bundle;
+  assignment.middleware = layout_.middleware;
+  assignment.domain = domain_;
+  assignment.pace = layout_.pace;
+  assignment.pace_factor = layout_.pace_factor;
+  assignment.history_depth = kHistoryDepth;
+  return assignment;
+}
+
 std::chrono::steady_clock::duration Launcher::start_timeout() const {
   if (patient()) return kPatience;
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(

@@ -58,6 +58,8 @@ class Launcher {
   core::Result<Member*> admit(const Hello& hello, std::vector<Member>& members) const;
   Assignment assignment_for(const std::string& stage, const std::string& middleware) const;
   Assignment assignment_for(const Member& member) const;
+  /// With every file of the run, the world too.
+  Assignment assignment_for_watcher() const;
 
   /// Whether a person at a debugger takes part. Then the run waits longer.
   bool patient() const { return !layout_.external.empty() || !layout_.prefix.empty(); }

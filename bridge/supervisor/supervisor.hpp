@@ -23,6 +23,7 @@
 #include "supervisor/restart_policy.hpp"
 #include "supervisor/run_recording_control.hpp"
 #include "supervisor/third_party_observer.hpp"
+#include "supervisor/watchers.hpp"
 
 namespace clew::bridge {
 
@@ -110,6 +111,7 @@ class Supervisor {
   std::optional<RunRecordingControl> recording_;
   std::optional<Checkpoint> observed_before_;
   std::unique_ptr<ThirdPartyObserver> observer_;
+  Watchers watchers_;
   RunReport report_;
   const Time started_at_;
   TickRate rate_;

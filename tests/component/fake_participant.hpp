@@ -17,6 +17,7 @@ namespace clew::bridge {
 /// thread of the test.
 class FakeParticipant : public Participant {
  public:
+  std::string guid() const override { return std::string(32, 'f'); }
   core::Result<std::unique_ptr<SampleWriter>> create_writer(const EndpointSpec& spec) override {
     const std::lock_guard lock(mutex_);
     writers_.push_back(spec);
@@ -26,7 +27,7 @@ class FakeParticipant : public Participant {
                                                             SampleListener& listener) override {
     const std::lock_guard lock(mutex_);
     listeners_[spec.topic] = &listener;
-    return std::unique_ptr<SampleReader>(std::make_unique<SampleReader>());
+    return std::unique_ptr<SampleReader>(std::make_unique<Reader>());
   }
 
   /// Hands a sample to the reader of its topic.
@@ -67,10 +68,15 @@ class FakeParticipant : public Participant {
       return participant_.status_;
     }
     bool acknowledged() const override { return true; }
+    std::string guid() const override { return participant_.guid(); }
 
    private:
     FakeParticipant& participant_;
     const std::string topic_;
+  };
+  class Reader : public SampleReader {
+   public:
+    std::string guid() const override { return std::string(32, 'e'); }
   };
 
   mutable std::mutex mutex_;

@@ -117,6 +117,58 @@ TEST_P(DdsPair, KeepsTheOrderOfManySamples) {
   for (std::uint32_t i = 0; i < 2000; ++i) ASSERT_EQ(received[i], numbered_sample(i, 200)) << i;
 }
 
+TEST_P(DdsPair, EndpointsAreKnownToOthersByTheirGuids) {
+  match();
+
+  EXPECT_EQ(reader_side_.events().matched[0].guid, writer_->guid());
+  EXPECT_EQ(writer_side_.events().matched[0].guid, reader_->guid());
+  EXPECT_EQ(writer_->guid().size(), 32U);
+  EXPECT_EQ(writer_->guid().substr(0, 24), writer_participant_->guid().substr(0, 24));
+}
+
+TEST_P(DdsPair, AKeepLastWriterIsHeldUpByNobody) {
+  constexpr std::uint32_t kSamples = 500;
+  join_both();
+  EndpointSpec spec = scan_spec();
+  spec.qos = {true, false, true};
+  open_writer(spec);
+  open_reader(spec);
+  ASSERT_TRUE(writer_side_.wait_for_matches(1));
+  ASSERT_TRUE(reader_side_.wait_for_matches(1));
+  samples_.hold();
+
+  for (std::uint32_t i = 0; i < kSamples; ++i) {
+    ASSERT_EQ(writer_->write(numbered_sample(i, 200)), WriteStatus::kTaken) << i;
+  }
+  samples_.release();
+
+  // Whatever was dropped on the way, the newest one is not.
+  const auto give_up = std::chrono::steady_clock::now() + kPatience;
+  const std::string last = numbered_sample(kSamples - 1, 200);
+  for (std::size_t count = 1; samples_.samples().empty() || samples_.samples().back() != last;
+       count = samples_.samples().size() + 1) {
+    ASSERT_LT(std::chrono::steady_clock::now(), give_up);
+    ASSERT_TRUE(samples_.wait_for(count));
+  }
+}
+
+TEST_P(DdsPair, ABestEffortReaderHoldsUpNobody) {
+  join_both();
+  open_writer();
+  EndpointSpec spec = scan_spec();
+  spec.qos.reliable = false;
+  spec.qos.transient_local = false;
+  open_reader(spec);
+  ASSERT_TRUE(writer_side_.wait_for_matches(1));
+  samples_.hold();
+
+  for (std::uint32_t i = 0; i < 100 * kDepth; ++i) {
+    ASSERT_EQ(writer_->write(numbered_sample(i, 200)), WriteStatus::kTaken) << i;
+  }
+  samples_.release();
+  EXPECT_TRUE(samples_.wait_for(1));
+}
+
 TEST_P(DdsPair, GivesALateReaderTheEndOfThePast) {
   join_both();
   open_writer();

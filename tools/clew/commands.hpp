@@ -11,6 +11,7 @@ void add_run(CLI::App& main, int& status);
 void add_bench(CLI::App& main, int& status);
 void add_check(CLI::App& main, int& status);
 void add_list(CLI::App& main, int& status);
+void add_bridge(CLI::App& main, int& status);
 void add_component(CLI::App& main, int& status);
 /// Started by runs only.
 void add_recorder(CLI::App& main, int& status);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "replay/wake_up.hpp"
+#include "line/wake_up.hpp"
 
 #include <poll.h>
 #include <sys/eventfd.h>

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a robot of ROS 2 tells, as Clew's stages want it.
+#pragma once
+
+#include <string>
+
+#include "core/geometry.hpp"
+#include "core/result.hpp"
+#include "domain/messages.hpp"
+#include "domain/setup.hpp"
+#include "ros2/messages.hpp"
+
+namespace clew::ros2 {
+
+double to_seconds(const Time& time);
+/// The turn about z of a rotation.
+double to_heading_rad(const Quaternion& rotation);
+/// Refused: numbers that are not finite, and a rotation of no length.
+core::Result<core::Pose2> to_pose2(const Pose& pose);
+
+/// A laser's scan as the sensor of a graph would have measured it: each beam reads the nearest
+/// return within its opening (for a ray, within half a step of the laser's), from the robot's skin.
+/// What the laser does not see at all counts as nothing within range, so a sensor should not look
+/// where the laser does not.
+///
+/// pose_robot_laser: where the laser stands in the robot's frame. Refused: a scan whose numbers
+/// make no fan.
+core::Result<domain::Scan> to_scan(const LaserScan& scan, const core::Pose2& pose_robot_laser,
+                                   const domain::ScanLayout& layout, double radius_m);
+
+/// Follows the odometry of a robot: adds up its path.
+class OdometryInput {
+ public:
+  /// Refused: a pose that is none.
+  core::Result<domain::Odometry> next(const Odometry& odometry);
+
+ private:
+  bool has_previous_ = false;
+  core::Pose2 previous_;
+  double travel_m_ = 0.0;
+};
+
+}  // namespace clew::ros2

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ros2/ros2_bridge.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "ros2/node.hpp"
+#include "ros2/run_publisher.hpp"
+#include "run/end_signals.hpp"
+#include "run/limits.hpp"
+#include "watch/run_watch.hpp"
+
+namespace clew::ros2 {
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+/// A person may start the bridge first and the run afterwards.
+constexpr auto kJoinTimeout = std::chrono::seconds(60);
+constexpr auto kReportPeriod = std::chrono::seconds(1);
+constexpr int kInterruptedStatus = 130;
+
+/// Publishes what comes until the run is over or a signal comes, which it returns; else 0.
+int follow(bridge::RunWatch& watch, RunPublisher& publisher, bridge::EndSignals& signals) {
+  SteadyClock::time_point heard_at = SteadyClock::now();
+  SteadyClock::time_point next_report = heard_at + kReportPeriod;
+  bool goes_on = true;
+  while (true) {
+    // What came before the run's end is published, too.
+    const std::vector<bridge::Sample> samples = watch.take();
+    for (const bridge::Sample& sample : samples) publisher.add(sample);
+    if (!goes_on && samples.empty()) return 0;
+    const SteadyClock::time_point now = SteadyClock::now();
+    if (!samples.empty()) heard_at = now;
+    if (now >= next_report) {
+      next_report = now + kReportPeriod;
+      publisher.add_report(std::chrono::duration<double>(now - heard_at).count(), watch.dropped());
+    }
+    if (const int number = signals.take()) return number;
+    if (goes_on) watch.wait({signals.descriptor()}, next_report - now);
+    goes_on = goes_on && watch.goes_on();
+  }
+}
+
+}  // namespace
+
+core::Result<int> run_ros2_bridge(const BridgeOptions& options,
+                                  const std::vector<runtime::StageInfo>& stages) {
+  bridge::EndSignals signals;
+  auto watch = bridge::RunWatch::join(options.domain, SteadyClock::now() + kJoinTimeout);
+  if (!watch.ok()) return watch.error();
+  const auto plan = runtime::prepare_run((*watch)->run().bundle, stages);
+  if (!plan.ok()) return plan.error();
+
+  NodeConfig config;
+  config.vendor = options.vendor;
+  config.network = options.network;
+  config.distro = options.distro;
+  config.name = options.node_name;
+  const Names names(options.node_namespace, options.remap);
+  config.node_namespace = names.node_namespace();
+  config.origin.id = (*watch)->run().run_id;
+  auto node = Node::create(config);
+  if (!node.ok()) return node.error();
+  auto publisher = RunPublisher::create(**node, names, config.name, *plan);
+  if (!publisher.ok()) return publisher.error();
+  CLEW_RETURN_IF_ERROR((*node)->announce());
+  (*publisher)->begin();
+  fmt::print(stderr, "clew bridge: run {} in domain {}, ROS domain {} on {}\n", config.origin.id,
+             options.domain, options.network.domain,
+             options.network.on_network ? "the network" : "127.0.0.1");
+  std::fflush(stderr);
+
+  const int number = follow(**watch, **publisher, signals);
+  (*publisher)->end(number == 0 ? "the run is over" : "the bridge was told to end");
+  return number == 0 ? 0 : kInterruptedStatus;
+}
+
+}  // namespace clew::ros2

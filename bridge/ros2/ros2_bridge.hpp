@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+#include "ros2/environment.hpp"
+#include "ros2/names.hpp"
+#include "runtime/stage.hpp"
+#include "vendors/participant_factory.hpp"
+
+namespace clew::ros2 {
+
+struct BridgeOptions {
+  int domain = 0;  ///< of the run
+  RosNetwork network;
+  bridge::Vendor vendor = bridge::Vendor::kCycloneDds;  ///< towards ROS
+  Distro distro = Distro::kJazzy;
+  std::string node_name = "clew";
+  std::string node_namespace = "/";
+  std::vector<RemapRule> remap;
+};
+
+/// Shows a live run to ROS 2 until it is over, or SIGINT or SIGTERM comes. Returns the exit status:
+/// 0, or 130 after a signal. Refused: no run in the domain.
+core::Result<int> run_ros2_bridge(const BridgeOptions& options,
+                                  const std::vector<runtime::StageInfo>& stages);
+
+}  // namespace clew::ros2

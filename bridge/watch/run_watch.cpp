@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "watch/run_watch.hpp"
+
+#include <unistd.h>
+
+#include <utility>
+
+#include "core/check.hpp"
+#include "line/user_data.hpp"
+#include "run/limits.hpp"
+#include "vendors/participant_factory.hpp"
+#include "wire/codec.hpp"
+
+namespace clew::bridge {
+
+core::Result<std::unique_ptr<RunWatch>> RunWatch::join(int domain, Time deadline) {
+  const auto socket = Link::connect(domain, deadline);
+  if (!socket.ok()) return socket.error();
+  std::unique_ptr<RunWatch> self(new RunWatch(*socket));
+  CLEW_RETURN_IF_ERROR(self->take_assignment(deadline));
+  CLEW_RETURN_IF_ERROR(self->listen());
+  return self;
+}
+
+RunWatch::~RunWatch() = default;
+
+core::Result<void> RunWatch::take_assignment(Time deadline) {
+  line_.post(FrameType::kHello, Hello{kWatcherName, ::getpid(), std::string(idl_fingerprint())});
+  const auto frame = line_.wait_for_frame(deadline);
+  if (!frame.ok()) return frame.error();
+  if (auto assignment = frame->as<Assignment>();
+      frame->type == FrameType::kAssignment && assignment) {
+    run_ = *std::move(assignment);
+    return {};
+  }
+  const auto why = frame->as<Text>();
+  return core::Error{
+      why && !why->text.empty() ? why->text : "the run lets nobody look on", {}, 0, 0};
+}
+
+core::Result<void> RunWatch::listen() {
+  const auto vendor = vendor_from_name(run_.middleware);
+  CLEW_CHECK(vendor.has_value(), run_.middleware);
+  auto participant = create_participant(*vendor, {run_.domain, kWatcherName, kLease_s}, *this);
+  if (!participant.ok()) return participant.error();
+  participant_ = std::move(participant).value();
+  const std::string user_data = UserData{std::string(idl_fingerprint()), {}}.to_text();
+  for (const domain::Topic topic : domain::kAllTopics) {
+    TopicListener& listener = listeners_[index_of(topic)];
+    listener.watch_ = this;
+    listener.topic_ = topic;
+    const bool certain = topic == domain::Topic::kEvent;
+    auto reader = participant_->create_reader({std::string(topic_name(topic)),
+                                               std::string(type_name(topic)),
+                                               user_data,
+                                               static_cast<int>(run_.history_depth),
+                                               {certain, certain, false}},
+                                              listener);
+    if (!reader.ok()) return reader.error();
+    readers_[index_of(topic)] = std::move(reader).value();
+  }
+  return {};
+}
+
+void RunWatch::keep(domain::Topic topic, std::string_view cdr, const RemoteEndpoint& writer) {
+  if (UserData::parse(writer.user_data).idl_fingerprint != idl_fingerprint()) return;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (bytes_ + cdr.size() > kMaxKeptBytes) {
+      ++dropped_;
+      return;
+    }
+    bytes_ += cdr.size();
+    samples_.push_back(Sample(SampleView{topic, 0, 0, cdr}));
+  }
+  arrived_.ring();
+}
+
+bool RunWatch::goes_on() {
+  const bool open = line_.receive();
+  while (line_.next()) {
+  }
+  return open;
+}
+
+void RunWatch::wait(std::vector<int> descriptors, std::chrono::nanoseconds most) const {
+  descriptors.push_back(line_.socket());
+  arrived_.wait_beside(descriptors, most);
+}
+
+std::vector<Sample> RunWatch::take() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  bytes_ = 0;
+  return std::exchange(samples_, {});
+}
+
+std::uint64_t RunWatch::dropped() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return dropped_;
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "clew/commands.hpp"
+#include "clew/exit_status.hpp"
+#include "dds/rtps_ports.hpp"
+#include "ros2/ros2_bridge.hpp"
+#include "stages/all.hpp"
+
+namespace clew::tools {
+namespace {
+
+struct Ros2Options {
+  int domain = 0;
+  std::optional<int> ros_domain;
+  std::string middleware = "cyclonedds";
+  std::string distro = "jazzy";
+  std::string node_namespace;
+  std::string node = "clew";
+  std::vector<std::string> remap;
+};
+
+core::Error named(const char* option, const core::Error& error) {
+  return {error.message, option, 0, 0};
+}
+
+core::Result<ros2::BridgeOptions> read_options(const Ros2Options& typed) {
+  ros2::BridgeOptions options;
+  options.domain = typed.domain;
+  if (auto good = bridge::check_domain(typed.domain); !good.ok()) {
+    return named("--domain", good.error());
+  }
+  const auto network = ros2::read_ros_network(ros2::variable_of_process);
+  if (!network.ok()) return network.error();
+  options.network = *network;
+  if (typed.ros_domain) options.network.domain = *typed.ros_domain;
+  if (auto good = bridge::check_domain(options.network.domain); !good.ok()) {
+    return named(typed.ros_domain ? "--ros-domain" : "ROS_DOMAIN_ID", good.error());
+  }
+  if (options.network.domain == options.domain) {
+    return core::Error{fmt::format("domain {} is the run's own: ROS needs another one; give "
+                                   "--ros-domain or ROS_DOMAIN_ID",
+                                   options.domain),
+                       {},
+                       0,
+                       0};
+  }
+  const auto vendor = bridge::vendor_from_name(typed.middleware);
+  if (!vendor) {
+    return core::Error{"found '" + typed.middleware + "'; allowed: cyclonedds, fastdds",
+                       "--middleware", 0, 0};
+  }
+  options.vendor = *vendor;
+  const auto distro = ros2::distro_from_name(typed.distro);
+  if (!distro.ok()) return named("--ros-distro", distro.error());
+  options.distro = *distro;
+  if (auto good = ros2::check_namespace(typed.node_namespace); !good.ok()) {
+    return named("--namespace", good.error());
+  }
+  options.node_namespace = typed.node_namespace;
+  if (auto good = ros2::check_topic_name(typed.node);
+      !good.ok() || typed.node.find('/') != std::string::npos) {
+    return core::Error{"'" + typed.node + "' is no node's name: allowed are letters, digits and _",
+                       "--node", 0, 0};
+  }
+  options.node_name = typed.node;
+  for (const std::string& text : typed.remap) {
+    auto rule = ros2::parse_remap_rule(text);
+    if (!rule.ok()) return named("--remap", rule.error());
+    options.remap.push_back(std::move(rule).value());
+  }
+  return options;
+}
+
+int ros2_command(const Ros2Options& typed) {
+  const auto options = read_options(typed);
+  if (!options.ok()) return complain(options.error());
+  const auto ended = ros2::run_ros2_bridge(*options, stages::all());
+  return ended.ok() ? *ended : complain(ended.error(), kExitFailed);
+}
+
+}  // namespace
+
+void add_bridge(CLI::App& main, int& status) {
+  CLI::App* bridge = main.add_subcommand("bridge", "Connect a live run with other systems");
+  bridge->require_subcommand(1);
+  const auto options = std::make_shared<Ros2Options>();
+  CLI::App* app = bridge->add_subcommand("ros2", "Show a live run to ROS 2");
+  app->add_option("--domain", options->domain, "the run's DDS domain")->required();
+  app->add_option("--ros-domain", options->ros_domain, "that of ROS; else ROS_DOMAIN_ID, else 0");
+  app->add_option("--namespace", options->node_namespace, "of the node, as robot1");
+  app->add_option("--node", options->node, "its name")->capture_default_str();
+  app->add_option("--remap", options->remap, "FROM:=TO, a topic's other name; may be repeated")
+      ->allow_extra_args(false);
+  app->add_option("--ros-distro", options->distro, "jazzy or humble")->capture_default_str();
+  app->add_option("--middleware", options->middleware, "towards ROS: cyclonedds or fastdds")
+      ->capture_default_str();
+  app->callback([options, &status] { status = ros2_command(*options); });
+}
+
+}  // namespace clew::tools
