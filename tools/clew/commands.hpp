@@ -19,6 +19,7 @@ void add_plot(CLI::App& main, int& status);
 void add_info(CLI::App& main, int& status);
 void add_events(CLI::App& main, int& status);
 void add_echo(CLI::App& main, int& status);
+void add_export(CLI::App& main, int& status);
 void add_world(CLI::App& main, int& status);
 void add_diff(CLI::App& main, int& status);
 void add_replay(CLI::App& main, int& status);
