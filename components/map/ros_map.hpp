@@ -3,12 +3,10 @@
 
 #include "core/resources.hpp"
 #include "core/result.hpp"
+#include "map/pgm.hpp"
 #include "map/room_map.hpp"
 
 namespace clew::map {
-
-/// The largest map that is read.
-inline constexpr std::size_t kMaxMapCells = std::size_t{1} << 24;
 
 /// Reads a map of ROS's map_server: `image`, a PGM picture of kind P2 or P5, `resolution`,
 /// `origin`, `negate`, `occupied_thresh`, `free_thresh` and, if given, `mode: trinary`. With p the

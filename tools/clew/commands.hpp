@@ -19,8 +19,11 @@ void add_plot(CLI::App& main, int& status);
 void add_info(CLI::App& main, int& status);
 void add_events(CLI::App& main, int& status);
 void add_echo(CLI::App& main, int& status);
+void add_import(CLI::App& main, int& status);
 void add_export(CLI::App& main, int& status);
 void add_world(CLI::App& main, int& status);
+/// To the command `world`.
+void add_world_import(CLI::App& world, int& status);
 void add_diff(CLI::App& main, int& status);
 void add_replay(CLI::App& main, int& status);
 /// swap, goal, pause, step, resume, stop: what is done to a run that goes on.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include "files/whole_file.hpp"
 #include "plot/plot.hpp"
 #include "runtime/run_plan.hpp"
+#include "stages/all.hpp"
 #include "world_analysis/reachability.hpp"
 #include "world_analysis/shortest_path.hpp"
 #include "world_analysis/trap_map.hpp"
@@ -27,11 +29,14 @@ using nlohmann::ordered_json;
 constexpr double kMargin_m = 0.02;
 /// A length that a world states may differ by so much from the one that is computed.
 constexpr double kTolerance = 0.02;
+constexpr char kNeverSettles[] = "something moves for ever";
 
 struct WorldOptions {
   std::string world;
   std::string robot = "disc-015";
   std::string output;
+  std::string graph = "default";
+  double range_m = 0.0;  ///< of the sensor; 0: that of the graph's
   bool json = false;
 };
 
@@ -67,7 +72,7 @@ Findings find_out(const Subject& subject) {
   Findings findings;
   const auto settled_s = world_analysis::settled_time_s(subject.world);
   if (!settled_s) {
-    findings.undecided = "something moves for ever";
+    findings.undecided = kNeverSettles;
     return findings;
   }
   const world_analysis::ClearanceGrid grid(subject.world, *settled_s);
@@ -118,7 +123,7 @@ void print(const Subject& subject, const Findings& findings) {
                std::isfinite(trap.depth_m) ? fmt::format("{:.2f} m deep", trap.depth_m)
                                            : std::string("without a way out"));
   }
-  if (findings.traps.empty() && findings.undecided != "something moves for ever") {
+  if (findings.traps.empty() && findings.undecided != kNeverSettles) {
     fmt::print("no traps\n");
   }
 }
@@ -199,6 +204,63 @@ int check_command_of_world(const WorldOptions& options) {
   return wrong.empty() ? kExitGood : kExitFailed;
 }
 
+/// The range of a graph's sensor.
+Result<double> sensing_range_m(const WorldOptions& options) {
+  if (options.range_m > 0.0) return options.range_m;
+  runtime::GraphOverrides overrides;
+  overrides.world = options.world;
+  const auto plan = runtime::prepare_run(options.graph, overrides,
+                                         runtime::ConfigPath::from_environment(), stages::all());
+  if (!plan.ok()) return plan.error();
+  return plan->setup.behaviour.scan.range_max_m;
+}
+
+void print_severity(const Subject& subject, const Findings& findings, double range_m) {
+  fmt::print("{}: robot of {} m, sensor of {} m\n", subject.world.name(), subject.radius_m,
+             range_m);
+  for (const world_analysis::Trap& trap : findings.traps) {
+    const std::string depth = std::isfinite(trap.depth_m)
+                                  ? fmt::format("{:.2f} m deep, {:.2f} sensing ranges",
+                                                trap.depth_m, trap.depth_m / range_m)
+                                  : std::string("without a way out");
+    fmt::print("trap at ({:.2f}, {:.2f}), {}\n", trap.place.x(), trap.place.y(), depth);
+  }
+  if (findings.traps.empty()) {
+    fmt::print("{}\n", findings.undecided == kNeverSettles ? findings.undecided : "no traps");
+  }
+}
+
+/// How deep the traps are for a sensor: one that is deeper than the sensor sees cannot be seen
+/// through from its bottom.
+int severity_command(const WorldOptions& options) {
+  const auto subject = read_subject(options);
+  if (!subject.ok()) return complain(subject.error());
+  const auto range_m = sensing_range_m(options);
+  if (!range_m.ok()) return complain(range_m.error());
+  const Findings findings = find_out(*subject);
+  if (!options.json) {
+    print_severity(*subject, findings, *range_m);
+    return kExitGood;
+  }
+  ordered_json json = to_json(*subject, findings);
+  json["range_m"] = *range_m;
+  ordered_json deepest = 0.0;
+  for (ordered_json& trap : json["traps"]) {
+    const ordered_json& depth = trap["depth_m"];
+    trap["depth_ranges"] =
+        depth.is_null() ? ordered_json(nullptr) : ordered_json(depth.get<double>() / *range_m);
+    // A trap without a way out is the worst.
+    if (trap["depth_ranges"].is_null() || deepest.is_null()) {
+      deepest = nullptr;
+    } else {
+      deepest = std::max(deepest.get<double>(), trap["depth_ranges"].get<double>());
+    }
+  }
+  json["severity_ranges"] = deepest;
+  fmt::print("{}\n", json_line(json));
+  return kExitGood;
+}
+
 int picture_command(const WorldOptions& options) {
   const auto subject = read_subject(options);
   if (!subject.ok()) return complain(subject.error());
@@ -218,7 +280,7 @@ CLI::App* add_part(CLI::App& world, const char* name, const char* about, WorldOp
 }  // namespace
 
 void add_world(CLI::App& main, int& status) {
-  CLI::App* world = main.add_subcommand("world", "Check, solve and draw a world");
+  CLI::App* world = main.add_subcommand("world", "Import, check, solve and draw a world");
   world->require_subcommand(1);
   const auto options = std::make_shared<WorldOptions>();
 
@@ -234,6 +296,16 @@ void add_world(CLI::App& main, int& status) {
       ->check(file_to_write());
   solve->add_flag("--json", options->json, "print it as one JSON object");
   solve->callback([options, &status] { status = solve_command(*options); });
+
+  CLI::App* severity = add_part(
+      *world, "severity", "How deep its traps are, in metres and in sensing ranges", *options);
+  severity->add_option("--graph", options->graph, "whose sensor")->capture_default_str();
+  severity->add_option("--range", options->range_m, "of the sensor in m, instead of a graph's")
+      ->check(number_between(1e-3, 1e6));
+  severity->add_flag("--json", options->json, "print it as one JSON object");
+  severity->callback([options, &status] { status = severity_command(*options); });
+
+  add_world_import(*world, status);
 
   CLI::App* picture = add_part(*world, "picture", "Draw it with its traps", *options);
   picture->add_option("-o,--output", options->output, "FILE.svg, FILE.png or FILE.pdf")
