@@ -15,26 +15,39 @@
 #include "run/end_signals.hpp"
 #include "run/limits.hpp"
 #include "supervisor/supervisor.hpp"
+#include "supervisor/watchers.hpp"
 
 namespace clew::bridge {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Where processes come in.
+struct Doors {
+  Acceptor acceptor;
+  Watchers watchers;
+};
+
 /// Until a line, a newcomer or a signal has something to say, or something may be due.
-void wait_for_something(const Supervisor& supervisor, const Acceptor& acceptor,
+void wait_for_something(const Supervisor& supervisor, const Doors& doors,
                         const EndSignals& signals) {
   std::vector<pollfd> descriptors = supervisor.descriptors();
+  doors.watchers.add_descriptors(descriptors);
   descriptors.push_back({signals.descriptor(), POLLIN, 0});
-  for (const int socket : acceptor.sockets()) descriptors.push_back({socket, POLLIN, 0});
+  for (const int socket : doors.acceptor.sockets()) descriptors.push_back({socket, POLLIN, 0});
   ::poll(descriptors.data(), descriptors.size(), static_cast<int>(kPollPeriod.count()));
 }
 
-void take_arrivals(Supervisor& supervisor, Acceptor& acceptor) {
+void take_arrivals(Supervisor& supervisor, Doors& doors) {
   const auto now = Clock::now();
-  for (auto& [link, hello] : acceptor.arrivals(now)) {
-    supervisor.welcome(std::move(link), hello, now);
+  for (auto& [link, hello] : doors.acceptor.arrivals(now)) {
+    if (hello.stage == kWatcherName) {
+      doors.watchers.welcome(std::move(link), hello, supervisor.description());
+    } else {
+      supervisor.welcome(std::move(link), hello, now);
+    }
   }
+  doors.watchers.turn();
 }
 
 }  // namespace
@@ -53,7 +66,7 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
     name.emplace(std::move(taken).value());
     listening.push_back(name->socket());
   }
-  Acceptor acceptor(listening);
+  Doors doors{Acceptor(listening), {}};
   EndSignals signals;  // before any thread of a vendor's
   const auto say = [](const std::string& line) {
     std::fprintf(stderr, "clew: %s\n", line.c_str());
@@ -62,16 +75,16 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
                         {say, display, ChildProcess::start, control}, Clock::now());
   supervisor.start();
   while (!supervisor.over()) {
-    wait_for_something(supervisor, acceptor, signals);
+    wait_for_something(supervisor, doors, signals);
     if (const int number = signals.take()) supervisor.interrupt(number, Clock::now());
-    take_arrivals(supervisor, acceptor);
+    take_arrivals(supervisor, doors);
     supervisor.turn(Clock::now());
   }
   supervisor.end_members();
   // The recorder may still die and come back. A second signal ends the patience with it.
   while (!supervisor.recording_ended() && signals.take() == 0) {
-    wait_for_something(supervisor, acceptor, signals);
-    take_arrivals(supervisor, acceptor);
+    wait_for_something(supervisor, doors, signals);
+    take_arrivals(supervisor, doors);
     supervisor.turn_recording(Clock::now());
   }
   return supervisor.finish(Clock::now());

@@ -98,9 +98,6 @@ void Supervisor::refuse(Link& link, const std::string& why) const {
 void Supervisor::welcome(std::unique_ptr<Link> link, const Hello& hello, Time now) {
   if (hello.stage == kCommander) return live_control_.welcome(std::move(link), now);
   if (recording_ && hello.stage == kRecorderName) return recording_->welcome(std::move(link), now);
-  if (hello.stage == kWatcherName) {
-    return watchers_.welcome(std::move(link), hello, launcher_.assignment_for_watcher());
-  }
   const auto admitted = launcher_.admit(hello, members_);
   if (!admitted.ok()) {
     refuse(*link, admitted.error().text());
@@ -140,7 +137,6 @@ std::vector<pollfd> Supervisor::descriptors() const {
   if (recording_) {
     if (const auto descriptor = recording_->descriptor()) descriptors.push_back(*descriptor);
   }
-  watchers_.add_descriptors(descriptors);
   return descriptors;
 }
 
@@ -148,7 +144,6 @@ void Supervisor::turn(Time now) {
   for (Member& member : members_) serve(member, now);
   if (observer_) observe(now);
   serve_commands(now);
-  watchers_.turn();
   turn_recording(now);
   watch(now);
 }

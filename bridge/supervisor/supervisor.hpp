@@ -23,7 +23,6 @@
 #include "supervisor/restart_policy.hpp"
 #include "supervisor/run_recording_control.hpp"
 #include "supervisor/third_party_observer.hpp"
-#include "supervisor/watchers.hpp"
 
 namespace clew::bridge {
 
@@ -69,6 +68,8 @@ class Supervisor {
   RunReport finish(Time now);
 
   const std::vector<Member>& members() const { return members_; }
+  /// What a process is told that only looks on.
+  Assignment description() const { return launcher_.assignment_for_watcher(); }
 
  private:
   void abort(const std::string& why);
@@ -111,7 +112,6 @@ class Supervisor {
   std::optional<RunRecordingControl> recording_;
   std::optional<Checkpoint> observed_before_;
   std::unique_ptr<ThirdPartyObserver> observer_;
-  Watchers watchers_;
   RunReport report_;
   const Time started_at_;
   TickRate rate_;
