@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `cmake --install` installs, and what the packages of the same names hold:
-#   clew         the command with its manual pages and completions, configs/, idl/
+#   clew         the command, the modules that it loads, its manual pages and completions, configs/, idl/
 #   python3-clew the Python module
 #   libclew-dev  libraries and public headers, found with find_package(clew CONFIG)
 include(GNUInstallDirs)
@@ -29,6 +29,8 @@ add_custom_target(clew_manual ALL DEPENDS ${manual}/done)
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME clew)
 install(TARGETS clew)
+install(TARGETS clew_fastdds_module clew_cyclonedds_module clew_pictures_module
+  LIBRARY DESTINATION ${CLEW_MODULE_DIRECTORY})
 install(DIRECTORY configs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clew)
 install(DIRECTORY idl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clew/idl
   FILES_MATCHING PATTERN "*.idl" PATTERN README.md)
@@ -41,7 +43,8 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME libclew-dev)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/clew)
 set(libraries)
 foreach(name core yaml domain world scan map runtime sense classify recover plan control drive stages
-        behaviours plugin wire recording plugins dds fastdds cyclonedds vendors run line component recorder supervisor
+        behaviours plugin wire recording plugins dds fastdds fastdds_profiles
+        cyclonedds cyclonedds_configuration vendors run line component recorder supervisor
         replay)
   set_target_properties(clew_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND libraries clew_${name})
