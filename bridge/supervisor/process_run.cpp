@@ -39,7 +39,8 @@ void take_arrivals(Supervisor& supervisor, Acceptor& acceptor) {
 
 core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const ProcessLayout& layout,
                                       const std::optional<RecordingOrder>& recording,
-                                      const ProgressDisplay& display, const ProcessStart& start) {
+                                      const ProgressDisplay& display, const ProcessStart& start,
+                                      const WatchSamples& watch) {
   const auto lock = DomainLock::take(layout.domain);
   if (!lock.ok()) return lock.error();
   Acceptor acceptor(*lock);
@@ -47,8 +48,8 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
   const auto say = [](const std::string& line) {
     std::fprintf(stderr, "clew: %s\n", line.c_str());
   };
-  Supervisor supervisor(plan, layout, lock->domain(), recording, start, {say, display},
-                        Clock::now());
+  Supervisor supervisor(plan, layout, lock->domain(), recording, start,
+                        {say, display, ChildProcess::start, watch}, Clock::now());
   supervisor.start();
   while (!supervisor.over()) {
     wait_for_something(supervisor, acceptor, signals);

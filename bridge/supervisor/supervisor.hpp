@@ -22,6 +22,7 @@
 #include "supervisor/restart_policy.hpp"
 #include "supervisor/run_recording_control.hpp"
 #include "supervisor/third_party_observer.hpp"
+#include "supervisor/watch_samples.hpp"
 
 namespace clew::bridge {
 
@@ -37,6 +38,7 @@ class Supervisor {
     Log log;                                   ///< a line for people
     ProgressDisplay display;                   ///< may be null
     StartProcess start = ChildProcess::start;  ///< starts a program
+    WatchSamples watch = nullptr;              ///< sees what the recorder gets; may be null
   };
 
   Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
@@ -81,6 +83,10 @@ class Supervisor {
   void note_observed(Time now);
   void observe(Time now);
   void take_last_reports();
+  void hand_on(std::string spool, std::uint64_t end_tick) {
+    if (outside_.watch) outside_.watch(spool);
+    if (recording_) recording_->add(std::move(spool), end_tick);
+  }
   void watch(Time now);
   void watch_start(Time now);
   void watch_stall(Time now);

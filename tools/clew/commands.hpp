@@ -21,5 +21,10 @@ void add_echo(CLI::App& main, int& status);
 void add_world(CLI::App& main, int& status);
 void add_diff(CLI::App& main, int& status);
 void add_replay(CLI::App& main, int& status);
+void add_view(CLI::App& main, int& status);
+/// Started by runs only.
+void add_gateway(CLI::App& main, int& status);
+void add_export(CLI::App& main, int& status);
+void add_report(CLI::App& main, int& status);
 
 }  // namespace clew::tools

@@ -80,9 +80,9 @@ int parse_and_run(int argc, char** argv) {
   app.require_subcommand(1);
   // CLI11's callbacks return nothing, so each command leaves its status here.
   int status = kExitGood;
-  for (const auto add :
-       {add_run, add_bench, add_check, add_list, add_component, add_recorder, add_plot, add_info,
-        add_events, add_echo, add_diff, add_replay, add_world, add_train}) {
+  for (const auto add : {add_run, add_bench, add_check, add_list, add_component, add_recorder,
+                         add_plot, add_info, add_events, add_echo, add_diff, add_replay, add_view,
+                         add_gateway, add_report, add_export, add_world, add_train}) {
     add(app, status);
   }
   add_versions(app);

@@ -29,6 +29,7 @@ struct RunOptions {
   std::vector<std::string> prefix;  ///< `STAGE=COMMAND`
   bool json = false;
   bool no_hash = false;
+  std::optional<int> view;  ///< a page of the run, at this port; 0: any free one
 };
 
 }  // namespace clew::tools
