@@ -20,8 +20,8 @@ RunDescription describe_run(const runtime::RunPlan& plan) {
   return description;
 }
 
-Spooling spooling_for(const std::optional<RecordingOrder>& order) {
-  if (!order) return Spooling::kNothing;
+Spooling spooling_for(const std::optional<RecordingOrder>& order, bool is_watched) {
+  if (!order) return is_watched ? Spooling::kSamples : Spooling::kNothing;
   return order->keep_last_s > 0.0 ? Spooling::kSamplesAndStates : Spooling::kSamples;
 }
 

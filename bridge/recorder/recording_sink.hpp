@@ -31,8 +31,8 @@ void visit_fields(V& v, RecordingOrder& o) {
 /// What the recording of a run of this plan says of it.
 RunDescription describe_run(const runtime::RunPlan& plan);
 
-/// What components have to send for a recording.
-Spooling spooling_for(const std::optional<RecordingOrder>& order);
+/// What components have to send for a recording, or for somebody who watches.
+Spooling spooling_for(const std::optional<RecordingOrder>& order, bool is_watched);
 
 /// How a run ended.
 struct RunEnding {

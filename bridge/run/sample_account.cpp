@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/archive.hpp"
+#include "run/spool.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -26,15 +27,19 @@ void append(std::string& spool, const SpoolHeader& header) {
 
 }  // namespace
 
+void append_to_spool(const SampleView& sample, std::string& spool) {
+  append(spool, {sample.tick, sample.sequence, static_cast<std::uint32_t>(sample.cdr.size()),
+                 static_cast<std::uint32_t>(sample.topic)});
+  spool.append(sample.cdr);
+}
+
 void SampleAccount::add_bytes(domain::Topic topic, const domain::TickStamp& stamp,
                               std::string_view cdr) {
   const auto index = index_of(topic);
   written_[index] = true;
   if (hash_) chains_[index].add(stamp.tick, stamp.sequence, cdr);
   if (!spool_) return;
-  append(spooled_, {stamp.tick, stamp.sequence, static_cast<std::uint32_t>(cdr.size()),
-                    static_cast<std::uint32_t>(topic)});
-  spooled_.append(cdr);
+  append_to_spool({topic, stamp.tick, stamp.sequence, cdr}, spooled_);
 }
 
 void SampleAccount::spool_state(const SpooledState& state) {

@@ -55,7 +55,7 @@ void take_arrivals(Supervisor& supervisor, Doors& doors) {
 core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const ProcessLayout& layout,
                                       const std::optional<RecordingOrder>& recording,
                                       const ProgressDisplay& display, const ProcessStart& start,
-                                      RunControl* control) {
+                                      RunControl* control, const WatchSamples& watch) {
   const auto lock = DomainLock::take(layout.domain);
   if (!lock.ok()) return lock.error();
   std::optional<RunName> name;
@@ -72,7 +72,7 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
     std::fprintf(stderr, "clew: %s\n", line.c_str());
   };
   Supervisor supervisor(plan, layout, lock->domain(), recording, start,
-                        {say, display, ChildProcess::start, control}, Clock::now());
+                        {say, display, ChildProcess::start, control, watch}, Clock::now());
   supervisor.start();
   while (!supervisor.over()) {
     wait_for_something(supervisor, doors, signals);

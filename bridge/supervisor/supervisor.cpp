@@ -37,7 +37,8 @@ Supervisor::Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout
       layout_(layout),
       outside_(std::move(outside)),
       members_(list_members(plan, layout)),
-      launcher_(plan, layout, domain, spooling_for(recording), outside_.start),
+      launcher_(plan, layout, domain, spooling_for(recording, outside_.watch != nullptr),
+                outside_.start),
       restart_policy_(members_, plan.graph),
       live_control_(outside_.control, members_, layout.pace == Pace::kRealtime),
       started_at_(now),
@@ -227,7 +228,7 @@ void Supervisor::handle(Member& member, Frame frame, Time now) {
     if (const auto progress = frame.as<Progress>()) note_progress(member, *progress, now);
   } else if (frame.type == FrameType::kSamples) {
     // Its progress was reported before: all of this is older.
-    if (recording_) recording_->add(std::move(frame.payload), member.progress.ticks);
+    hand_on(std::move(frame.payload), member.progress.ticks);
   } else if (frame.type == FrameType::kNotice) {
     if (const auto text = frame.as<Text>()) log({text->text});
   } else if (frame.type == FrameType::kFatal) {
@@ -272,8 +273,7 @@ void Supervisor::observe(Time now) {
   observer_->poll();
   log(observer_->take_notices());
   if (fatal) abort(*fatal);
-  std::string spool = observer_->take_spooled();
-  if (recording_) recording_->add(std::move(spool), observer_->ticks());
+  hand_on(observer_->take_spooled(), observer_->ticks());
   note_observed(now);
 }
 

@@ -23,6 +23,7 @@
 #include "supervisor/restart_policy.hpp"
 #include "supervisor/run_recording_control.hpp"
 #include "supervisor/third_party_observer.hpp"
+#include "supervisor/watch_samples.hpp"
 
 namespace clew::bridge {
 
@@ -39,6 +40,7 @@ class Supervisor {
     ProgressDisplay display;                   ///< may be null
     StartProcess start = ChildProcess::start;  ///< starts a program
     RunControl* control = nullptr;  ///< what is changed while the run goes on; null: nothing may be
+    WatchSamples watch = nullptr;              ///< sees what the recorder gets; may be null
   };
 
   Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
@@ -89,6 +91,10 @@ class Supervisor {
   void observe(Time now);
   void take_last_reports();
   void serve_commands(Time now);
+  void hand_on(std::string spool, std::uint64_t end_tick) {
+    if (outside_.watch) outside_.watch(spool);
+    if (recording_) recording_->add(std::move(spool), end_tick);
+  }
   void watch(Time now);
   void watch_start(Time now);
   void watch_stall(Time now);

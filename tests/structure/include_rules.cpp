@@ -48,6 +48,9 @@ const std::map<std::string, Folders> kLayers = {
     {"bridge/replay",
      {"core", "domain", "world", "runtime", "stages", "wire", "recording", "dds", "vendors", "run",
       "line", "component", "recorder", "supervisor"}},
+    {"bridge/gateway",
+     {"core", "domain", "world", "runtime", "wire", "recording", "run", "line", "recorder",
+      "supervisor"}},
 };
 
 /// Beginnings of the libraries' headers, and the folder that wraps the library.

@@ -58,7 +58,8 @@ bool begins_with(const std::string& text, const std::string& beginning) {
 }
 
 bool is_code(const SourceFile& file) {
-  static const std::set<std::string> kExtensions = {".cpp", ".hpp", ".c", ".h", ".py", ".mjs"};
+  static const std::set<std::string> kExtensions = {".cpp", ".hpp", ".c", ".h",
+                                                    ".py",  ".mjs", ".ts"};
   return kExtensions.count(file.extension()) > 0;
 }
 

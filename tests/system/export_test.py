@@ -125,7 +125,7 @@ class Export(unittest.TestCase):
             self.assertEqual(forced.status, 0, forced.err)
 
     def test_bad_input_is_named(self):
-        self.assertIn("give --csv DIR or --rosbag2 DIR", self.export().err)
+        self.assertIn("give --csv DIR, --foxglove FILE or --rosbag2 DIR", self.export().err)
         self.assertEqual(self.export().status, 2)
         none = Run(["export", self.directory / "none.mcap", "--csv", self.directory / "n"])
         self.assertEqual(none.status, 2)

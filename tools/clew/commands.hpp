@@ -33,5 +33,9 @@ void add_new(CLI::App& main, int& status);
 void add_completion(CLI::App& main, int& status);
 /// For those who build packages only.
 void add_manual(CLI::App& main, int& status);
+void add_view(CLI::App& main, int& status);
+/// Started by runs only.
+void add_gateway(CLI::App& main, int& status);
+void add_report(CLI::App& main, int& status);
 
 }  // namespace clew::tools

@@ -3,10 +3,12 @@
 
 #include <memory>
 
+#include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "export/csv_export.hpp"
 #include "export/rosbag2_export.hpp"
+#include "gateway/foxglove_export.hpp"
 #include "ros2/names.hpp"
 #include "stages/all.hpp"
 
@@ -16,6 +18,7 @@ namespace {
 struct ExportOptions {
   std::string recording;
   std::string csv;
+  std::string foxglove;
   std::string rosbag2;
   std::string node_namespace;
   bool force = false;
@@ -25,6 +28,9 @@ core::Result<void> export_all(const ExportOptions& options, const bridge::RunRec
   if (!options.csv.empty()) {
     CLEW_RETURN_IF_ERROR(exports::export_csv(recording, options.csv, options.force));
   }
+  if (!options.foxglove.empty()) {
+    CLEW_RETURN_IF_ERROR(bridge::export_foxglove(recording, options.foxglove, options.force));
+  }
   if (!options.rosbag2.empty()) {
     CLEW_RETURN_IF_ERROR(exports::export_rosbag2(
         recording, {options.rosbag2, options.force, options.node_namespace}, stages::all()));
@@ -33,8 +39,9 @@ core::Result<void> export_all(const ExportOptions& options, const bridge::RunRec
 }
 
 int export_command(const ExportOptions& options) {
-  if (options.csv.empty() && options.rosbag2.empty()) {
-    return complain({"export it as what? give --csv DIR or --rosbag2 DIR", {}, 0, 0});
+  if (options.csv.empty() && options.foxglove.empty() && options.rosbag2.empty()) {
+    return complain(
+        {"export it as what? give --csv DIR, --foxglove FILE or --rosbag2 DIR", {}, 0, 0});
   }
   if (const auto good = ros2::check_namespace(options.node_namespace); !good.ok()) {
     return complain({good.error().message, "--namespace", 0, 0});
@@ -56,6 +63,9 @@ void add_export(CLI::App& main, int& status) {
   CLI::App* app = main.add_subcommand("export", "Write a recording in another format");
   app->add_option("recording", options->recording, "of a run")->required();
   app->add_option("--csv", options->csv, "a table a topic in this directory");
+  app->add_option("--foxglove", options->foxglove,
+                  "FILE.mcap with channels for the panels of Foxglove and its like")
+      ->check(file_to_write());
   app->add_option("--rosbag2", options->rosbag2, "a bag of ROS 2 Jazzy (MCAP) in this directory");
   app->add_option("--namespace", options->node_namespace, "of the bag's topics, as robot1");
   app->add_flag("--force", options->force, "replace what is there");

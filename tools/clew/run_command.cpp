@@ -12,9 +12,11 @@
 #include "clew/foreign_programs.hpp"
 #include "clew/plugin_options.hpp"
 #include "clew/resumed_run.hpp"
+#include "clew/run_arguments.hpp"
 #include "clew/run_layout.hpp"
 #include "clew/run_options.hpp"
 #include "clew/run_output.hpp"
+#include "clew/watched_run.hpp"
 #include "core/nearest_name.hpp"
 #include "recorder/recorder_process.hpp"
 #include "recorder/recording_sink.hpp"
@@ -171,7 +173,7 @@ Result<bridge::ComposedStart> composed_start(Job& job, const bridge::RunControl&
 /// A composed run is one process with its recorder: it dies with it. So is one that has ended, and
 /// whose recording only lacks its end.
 Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& layout,
-                                       bridge::RunControl& control) {
+                                       bridge::RunControl& control, bridge::LiveFeed* feed) {
   std::optional<bridge::RunName> name;
   if (!layout.name.empty()) {
     auto taken = bridge::RunName::take(layout.name);
@@ -190,8 +192,11 @@ Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& la
   bridge::ComposedControl orders(control, name ? &*name : nullptr);
   auto start = composed_start(job, control, layout.hash);
   if (!start.ok()) return start.error();
-  auto report = bridge::run_composed(job.plan, std::move(start).value(), composed, sink.get(),
-                                     display, &orders);
+  std::optional<bridge::FedSink> fed;
+  if (feed != nullptr) fed.emplace(sink.get(), *feed);
+  bridge::SampleSink* const all = fed ? &*fed : static_cast<bridge::SampleSink*>(sink.get());
+  auto report =
+      bridge::run_composed(job.plan, std::move(start).value(), composed, all, display, &orders);
   if (report.ok() && report->statistics.truth) {
     report->goal_changed = control.goal_changed_by(report->statistics.truth->tick);
   }
@@ -206,15 +211,20 @@ Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& la
   return report;
 }
 
+bridge::WatchSamples watch_of(bridge::LiveFeed* feed) {
+  if (feed == nullptr) return nullptr;
+  return [feed](std::string_view spool) { feed->add(spool); };
+}
+
 Result<bridge::RunReport> run_job(Job& job, const bridge::ProcessLayout& layout, bool composed,
-                                  bridge::RunControl& control) {
+                                  bridge::RunControl& control, bridge::LiveFeed* feed) {
   const bool has_ended = job.resumption && job.resumption->has_ended;
-  auto report =
-      composed || has_ended
-          ? run_composed(job, layout, control)
-          : bridge::run_processes(
-                job.plan, layout, job.recording, terminal_display(job.plan),
-                job.resumption ? job.resumption->processes : bridge::ProcessStart{}, &control);
+  auto report = composed || has_ended
+                    ? run_composed(job, layout, control, feed)
+                    : bridge::run_processes(
+                          job.plan, layout, job.recording, terminal_display(job.plan),
+                          job.resumption ? job.resumption->processes : bridge::ProcessStart{},
+                          &control, watch_of(feed));
   // What was only reserved is in nobody's way.
   const bool nothing = report.ok() && report->recording && report->recording->nothing;
   if ((!report.ok() || nothing) && job.recording && !job.resumption) {
@@ -237,7 +247,7 @@ void judge_recording(const bridge::ProcessLayout& layout, bridge::RunReport& rep
 
 int run_command(const RunOptions& options) {
   // From here on a signal ends the run with a report, also one that comes before the first tick.
-  const bridge::EndSignals signals;
+  bridge::EndSignals signals;
   if (const auto checked = check_options(options); !checked.ok()) return complain(checked.error());
   const auto speed = read_pace(options.pace);
   if (!speed.ok()) return complain(speed.error());
@@ -255,11 +265,13 @@ int run_command(const RunOptions& options) {
   if (const auto planned = plan_changes(options, *job, control); !planned.ok()) {
     return complain(planned.error());
   }
+  const auto feed = start_view(options, job->plan);
+  if (!feed.ok()) return complain(feed.error());
   const auto claimed = claim_recording(options, *job);
   if (!claimed.ok()) return complain(claimed.error());
 
   const bool composed = options.layout == "composed";
-  auto report = run_job(*job, *layout, composed, control);
+  auto report = run_job(*job, *layout, composed, control, feed->get());
   clear_display();
   if (!report.ok()) return complain(report.error());
   judge_recording(*layout, *report);
@@ -278,59 +290,8 @@ int run_command(const RunOptions& options) {
   }
   fmt::print("{}\n", options.json ? report_json(*report, job->plan, facts)
                                   : report_line(*report, job->plan));
+  if (*feed) end_view(**feed, *report, signals);
   return exit_status(*report);
-}
-
-}  // namespace
-
-namespace {
-
-void add_ways(CLI::App& app, RunOptions& options) {
-  app.add_option("--layout", options.layout, "processes | composed")->group("How it runs");
-  app.add_option("--middleware", options.middleware,
-                 "cyclonedds | fastdds, or STAGE=VENDOR; may be repeated")
-      ->allow_extra_args(false)
-      ->group("How it runs");
-  app.add_option("--pace", options.pace, "lockstep | realtime | Nx")->group("How it runs");
-  app.add_option("--realtime-priority", options.realtime_priority,
-                 "1 to 99: first-in-first-out scheduling of component processes (none)")
-      ->check(number_between(1, 99))
-      ->group("How it runs");
-  app.add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)")
-      ->group("How it runs");
-  app.add_option("--name", options.name, "what 'clew swap', 'clew goal' and others call the run")
-      ->group("How it runs");
-  app.add_option(
-         "--at", options.at,
-         "TICK:STAGE.PART=NAME, TICK:STAGE.PARAM=VALUE or TICK:goal=X,Y[,RADIUS]: change the "
-         "run from that tick on; may be repeated")
-      ->allow_extra_args(false)
-      ->group("How it runs");
-  app.add_option("--external", options.external, "wait for a STAGE that you start yourself")
-      ->allow_extra_args(false)
-      ->group("Debugging");
-  app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it under a command")
-      ->allow_extra_args(false)
-      ->group("Debugging");
-}
-
-void add_recording(CLI::App& app, RunOptions& options) {
-  const auto add = [&](const char* name, auto& value, const char* about) {
-    return app.add_option(name, value, about)->group("Recording");
-  };
-  add("--record", options.record, "write a recording (MCAP)")->check(file_to_write());
-  app.add_flag("--force", options.force, "overwrite the recording")->group("Recording");
-  add("--record-on", options.record_on,
-      "trap: a black box. If a trap is detected, a collision happens or the run ends badly, it "
-      "writes what it kept and then records on");
-  add("--record-last", options.record_last_s, "simulated seconds that a black box keeps (30)")
-      ->check(number_between(0.001, 86400.0));
-  add("--compression", options.compression,
-      "none | zstd | lz4 (none: the fastest, and its bytes depend on no compressor's version; zstd "
-      "makes it several times smaller)");
-  add("--on-record-error", options.on_record_error,
-      "stop | continue: what the run does if its recording fails or lacks samples (stop)");
-  add("--resume", options.resume, "resume the cut-off run of a recording, instead of a graph");
 }
 
 }  // namespace
@@ -341,10 +302,7 @@ void add_run(CLI::App& main, int& status) {
   app->add_option("graph", options->graph, "a name or a path; see 'clew list graphs'");
   add_overrides(*app, options->overrides);
   add_plugins(*app, options->plugins);
-  add_ways(*app, *options);
-  add_recording(*app, *options);
-  app->add_flag("--json", options->json, "print the result as one JSON object");
-  app->add_flag("--no-hash", options->no_hash, "do not hash what is published");
+  add_run_arguments(*app, *options);
   app->callback([options, &status] { status = run_command(*options); });
 }
 

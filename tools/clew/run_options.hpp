@@ -32,6 +32,7 @@ struct RunOptions {
   std::vector<std::string> plugins;  ///< names or paths
   bool json = false;
   bool no_hash = false;
+  std::optional<int> view;  ///< a page of the run, at this port; 0: any free one
 };
 
 }  // namespace clew::tools

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "core/geometry.hpp"
+#include "core/result.hpp"
+#include "domain/messages.hpp"
+#include "domain/topics.hpp"
+#include "gateway/foxglove_schemas.hpp"
+#include "recording/run_description.hpp"
+#include "wire/sample.hpp"
+#include "world/world.hpp"
+
+namespace clew::bridge {
+
+struct FoxgloveMessage {
+  FoxgloveTopic topic = FoxgloveTopic::kScene;
+  std::string json;
+};
+
+/// A run in Foxglove's words: world, robot and target as a scene, the scan, the frames world, odom
+/// and robot, the path of the last thousand ticks, and events as a log.
+class FoxgloveScene {
+ public:
+  /// Refused: a description without a world or a robot.
+  static core::Result<FoxgloveScene> create(const RunDescription& description);
+
+  /// The messages of one tick, from its samples. What does not move is in the first of them.
+  std::vector<FoxgloveMessage> convert(std::uint64_t time_ns,
+                                       const std::vector<SampleView>& samples);
+
+ private:
+  FoxgloveScene(world::World world, double radius_m)
+      : world_(std::move(world)), radius_m_(radius_m) {}
+
+  FoxgloveMessage scene(std::uint64_t time_ns);
+  FoxgloveMessage scan(std::uint64_t time_ns) const;
+  FoxgloveMessage transforms(std::uint64_t time_ns) const;
+  FoxgloveMessage path(std::uint64_t time_ns);
+  void log(std::uint64_t time_ns, std::vector<FoxgloveMessage>& messages) const;
+
+  world::World world_;
+  double radius_m_;
+  bool has_world_ = false;  ///< was sent
+  domain::Messages now_;
+  std::deque<core::Pose2> path_;
+};
+
+}  // namespace clew::bridge

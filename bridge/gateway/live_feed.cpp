@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gateway/live_feed.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+#include "core/archive.hpp"
+#include "run/spool.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What may wait for the gateway: some seconds of a fast run.
+constexpr std::size_t kMostWaitingBytes = 32 * 1024 * 1024;
+constexpr auto kStartPatience = std::chrono::seconds(10);
+constexpr auto kEndPatience = std::chrono::seconds(3);
+/// A composed run hands its samples over in batches of this size.
+constexpr std::size_t kBatchBytes = 64 * 1024;
+/// And at least sixty times a second.
+constexpr auto kBatchPeriod = std::chrono::milliseconds(16);
+
+}  // namespace
+
+core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(const std::string& program, int port,
+                                                        const RunDescription& description,
+                                                        const std::string& name) {
+  int sockets[2];
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) {
+    return core::Error{std::strerror(errno), "--view", 0, 0};
+  }
+  auto link = std::make_unique<Link>(sockets[0]);
+  ::fcntl(sockets[1], F_SETFD, 0);  // the child's end goes with it
+  ChildCommand command;
+  command.arguments = {program,  "gateway",           "--socket", std::to_string(sockets[1]),
+                       "--port", std::to_string(port)};
+  auto child = ChildProcess::start(command);
+  ::close(sockets[1]);
+  if (!child.ok()) return child.error();
+  std::unique_ptr<LiveFeed> feed(new LiveFeed(std::move(link), std::move(child).value()));
+  CLEW_RETURN_IF_ERROR(feed->take_address());
+  RunDescription told = description;
+  core::StateWriter writer;
+  std::string named = name;
+  writer(named, told);
+  feed->link_->post_bytes(FrameType::kRecord, writer.bytes());
+  return feed;
+}
+
+core::Result<void> LiveFeed::take_address() {
+  const auto frame = link_->wait_for_frame(Clock::now() + kStartPatience);
+  const auto text = frame.ok() ? frame->as<Text>() : std::nullopt;
+  if (!text) return core::Error{"its gateway did not start", "--view", 0, 0};
+  if (frame->type == FrameType::kFatal) return core::Error{text->text, "--view", 0, 0};
+  address_ = text->text;
+  return {};
+}
+
+void LiveFeed::add(std::string_view spool) {
+  if (spool.empty()) return;
+  if (waiting_bytes_ + spool.size() > kMostWaitingBytes) {
+    ++dropped_batches_;
+  } else {
+    waiting_bytes_ += spool.size();
+    waiting_.emplace_back(spool);
+  }
+  send();
+}
+
+void LiveFeed::send() {
+  link_->flush();
+  while (!waiting_.empty() && !link_->has_unsent()) {
+    link_->post_bytes(FrameType::kSamples, waiting_.front());
+    waiting_bytes_ -= waiting_.front().size();
+    waiting_.pop_front();
+  }
+}
+
+void LiveFeed::end(const std::string& how) {
+  const auto deadline = Clock::now() + kEndPatience;
+  while (!waiting_.empty() && link_->flush_until(deadline) && Clock::now() < deadline) send();
+  link_->post(FrameType::kRecordingEnd, Text{how});
+  // Until viewers have what they are still to get: with this process the gateway ends.
+  const auto passed_on = link_->wait_for_frame(deadline);
+  static_cast<void>(passed_on);
+}
+
+void LiveFeed::wait(EndSignals& signals) {
+  // The gateway says nothing more: what comes from its side is its end.
+  while (signals.take() == 0 && link_->receive()) {
+    pollfd ends[] = {{link_->socket(), POLLIN, 0}, {signals.descriptor(), POLLIN, 0}};
+    ::poll(ends, 2, -1);
+  }
+  child_.signal(SIGTERM);
+}
+
+core::Result<void> FedSink::add(const SampleView& sample) {
+  append_to_spool(sample, spool_);
+  const auto now = Clock::now();
+  if (spool_.size() >= kBatchBytes || now - handed_on_at_ >= kBatchPeriod) {
+    feed_.add(spool_);
+    spool_.clear();
+    handed_on_at_ = now;
+  }
+  return next_ == nullptr ? core::Result<void>() : next_->add(sample);
+}
+
+}  // namespace clew::bridge

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/result.hpp"
+#include "line/link.hpp"
+#include "recording/run_description.hpp"
+#include "run/end_signals.hpp"
+#include "run/sample_sink.hpp"
+#include "supervisor/child_process.hpp"
+
+namespace clew::bridge {
+
+/// The run's side of its gateway: a process that gets what the recorder gets, and that the run
+/// never waits for. What it does not take in time is dropped and counted.
+class LiveFeed {
+ public:
+  /// Starts `program gateway`; `port` 0: any free one.
+  static core::Result<std::unique_ptr<LiveFeed>> start(const std::string& program, int port,
+                                                       const RunDescription& description,
+                                                       const std::string& name);
+
+  /// Where the page is.
+  const std::string& address() const { return address_; }
+  /// Takes what a component spooled. Does not wait.
+  void add(std::string_view spool);
+  /// Tells how the run ended, and waits until viewers have it all, for three seconds at most.
+  void end(const std::string& how);
+  /// Until a signal asks for an end, or the gateway ends; then it is gone.
+  void wait(EndSignals& signals);
+  std::uint64_t dropped_batches() const { return dropped_batches_; }
+
+ private:
+  LiveFeed(std::unique_ptr<Link> link, ChildProcess child)
+      : link_(std::move(link)), child_(std::move(child)) {}
+  core::Result<void> take_address();
+  void send();
+
+  std::unique_ptr<Link> link_;
+  ChildProcess child_;
+  std::string address_;
+  std::deque<std::string> waiting_;
+  std::size_t waiting_bytes_ = 0;
+  std::uint64_t dropped_batches_ = 0;
+};
+
+/// Lets a live feed see what goes to another sink, or to none.
+class FedSink : public SampleSink {
+ public:
+  FedSink(SampleSink* next, LiveFeed& feed) : next_(next), feed_(feed) {}
+  ~FedSink() override { feed_.add(spool_); }
+
+  core::Result<void> add(const SampleView& sample) override;
+  bool wants_states() const override { return next_ != nullptr && next_->wants_states(); }
+  void add_state(const SpooledState& state) override {
+    if (next_ != nullptr) next_->add_state(state);
+  }
+
+ private:
+  SampleSink* next_;
+  LiveFeed& feed_;
+  std::string spool_;
+  std::chrono::steady_clock::time_point handed_on_at_{};
+};
+
+}  // namespace clew::bridge

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gateway/program_runs.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+namespace clew::bridge {
+namespace {
+
+constexpr std::size_t kMostAtOnce = 4;
+constexpr std::size_t kMostOutputBytes = 1024 * 1024;
+
+/// What was written to a file in memory, and closes it.
+std::string take_output(int file) {
+  std::string text(kMostOutputBytes, '\0');
+  const ssize_t size = ::pread(file, text.data(), text.size(), 0);
+  ::close(file);
+  text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+  return text;
+}
+
+int exit_status(int state) {
+  return WIFSIGNALED(state) ? 128 + WTERMSIG(state) : WEXITSTATUS(state);
+}
+
+/// Starts a program in a group of its own, its output going to these files; the error's number.
+int spawn(const std::vector<std::string>& words, int out, int err, int& process_id) {
+  std::vector<std::string> copies = words;
+  std::vector<char*> pointers;
+  for (std::string& word : copies) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawnattr_t attributes;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawnattr_init(&attributes);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+  const int error =
+      ::posix_spawn(&process_id, pointers.front(), &actions, &attributes, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  return error;
+}
+
+}  // namespace
+
+ProgramRuns::~ProgramRuns() {
+  for (const Running& each : running_) {
+    ::kill(-each.process_id, SIGKILL);
+    ::waitpid(each.process_id, nullptr, 0);
+    ::close(each.out);
+    ::close(each.err);
+  }
+}
+
+core::Result<void> ProgramRuns::start(const std::vector<std::string>& words, Time now, Done done) {
+  if (running_.size() >= kMostAtOnce) {
+    return core::Error{"four runs are under way; wait for one of them", {}, 0, 0};
+  }
+  Running running{0, ::memfd_create("clew-out", MFD_CLOEXEC),
+                  ::memfd_create("clew-err", MFD_CLOEXEC), now + patience_, std::move(done)};
+  const int error = spawn(words, running.out, running.err, running.process_id);
+  if (error != 0) {
+    ::close(running.out);
+    ::close(running.err);
+    return core::Error{"cannot be started: " + std::string(std::strerror(error)), words.front(), 0,
+                       0};
+  }
+  running_.push_back(std::move(running));
+  return {};
+}
+
+bool ProgramRuns::poll(Time now) {
+  for (auto each = running_.begin(); each != running_.end();) {
+    int state = 0;
+    if (now >= each->until) ::kill(-each->process_id, SIGKILL);
+    if (::waitpid(each->process_id, &state, WNOHANG) != each->process_id) {
+      ++each;
+      continue;
+    }
+    ProgramEnd end{exit_status(state), take_output(each->out), take_output(each->err)};
+    const Done done = std::move(each->done);
+    each = running_.erase(each);
+    done(std::move(end));
+  }
+  return !running_.empty();
+}
+
+}  // namespace clew::bridge

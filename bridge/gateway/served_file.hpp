@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/result.hpp"
+#include "gateway/web_server.hpp"
+
+namespace clew::bridge {
+
+/// The bytes from `first` to `last`, both included.
+struct ByteRange {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+};
+
+/// One range of a header `Range: bytes=0-99` (also `100-`, `-100`) of a file of `size` bytes; none
+/// if there is no such range.
+std::optional<ByteRange> read_range(std::string_view header, std::uint64_t size);
+
+/// A file that was named on the command line, held open: it stays the one that was named.
+class ServedFile {
+ public:
+  static core::Result<ServedFile> open(const std::string& path);
+  ServedFile(ServedFile&& other) noexcept
+      : descriptor_(std::exchange(other.descriptor_, -1)), name_(std::move(other.name_)) {}
+  ServedFile& operator=(ServedFile&&) = delete;
+  ~ServedFile();
+
+  /// Its name without the folder, for people.
+  const std::string& name() const { return name_; }
+  /// All of it, or the range that is asked for, of which it may give less: a piece at a time.
+  WebResponse answer(const std::string& range) const;
+
+ private:
+  ServedFile(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
+
+  int descriptor_;
+  std::string name_;
+};
+
+}  // namespace clew::bridge

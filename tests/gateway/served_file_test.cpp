@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gateway/served_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+
+namespace clew::bridge {
+namespace {
+
+std::string text_of(const std::optional<ByteRange>& range) {
+  return range ? std::to_string(range->first) + '-' + std::to_string(range->last) : "none";
+}
+
+TEST(ByteRange, IsCutToTheFile) {
+  EXPECT_EQ(text_of(read_range("bytes=0-9", 100)), "0-9");
+  EXPECT_EQ(text_of(read_range("bytes=90-200", 100)), "90-99");
+  EXPECT_EQ(text_of(read_range("bytes=90-", 100)), "90-99");
+  EXPECT_EQ(text_of(read_range("bytes=-10", 100)), "90-99");
+  EXPECT_EQ(text_of(read_range("bytes=-1000", 100)), "0-99");
+}
+
+TEST(ByteRange, RefusesWhatIsNoRangeOfTheFile) {
+  for (const char* header : {"", "bytes", "bytes=", "bytes=-", "bytes=-0", "bytes=100-",
+                             "bytes=9-3", "bytes=a-b", "bytes=0-9,20-29", "items=0-9",
+                             "bytes=0x1-2", "bytes=18446744073709551616-", "bytes=--5"}) {
+    EXPECT_EQ(text_of(read_range(header, 100)), "none") << header;
+  }
+  EXPECT_EQ(text_of(read_range("bytes=0-0", 0)), "none");
+}
+
+class AServedFile : public ::testing::Test {
+ protected:
+  AServedFile() : path_(::testing::TempDir() + "clew_served_file_test.bin") {
+    std::ofstream(path_, std::ios::binary) << "0123456789";
+  }
+  ~AServedFile() override { std::remove(path_.c_str()); }
+
+  std::string path_;
+};
+
+TEST_F(AServedFile, GivesTheRangeAndSaysWhichItIs) {
+  const auto file = ServedFile::open(path_);
+  ASSERT_TRUE(file.ok());
+
+  const WebResponse response = file->answer("bytes=2-4");
+
+  EXPECT_EQ(response.status, 206U);
+  EXPECT_EQ(response.body, "234");
+  const std::pair<std::string, std::string> told = {"Content-Range", "bytes 2-4/10"};
+  EXPECT_EQ(response.headers.back(), told);
+}
+
+TEST_F(AServedFile, GivesAllWithoutARange) {
+  const auto file = ServedFile::open(path_);
+  ASSERT_TRUE(file.ok());
+
+  EXPECT_EQ(file->answer("").body, "0123456789");
+  EXPECT_EQ(file->answer("").status, 200U);
+}
+
+TEST_F(AServedFile, StaysTheOneThatWasNamed) {
+  const auto file = ServedFile::open(path_);
+  ASSERT_TRUE(file.ok());
+
+  std::remove(path_.c_str());
+  std::ofstream(path_, std::ios::binary) << "another";
+
+  EXPECT_EQ(file->answer("").body, "0123456789");
+}
+
+TEST_F(AServedFile, TellsTheSizeWhereTheRangeIsNone) {
+  const auto file = ServedFile::open(path_);
+  ASSERT_TRUE(file.ok());
+
+  const WebResponse response = file->answer("bytes=10-");
+
+  EXPECT_EQ(response.status, 416U);
+  const std::pair<std::string, std::string> told = {"Content-Range", "bytes */10"};
+  EXPECT_EQ(response.headers.back(), told);
+}
+
+TEST(ServedFile, SaysWhyAFileCannotBeOpened) {
+  const auto file = ServedFile::open("/no/such/file");
+
+  ASSERT_FALSE(file.ok());
+  EXPECT_EQ(file.error().text(), "/no/such/file: No such file or directory");
+}
+
+}  // namespace
+}  // namespace clew::bridge

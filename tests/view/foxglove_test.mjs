@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// Foxglove viewers: npm's client reads every channel, the schemas' own validation accepts every
+// message, and exported files pass npm's reader with all checks on.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+
+import { clew, json_lines, require, scratch_directory, serve } from "./view_server.mjs";
+
+const { FoxgloveClient } = require("@foxglove/ws-protocol");
+const { WebSocket } = require("ws");
+const { parseIDL } = require("@foxglove/omgidl-parser");
+const { MessageReader } = require("@foxglove/omgidl-serialization");
+const { McapStreamReader } = require("@mcap/core");
+const { decompress } = require("fzstd");
+const schemas = require("@foxglove/schemas/jsonschema");
+const Ajv = require("ajv").default;
+
+const ajv = new Ajv({ strict: false, validateFormats: false });
+const validators = new Map();
+
+/// Throws unless the published schema of this name accepts the message.
+function validate(name, message) {
+  if (!validators.has(name)) validators.set(name, ajv.compile(schemas[name.replace("foxglove.", "")]));
+  const valid = validators.get(name);
+  assert.ok(valid(message), `${name}: ${ajv.errorsText(valid.errors)}`);
+}
+
+const ticks_of = (file) => json_lines(clew("echo", file, "state", "--jsonl", "--field", "outcome").out).length;
+
+/// Subscribes to everything, until the last tick of each topic of ours has come.
+function read_all(address, protocol, last_time_ns) {
+  const { port, search } = address;
+  return new Promise((resolve, reject) => {
+    const client = new FoxgloveClient({ ws: new WebSocket(`ws://127.0.0.1:${port}/${search}`, [protocol]) });
+    const channels = new Map();
+    const messages = new Map();
+    client.on("error", reject);
+    client.on("advertise", (advertised) => {
+      for (const channel of advertised) {
+        channels.set(client.subscribe(channel.id), channel);
+        messages.set(channel.topic, { channel, received: [] });
+      }
+    });
+    client.on("message", ({ subscriptionId, timestamp, data }) => {
+      messages.get(channels.get(subscriptionId).topic).received.push({ timestamp, bytes: new Uint8Array(data.buffer, data.byteOffset, data.byteLength).slice() });
+      const whole = [...messages.values()].filter(({ channel }) => channel.topic !== "/foxglove/log")
+        .every(({ received }) => received.length > 0 && received[received.length - 1].timestamp >= last_time_ns);
+      if (!whole) return;
+      client.close();
+      resolve(messages);
+    });
+  });
+}
+
+/// Every message of every channel is what its schema says.
+function check(messages) {
+  for (const { channel, received } of messages.values()) {
+    if (channel.encoding === "json") {
+      for (const { bytes } of received) validate(channel.schemaName, JSON.parse(new TextDecoder().decode(bytes)));
+      JSON.parse(channel.schema);
+    } else {
+      const reader = new MessageReader(channel.schemaName, parseIDL(channel.schema));
+      for (const { bytes } of received) assert.ok(reader.readMessage(bytes).stamp !== undefined);
+    }
+  }
+}
+
+test("npm's Foxglove client reads every channel of a recording", async (context) => {
+  const file = path.join(scratch_directory(context), "a.mcap");
+  assert.equal(clew("run", "krishna_kalra", "--layout", "composed", "--record", file).status, 0);
+  const { address } = await serve(context, "view", file);
+  for (const protocol of ["foxglove.sdk.v1", "foxglove.websocket.v1"]) {
+    const messages = await read_all(address, protocol, 252n * 300000000n);
+    check(messages);
+    assert.equal(messages.size, 13);
+    const count = ticks_of(file);
+    for (const topic of ["/state", "/scan", "/foxglove/scene", "/foxglove/scan", "/foxglove/path", "/foxglove/transforms"]) {
+      assert.equal(messages.get(topic).received.length, count, topic);
+    }
+    assert.ok(messages.get("/foxglove/log").received.length > 0);
+  }
+});
+
+test("npm's Foxglove client reads a run under way", async (context) => {
+  const { address } = await serve(context, "run", "krishna_kalra", "--pace", "60x", "--view");
+  check(await read_all(address, "foxglove.sdk.v1", 100n * 300000000n));
+});
+
+test("strangers are refused, and nobody writes", async (context) => {
+  const file = path.join(scratch_directory(context), "a.mcap");
+  clew("run", "krishna_kalra", "--layout", "composed", "--max-ticks", "20", "--record", file);
+  const { port, token } = await serve(context, "view", file);
+  const opened = (url, protocols, options) => new Promise((resolve) => {
+    const socket = new WebSocket(url, protocols, options);
+    socket.on("open", () => resolve(socket));
+    socket.on("error", (error) => resolve(String(error)));
+  });
+  const good = `ws://127.0.0.1:${port}/?token=${token}`;
+  assert.match(await opened(`ws://127.0.0.1:${port}/`, ["foxglove.sdk.v1"]), /403/);
+  assert.match(await opened(good, ["other.v1"]), /400/);
+  assert.match(await opened(good, []), /400/);
+  assert.match(await opened(`ws://127.0.0.1:${port}/live?token=${token}`, ["clew.view.v1"]), /400/);
+  assert.match(await opened(good, ["foxglove.sdk.v1"], { headers: { Host: "evil.example" } }), /403/);
+
+  const socket = await opened(good, ["foxglove.sdk.v1"], { origin: "https://app.foxglove.dev" });
+  const status = new Promise((resolve) => socket.on("message", (data, binary) => {
+    const told = binary ? {} : JSON.parse(data);
+    if (told.op === "status") resolve(told);
+  }));
+  socket.send(JSON.stringify({ op: "advertise", channels: [] }));
+  assert.match((await status).message, /read only/);
+  for (const rubbish of ["", "{", "[]", "null", '{"op":1}', '{"op":"subscribe","subscriptions":7}', '{"op":"subscribe","subscriptions":[{"id":1,"channelId":99}]}', '{"op":"unsubscribe","subscriptionIds":{"a":1}}', "x".repeat(100000)]) socket.send(rubbish);
+  socket.send(Buffer.alloc(1000, 255));
+  socket.send("y".repeat(1 << 20));  // too large: the connection is closed
+  await new Promise((resolve) => socket.on("close", resolve));
+  assert.ok(typeof await opened(good, ["foxglove.sdk.v1"]) !== "string");
+});
+
+test("an exported file passes npm's reader with every check", (context) => {
+  const directory = scratch_directory(context);
+  const file = path.join(directory, "a.mcap");
+  const exported = path.join(directory, "b.mcap");
+  clew("run", "krishna_kalra", "--layout", "composed", "--record", file);
+  assert.equal(clew("export", file, "--foxglove", exported).status, 0);
+  const reader = new McapStreamReader({ validateCrcs: true, decompressHandlers: { zstd: (data) => decompress(data) } });
+  reader.append(readFileSync(exported));
+  const channels = new Map();
+  const names = new Map();
+  const counts = new Map();
+  for (let record = reader.nextRecord(); record; record = reader.nextRecord()) {
+    if (record.type === "Schema") names.set(record.id, record.name);
+    if (record.type === "Channel") channels.set(record.id, record);
+    if (record.type !== "Message") continue;
+    const { topic, messageEncoding, schemaId } = channels.get(record.channelId);
+    counts.set(topic, (counts.get(topic) ?? 0) + 1);
+    if (messageEncoding === "json") validate(names.get(schemaId), JSON.parse(new TextDecoder().decode(record.data)));
+  }
+  assert.ok(reader.done());
+  assert.equal(counts.get("/foxglove/scene"), ticks_of(file));
+  assert.equal(counts.get("/state"), ticks_of(file));
+  assert.equal(clew("export", file, "--foxglove", exported).status, 2);
+});

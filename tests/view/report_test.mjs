@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// `clew report`: one file that opens without a server, is small, and lets no text of a recording
+// become HTML.
+import assert from "node:assert/strict";
+import { copyFileSync, readFileSync, statSync } from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+
+import { clew, open_browser, open_page, scratch_directory } from "./view_server.mjs";
+
+test("a report holds the run and needs nobody", async (context) => {
+  const directory = scratch_directory(context);
+  const recordings = ["none", "zstd", "lz4"].map((compression) => {
+    const file = path.join(directory, `${compression}.mcap`);
+    assert.equal(clew("run", "krishna_kalra", "--layout", "composed", "--compression", compression, "--record", file).status, 0);
+    return file;
+  });
+  const browser = await open_browser(context);
+
+  for (const file of recordings) {
+    const output = `${file}.html`;
+    assert.equal(clew("report", file, "-o", output).status, 0);
+    assert.ok(statSync(output).size <= 1.5 * statSync(recordings[1]).size + 400000, `${statSync(output).size} bytes`);
+  }
+
+  const { page, complaints } = await open_page(browser, pathToFileURL(`${recordings[2]}.html`));
+  const requests = [];
+  page.on("request", (request) => requests.push(request.url()));
+  const hash = /hash ([0-9a-f]{32})/.exec(clew("info", recordings[0]).out.replace(/ +/g, " "))[1];
+  assert.ok((await page.textContent("#about")).includes(hash));
+  assert.equal(await page.evaluate(() => window.clew.session.last_tick), 252);
+  assert.deepEqual(requests, []);
+  assert.deepEqual(complaints, []);
+});
+
+test("a name that is HTML stays a name", async (context) => {
+  const directory = scratch_directory(context);
+  const plain = path.join(directory, "plain.mcap");
+  assert.equal(clew("run", "krishna_kalra", "--layout", "composed", "--max-ticks", "20", "--record", plain).status, 3);
+  const name = "<img src=x onerror=\"document.title='owned'\"><\\script>$&.mcap";
+  copyFileSync(plain, path.join(directory, name));
+  const output = path.join(directory, "report.html");
+  assert.equal(clew("report", path.join(directory, name), "-o", output).status, 0);
+
+  assert.ok(!readFileSync(output, "utf8").includes("onerror=\"document"));
+  const { page } = await open_page(await open_browser(context), pathToFileURL(output));
+  assert.equal(await page.title(), "Clew");
+  assert.equal(await page.textContent("#runs button"), name);
+});
+
+test("a report that cannot be written says why", (context) => {
+  const directory = scratch_directory(context);
+  const file = path.join(directory, "a.mcap");
+  clew("run", "krishna_kalra", "--layout", "composed", "--max-ticks", "5", "--record", file);
+  assert.equal(clew("report", file, "-o", path.join(directory, "no", "such.html")).status, 2);
+  assert.equal(clew("report", file, "-o", file).status, 2);
+  assert.equal(clew("report", path.join(directory, "missing.mcap"), "-o", "x.html").status, 2);
+});

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "clew/page_runs.hpp"
+
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "clew/json_line.hpp"
+#include "clew/own_program.hpp"
+#include "files/whole_file.hpp"
+#include "runtime/config_source.hpp"
+#include "stages/all.hpp"
+#include "view/registry_json.hpp"
+
+namespace clew::tools {
+namespace {
+
+using bridge::WebResponse;
+using core::Error;
+using core::Result;
+using nlohmann::ordered_json;
+
+/// A run that takes longer is killed.
+constexpr auto kPatience = std::chrono::minutes(5);
+constexpr auto kPollPeriod = std::chrono::milliseconds(5);
+
+WebResponse refusal(const std::string& why) {
+  return {400, "application/json", json_line({{"error", why}}), {}};
+}
+
+/// As a person types it: words that a shell would take apart stand in quotes.
+std::string typed(const std::vector<std::string>& words) {
+  constexpr char kPlain[] =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
+  std::string line = "clew";
+  for (const std::string& word : words) {
+    line += ' ';
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
+/// The last line that the program printed, if it is an object.
+ordered_json last_object(const std::string& out) {
+  const std::size_t end = out.find_last_not_of('\n');
+  if (end == std::string::npos) return nullptr;
+  const std::size_t before = out.rfind('\n', end);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  const auto parsed = ordered_json::parse(out.substr(begin, end + 1 - begin), nullptr, false);
+  return parsed.is_object() ? parsed : ordered_json(nullptr);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<PageRuns>> PageRuns::create(bridge::ViewContent& content,
+                                                   std::vector<std::string> recordings) {
+  std::error_code code;
+  std::string folder = (std::filesystem::temp_directory_path(code) / "clew-view-XXXXXX").string();
+  if (code || ::mkdtemp(folder.data()) == nullptr) {
+    return Error{std::string("cannot be made: ") + std::strerror(errno), folder, 0, 0};
+  }
+  return std::unique_ptr<PageRuns>(new PageRuns(content, std::move(recordings), std::move(folder)));
+}
+
+PageRuns::PageRuns(bridge::ViewContent& content, std::vector<std::string> recordings,
+                   std::string folder)
+    : content_(content),
+      paths_(std::move(recordings)),
+      folder_(std::move(folder)),
+      programs_(kPatience) {
+  const auto path = runtime::ConfigPath::from_environment();
+  names_ = {path.names("graphs"), path.names("worlds")};
+}
+
+PageRuns::~PageRuns() {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+void PageRuns::serve_with(bridge::WebServer& server) {
+  server_ = &server;
+  content_.offer("/choices", json_line({{"stages", view::registry_json(stages::all())},
+                                        {"graphs", names_.graphs},
+                                        {"worlds", names_.worlds}}));
+  content_.on_post("/branch", [this](const std::string& body, Answer answer) {
+    branch(body, std::move(answer));
+  });
+  content_.on_post(
+      "/run", [this](const std::string& body, Answer answer) { run(body, std::move(answer)); });
+}
+
+void PageRuns::branch(const std::string& body, Answer answer) {
+  auto command = view::read_branch(body, paths_.size(), stages::all());
+  if (!command.ok()) return answer(refusal(command.error().message));
+  std::vector<std::string> words = {"replay", paths_[command->recording]};
+  words.insert(words.end(), command->words.begin(), command->words.end());
+  start(std::move(words), command->what, std::move(answer));
+}
+
+void PageRuns::run(const std::string& body, Answer answer) {
+  auto command = view::read_run(body, names_, stages::all());
+  if (!command.ok()) return answer(refusal(command.error().message));
+  std::string world = command->world;
+  if (!command->world_text.empty()) {
+    world = folder_ + "/world-" + std::to_string(count_ + 1) + ".yaml";
+    const auto written = files::write_file(world, command->world_text);
+    if (!written.ok()) return answer(refusal(written.error().text()));
+  }
+  std::vector<std::string> words = {"run", command->graph, "--world",
+                                    world, "--layout",     "composed"};
+  words.insert(words.end(), command->words.begin(), command->words.end());
+  start(std::move(words), command->what, std::move(answer));
+}
+
+void PageRuns::start(std::vector<std::string> words, const std::string& what, Answer answer) {
+  const std::string file = folder_ + "/run-" + std::to_string(++count_) + ".mcap";
+  words.insert(words.end(), {"--record", file, "--json"});
+  const std::string line = typed(words);
+  words.insert(words.begin(), own_program());
+  const auto started =
+      programs_.start(words, std::chrono::steady_clock::now(),
+                      [this, line, file, what, answer](const bridge::ProgramEnd& end) {
+                        finish(end, line, file, what, answer);
+                      });
+  if (!started.ok()) return answer(refusal(started.error().text()));
+  if (std::exchange(polls_, true)) return;
+  server_->repeat(kPollPeriod,
+                  [this] { return polls_ = programs_.poll(std::chrono::steady_clock::now()); });
+}
+
+void PageRuns::finish(const bridge::ProgramEnd& end, const std::string& line,
+                      const std::string& file, const std::string& what, const Answer& answer) {
+  const ordered_json report = last_object(end.out);
+  auto recording = bridge::ServedFile::open(file);
+  if (report.is_null() || !recording.ok()) {
+    return answer(refusal(end.err.empty() ? "status " + std::to_string(end.status) : end.err));
+  }
+  paths_.push_back(file);
+  const std::size_t number = content_.add_recording(std::move(recording).value());
+  answer({200,
+          "application/json",
+          json_line({{"command", line}, {"recording", number}, {"name", what}, {"report", report}}),
+          {}});
+}
+
+}  // namespace clew::tools

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "clew/run_arguments.hpp"
+
+#include "clew/command_line.hpp"
+
+namespace clew::tools {
+namespace {
+
+void add_ways(CLI::App& app, RunOptions& options) {
+  app.add_option("--layout", options.layout, "processes | composed")->group("How it runs");
+  app.add_option("--middleware", options.middleware,
+                 "cyclonedds | fastdds, or STAGE=VENDOR; may be repeated")
+      ->allow_extra_args(false)
+      ->group("How it runs");
+  app.add_option("--pace", options.pace, "lockstep | realtime | Nx")->group("How it runs");
+  app.add_option("--realtime-priority", options.realtime_priority,
+                 "1 to 99: first-in-first-out scheduling of component processes (none)")
+      ->check(number_between(1, 99))
+      ->group("How it runs");
+  app.add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)")
+      ->group("How it runs");
+  app.add_option("--name", options.name, "what 'clew swap', 'clew goal' and others call the run")
+      ->group("How it runs");
+  app.add_option(
+         "--at", options.at,
+         "TICK:STAGE.PART=NAME, TICK:STAGE.PARAM=VALUE or TICK:goal=X,Y[,RADIUS]: change the "
+         "run from that tick on; may be repeated")
+      ->allow_extra_args(false)
+      ->group("How it runs");
+  app.add_option("--external", options.external, "wait for a STAGE that you start yourself")
+      ->allow_extra_args(false)
+      ->group("Debugging");
+  app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it under a command")
+      ->allow_extra_args(false)
+      ->group("Debugging");
+}
+
+void add_recording(CLI::App& app, RunOptions& options) {
+  const auto add = [&](const char* name, auto& value, const char* about) {
+    return app.add_option(name, value, about)->group("Recording");
+  };
+  add("--record", options.record, "write a recording (MCAP)")->check(file_to_write());
+  app.add_flag("--force", options.force, "overwrite the recording")->group("Recording");
+  add("--record-on", options.record_on,
+      "trap: a black box. If a trap is detected, a collision happens or the run ends badly, it "
+      "writes what it kept and then records on");
+  add("--record-last", options.record_last_s, "simulated seconds that a black box keeps (30)")
+      ->check(number_between(0.001, 86400.0));
+  add("--compression", options.compression,
+      "none | zstd | lz4 (none: the fastest, and its bytes depend on no compressor's version; zstd "
+      "makes it several times smaller)");
+  add("--on-record-error", options.on_record_error,
+      "stop | continue: what the run does if its recording fails or lacks samples (stop)");
+  add("--resume", options.resume, "resume the cut-off run of a recording, instead of a graph");
+}
+
+/// `--view` alone takes a free port.
+void add_view_option(CLI::App& app, RunOptions& options) {
+  const auto take = [&options](const CLI::results_t& words) {
+    int port = 0;
+    const bool free = words.empty() || words.front().empty();
+    if (!free && !CLI::detail::lexical_cast(words.front(), port)) return false;
+    options.view = port;
+    return free || (port > 0 && port <= 65535);
+  };
+  app.add_option("--view", take,
+                 "show it on a web page while it runs; PORT: of 127.0.0.1 (a free one)")
+      ->type_name("[PORT]")
+      ->expected(0, 1)
+      ->group("How it runs");
+}
+
+}  // namespace
+
+void add_run_arguments(CLI::App& app, RunOptions& options) {
+  add_ways(app, options);
+  add_view_option(app, options);
+  add_recording(app, options);
+  app.add_flag("--json", options.json, "print the result as one JSON object");
+  app.add_flag("--no-hash", options.no_hash, "do not hash what is published");
+}
+
+}  // namespace clew::tools

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+import "uplot/dist/uPlot.min.css";
+import "./style.css";
+
+import { field_text } from "./cdr_fields";
+import { first_difference } from "./difference";
+import type { Difference } from "./difference";
+import { button, by_id, element } from "./elements";
+import { Inspector } from "./inspector";
+import { listen_to_keys } from "./keys";
+import { Lanes } from "./lanes";
+import { LiveRun } from "./live";
+import { MapView } from "./map_view";
+import { Overview } from "./overview";
+import { Plots } from "./plots";
+import { Recording } from "./recording";
+import type { Run } from "./run";
+import { Session } from "./session";
+import { embedded, read_embedded, read_served } from "./sources";
+import type { Served } from "./sources";
+import { run_colour, run_dash, theme, toggle_theme } from "./theme";
+import { read_choices } from "./server";
+import { Transport } from "./transport";
+import { WhatIf } from "./what_if";
+
+const session = new Session();
+const map = new MapView(session);
+new Lanes(session);
+const transport = new Transport(session);
+const plots = new Plots(session);
+
+function notice(text: string): void {
+  by_id("notice").textContent = text;
+}
+
+// ---- panels ----
+
+let what_if: WhatIf | undefined;
+
+function add_panel(name: string, title: string): HTMLElement {
+  const panel = element("div", { id: `panel-${name}`, role: "tabpanel", "aria-label": title });
+  const tab = button(title, title, () => show_panel(name));
+  tab.id = `tab-${name}`;
+  tab.setAttribute("role", "tab");
+  by_id("tabs").append(tab);
+  by_id("panels").append(panel);
+  return panel;
+}
+
+function show_panel(name: string): void {
+  for (const panel of by_id("panels").children) (panel as HTMLElement).hidden = panel.id !== `panel-${name}`;
+  for (const tab of by_id("tabs").children) tab.setAttribute("aria-selected", String(tab.id === `tab-${name}`));
+  what_if?.show_drawing();
+  session.tell("layers");
+}
+
+new Overview(session, add_panel("overview", "Overview"));
+new Inspector(session, plots, add_panel("messages", "Messages"));
+show_panel("overview");
+
+// ---- runs ----
+
+function show_runs(): void {
+  const worlds = new Set(session.runs.map((run) => run.world?.name));
+  by_id("runs").replaceChildren(...session.runs.map((run) => {
+    const swatch = element("canvas", { width: "26", height: "10" });
+    const g = swatch.getContext("2d");
+    if (g) {
+      g.strokeStyle = run_colour(theme(), run.index);
+      g.setLineDash(run_dash(run.index));
+      g.lineWidth = 3;
+      g.beginPath();
+      g.moveTo(0, 5);
+      g.lineTo(26, 5);
+      g.stroke();
+    }
+    const box = element("input", { type: "checkbox", title: `Show or hide (${run.index + 1})` });
+    box.checked = !session.hidden.has(run.index);
+    box.addEventListener("change", () => toggle_run(run.index));
+    const choose = button(run.recording.name, "Show the messages and lanes of this run", () => {
+      session.chosen = run.index;
+      show_runs();
+      session.tell("runs");
+    });
+    choose.setAttribute("aria-pressed", String(session.chosen === run.index));
+    return element("span", { role: "listitem", class: "run" }, box, swatch, choose, element("small", {}, run.outcome + (worlds.size > 1 ? ` in ${run.world?.name ?? "?"}` : "")));
+  }));
+  by_id("first-difference").hidden = session.runs.length < 2;
+}
+
+function toggle_run(index: number): void {
+  if (index >= session.runs.length) return;
+  if (session.hidden.has(index)) session.hidden.delete(index);
+  else session.hidden.add(index);
+  show_runs();
+  session.tell("runs");
+}
+
+/// The first field in which the chosen run and the next shown one differ.
+function compare(): Difference | undefined {
+  const a = session.run;
+  const b = session.shown.find((run) => run !== a) ?? session.runs.find((run) => run !== a);
+  if (!a || !b) return undefined;
+  // The earlier in the list is `a`, as on the command line.
+  const [first, second] = a.index < b.index ? [a, b] : [b, a];
+  const found = first_difference(first.recording, second.recording);
+  notice(found
+    ? `tick ${found.tick}, ${found.topic}.${found.field}: ${field_text(found.a)} | ${field_text(found.b)}`
+    : "the two recordings hold the same samples");
+  if (found) session.go_to(found.tick);
+  return found;
+}
+
+let following = false;
+function follow(): void {
+  if (following) return;
+  following = true;
+  const turn = (): void => {
+    const more = session.runs.map((run) => run.follow(12)).some((waits) => waits);
+    session.tell("data");
+    following = more;
+    if (more) requestAnimationFrame(turn);
+    else show_runs();
+  };
+  turn();
+}
+
+export async function open(name: string, read: (recording: Recording, on_piece: () => void) => Promise<void>): Promise<Run> {
+  const run = session.add(new Recording(name));
+  show_runs();
+  try {
+    await read(run.recording, follow);
+  } catch (error) {
+    notice(`${name}: ${error instanceof Error ? error.message : String(error)}; shown is what came before`);
+  }
+  follow();
+  return run;
+}
+
+async function add_what_if(): Promise<void> {
+  const choices = await read_choices();
+  what_if = new WhatIf(session, map, add_panel("what-if", "What if"), choices, ({ recording, name }) => open_served(recording, name));
+  show_panel(session.runs.length === 0 ? "what-if" : "overview");
+}
+
+async function open_served(id: number, name: string): Promise<Run> {
+  const run = await open(name, (recording, on_piece) => read_served(id, recording, on_piece));
+  run.served = id;
+  return run;
+}
+
+/// Follows a run under way, at its newest tick unless somebody looks elsewhere.
+function watch(): void {
+  let run: Run | undefined;
+  const newest = (): void => {
+    const follows = session.tick >= session.last_tick;
+    follow();
+    if (follows) session.go_to(Infinity);
+  };
+  const live = new LiveRun({
+    grown: newest,
+    again: (recording) => run?.restart(recording),
+    ended: (how, missed) => {
+      newest();
+      document.body.dataset["ended"] = how;
+      notice(missed > 0 ? `${how}; while it ran, ${missed} ticks were too fast to be shown` : how);
+    },
+  });
+  run = session.add(live.recording);
+  show_runs();
+}
+
+async function begin(): Promise<void> {
+  // The address carried the token once; now the cookie does.
+  if (location.protocol.startsWith("http") && location.search !== "") history.replaceState(null, "", location.pathname);
+  const inside = embedded();
+  if (inside.length > 0) {
+    for (const { name, bytes } of inside) await open(name, (recording, on_piece) => read_embedded(bytes, recording, on_piece));
+  } else if (location.protocol.startsWith("http")) {
+    const served = (await (await fetch("session")).json()) as Served;
+    for (const { id, name } of served.recordings) await open_served(id, name);
+    if (served.live) watch();
+    else await add_what_if();
+  }
+  session.go_to(session.last_tick);
+  document.body.dataset["ready"] = "true";
+}
+
+// ---- keys ----
+
+function redraw_theme(): void {
+  toggle_theme();
+  show_runs();
+  session.tell("theme");
+}
+
+by_id("theme").addEventListener("click", redraw_theme);
+by_id("help").addEventListener("click", () => by_id<HTMLDialogElement>("keys").showModal());
+by_id("first-difference").addEventListener("click", () => compare());
+
+const on_map = (event: KeyboardEvent): boolean => event.shiftKey;
+listen_to_keys([
+  { keys: [" "], shown: "space", what: "play or pause", act: () => session.set_playing(!session.playing) },
+  { keys: ["ArrowRight"], shown: "→", what: "a tick on; with shift ten", act: (e) => session.go_to(session.tick + (on_map(e) ? 10 : 1)) },
+  { keys: ["ArrowLeft"], shown: "←", what: "a tick back; with shift ten", act: (e) => session.go_to(session.tick - (on_map(e) ? 10 : 1)) },
+  { keys: ["Home"], shown: "Home", what: "first tick", act: () => session.go_to(session.first_tick) },
+  { keys: ["End"], shown: "End", what: "last tick", act: () => session.go_to(session.last_tick) },
+  { keys: ["n"], shown: "n", what: "next event", act: () => transport.jump(true) },
+  { keys: ["p"], shown: "p", what: "the event before", act: () => transport.jump(false) },
+  { keys: [">", "."], shown: ">", what: "faster", act: () => transport.change_rate(true) },
+  { keys: ["<", ","], shown: "<", what: "slower", act: () => transport.change_rate(false) },
+  { keys: ["d"], shown: "d", what: "first field in which two runs differ", act: () => compare() },
+  { keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9"], shown: "1 … 9", what: "show or hide a run", act: (e) => toggle_run(Number(e.key) - 1) },
+  { keys: ["o"], shown: "o", what: "overview", act: () => show_panel("overview") },
+  { keys: ["i"], shown: "i", what: "messages of the tick", act: () => show_panel("messages") },
+  { keys: ["e"], shown: "e", what: "what if", act: () => show_panel("what-if") },
+  { keys: ["b"], shown: "b", what: "branch from this tick", act: () => void what_if?.branch() },
+  { keys: ["+", "="], shown: "+", what: "zoom in", act: () => map.zoom(1.3) },
+  { keys: ["-"], shown: "-", what: "zoom out", act: () => map.zoom(1 / 1.3) },
+  { keys: ["0", "f"], shown: "0", what: "the whole world", act: () => map.fit() },
+  { keys: ["w", "a", "s", "W", "A", "S", "D"], shown: "w a s", what: "move the map up, left, down; D right", act: (e) => map.pan(...pan_of(e.key)) },
+  { keys: ["m"], shown: "m", what: "measure", act: () => map.measure() },
+  { keys: ["l"], shown: "l", what: "layers", act: open_layers },
+  { keys: ["t"], shown: "t", what: "light or dark", act: redraw_theme },
+  { keys: ["?"], shown: "?", what: "these keys", act: () => by_id<HTMLDialogElement>("keys").showModal() },
+]);
+
+function pan_of(key: string): [number, number] {
+  switch (key.toLowerCase()) {
+    case "w": return [0, -60];
+    case "s": return [0, 60];
+    case "a": return [-60, 0];
+    default: return [60, 0];
+  }
+}
+
+function open_layers(): void {
+  const layers = by_id<HTMLDetailsElement>("layers");
+  layers.open = !layers.open;
+  if (layers.open) layers.querySelector("input")?.focus();
+}
+
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => session.tell("theme"));
+
+/// For tests: what the page knows, in its own words.
+Object.assign(window, { clew: { session, plots, compare, map } });
+begin().catch((error: unknown) => notice(String(error)));

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: Apache-2.0
+// What lies on the map, layer by layer, from the ground up.
+
+import type { Run, RunEvent } from "./run";
+import { draw_mark, run_colour, run_dash } from "./theme";
+import type { Theme } from "./theme";
+import { place_at } from "./world";
+import type { Point, World } from "./world";
+
+export const kLayers: [string, string][] = [
+  ["grid", "Grid"], ["path", "Path"], ["ahead", "Path still to come"], ["belief", "Believed path"],
+  ["scan", "Scan"], ["landmarks", "Landmarks"], ["traps", "Traps and what proves them"],
+  ["escapes", "Escapes, reflexes, stops"], ["targets", "Virtual targets"],
+  ["obstacles", "Virtual obstacles"], ["moving", "Moving obstacles"],
+];
+
+/// From the world to the canvas.
+export interface View {
+  /// Pixels a metre.
+  scale: number;
+  at(x: number, y: number): Point;
+}
+
+export interface Scene {
+  g: CanvasRenderingContext2D;
+  view: View;
+  theme: Theme;
+  layers: Set<string>;
+  tick: number;
+}
+
+/// The least of 1, 2, 5, 10, 20, ... (and tenths of them) that is no less.
+export function round_up(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  for (const step of [1, 2, 5, 10]) if (step * power >= value * 0.999999) return step * power;
+  return 10 * power;
+}
+
+export function draw_world(scene: Scene, world: World, time_s: number): void {
+  const { g, view, theme } = scene;
+  const [left, bottom, right, top] = world.bounds;
+  const [x, y] = view.at(left, top);
+  const width = (right - left) * view.scale;
+  const height = (top - bottom) * view.scale;
+  g.fillStyle = theme.field;
+  g.fillRect(x, y, width, height);
+  if (scene.layers.has("grid")) draw_grid(scene, world);
+  draw_target(scene, world);
+  g.fillStyle = theme.solid;
+  g.strokeStyle = theme.wall;
+  g.lineJoin = g.lineCap = "round";
+  g.lineWidth = Math.max(1.5, Math.min(3, view.scale * 0.04));
+  for (const polygon of world.polygons) {
+    g.beginPath();
+    for (const [px, py] of polygon) g.lineTo(...view.at(px, py));
+    g.closePath();
+    g.fill();
+    g.stroke();
+  }
+  for (const [cx, cy, radius] of world.circles) disc(scene, [cx, cy], radius, true);
+  g.beginPath();
+  for (const [x1, y1, x2, y2] of world.walls) {
+    g.moveTo(...view.at(x1, y1));
+    g.lineTo(...view.at(x2, y2));
+  }
+  g.stroke();
+  g.strokeRect(x, y, width, height);
+  if (scene.layers.has("moving")) draw_moving(scene, world, time_s);
+}
+
+function disc(scene: Scene, place: Point, radius_m: number, fill: boolean): void {
+  scene.g.beginPath();
+  scene.g.arc(...scene.view.at(...place), radius_m * scene.view.scale, 0, 2 * Math.PI);
+  if (fill) scene.g.fill();
+  scene.g.stroke();
+}
+
+function draw_grid(scene: Scene, world: World): void {
+  const { g, view, theme } = scene;
+  const [left, bottom, right, top] = world.bounds;
+  const step = round_up(60 / view.scale);
+  g.strokeStyle = theme.grid;
+  g.fillStyle = theme.faint;
+  g.lineWidth = 1;
+  g.font = "10px system-ui, sans-serif";
+  g.textBaseline = "top";
+  g.textAlign = "center";
+  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  for (let x = Math.ceil(left / step) * step; x <= right + 1e-9; x += step) {
+    g.beginPath();
+    g.moveTo(...view.at(x, bottom));
+    g.lineTo(...view.at(x, top));
+    g.stroke();
+    const [px, py] = view.at(x, bottom);
+    g.fillText(x.toFixed(digits), px, py + 5);
+  }
+  g.textBaseline = "middle";
+  g.textAlign = "right";
+  for (let y = Math.ceil(bottom / step) * step; y <= top + 1e-9; y += step) {
+    g.beginPath();
+    g.moveTo(...view.at(left, y));
+    g.lineTo(...view.at(right, y));
+    g.stroke();
+    const [px, py] = view.at(left, y);
+    g.fillText(y.toFixed(digits), px - 6, py);
+  }
+  g.textAlign = "left";
+  const [px, py] = view.at(right, bottom);
+  g.fillText("m", px + 8, py + 9);
+}
+
+function draw_target(scene: Scene, world: World): void {
+  const { g, view, theme } = scene;
+  const [x, y] = view.at(...world.target);
+  const radius = Math.max(5, world.target_radius_m * view.scale);
+  g.strokeStyle = theme.target;
+  g.lineWidth = 2;
+  g.beginPath();
+  g.arc(x, y, radius, 0, 2 * Math.PI);
+  g.stroke();
+  g.beginPath();
+  for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+    g.moveTo(x + (dx ?? 0) * radius * 0.4, y + (dy ?? 0) * radius * 0.4);
+    g.lineTo(x + (dx ?? 0) * radius * 1.7, y + (dy ?? 0) * radius * 1.7);
+  }
+  g.stroke();
+}
+
+function draw_moving(scene: Scene, world: World, time_s: number): void {
+  const { g, view, theme } = scene;
+  for (const obstacle of world.moving) {
+    g.strokeStyle = theme.moving;
+    g.lineWidth = 1;
+    g.setLineDash([3, 4]);
+    g.beginPath();
+    for (const [, x, y] of obstacle.path) g.lineTo(...view.at(x, y));
+    g.stroke();
+    g.setLineDash([]);
+    g.fillStyle = theme.moving;
+    g.strokeStyle = theme.wall;
+    g.lineWidth = 1.5;
+    disc(scene, place_at(obstacle, time_s), obstacle.radius_m, true);
+  }
+}
+
+/// Draws the poses from one place in the lists to another, all of them, or of one mode.
+function stretch(scene: Scene, run: Run, from: number, to: number, belief: boolean): void {
+  const poses = belief ? run.belief : run.truth;
+  const { g, view } = scene;
+  // More points than pixels need not be drawn.
+  const stride = Math.max(1, Math.floor((to - from) / 20000));
+  g.beginPath();
+  for (let i = from; i <= to; i += stride) {
+    const pose = poses[i];
+    if (pose) g.lineTo(...view.at(pose.x, pose.y));
+  }
+  const last = poses[to];
+  if (last) g.lineTo(...view.at(last.x, last.y));
+  g.stroke();
+}
+
+export function draw_paths(scene: Scene, run: Run): void {
+  const { g, theme, layers } = scene;
+  const now = run.index_at(scene.tick);
+  const end = run.ticks.length - 1;
+  const colour = run_colour(theme, run.index);
+  g.lineJoin = "round";
+  g.strokeStyle = colour;
+  g.setLineDash(run_dash(run.index));
+  if (layers.has("ahead") && now < end) {
+    g.globalAlpha = 0.28;
+    g.lineWidth = 1.5;
+    stretch(scene, run, now, end, false);
+  }
+  g.globalAlpha = 1;
+  if (layers.has("path")) {
+    g.lineWidth = 2;
+    stretch(scene, run, 0, now, false);
+    draw_recovering(scene, run, now);
+  }
+  g.setLineDash([1, 4]);
+  if (layers.has("belief")) {
+    g.lineWidth = 1.5;
+    g.strokeStyle = theme.faint;
+    stretch(scene, run, 0, now, true);
+  }
+  g.setLineDash([]);
+}
+
+/// Where an escape was at work the path is twice as wide, with a light core.
+function draw_recovering(scene: Scene, run: Run, now: number): void {
+  const { g, theme } = scene;
+  for (let i = 0; i < now; i++) {
+    if (run.mode[i] !== 1) continue;
+    let to = i;
+    while (to < now && run.mode[to] === 1) to++;
+    g.setLineDash([]);
+    g.strokeStyle = run_colour(theme, run.index);
+    g.lineWidth = 4.5;
+    stretch(scene, run, i, to, false);
+    g.strokeStyle = theme.field;
+    g.lineWidth = 1.5;
+    stretch(scene, run, i, to, false);
+    i = to;
+  }
+}
+
+const kLayerOf: Partial<Record<RunEvent["kind"], string>> = {
+  landmark: "landmarks", trap: "traps", virtual_target: "", unreachable: "escapes",
+};
+
+/// What matters most comes last, on top.
+export function by_weight(events: RunEvent[]): RunEvent[] {
+  return [...events.filter((event) => event.kind !== "trap"), ...events.filter((event) => event.kind === "trap")];
+}
+
+export function draw_events(scene: Scene, run: Run): void {
+  const { g, view, theme } = scene;
+  const colour = run_colour(theme, run.index);
+  for (const event of by_weight(run.events)) {
+    if (event.tick > scene.tick || event.kind === "end") continue;
+    const layer = kLayerOf[event.kind] ?? "escapes";
+    if (layer === "" || !scene.layers.has(layer)) continue;
+    const [x, y] = view.at(...event.place);
+    const strong = event.kind === "trap" || event.kind === "collision" || event.kind === "hit";
+    if (event.kind === "trap" && event.earlier) draw_proof(scene, event, [x, y]);
+    draw_mark(g, event.kind, x, y, event.kind === "landmark" ? 4 : 6, strong ? theme.trap : colour, theme.field,
+      event.shadow);
+  }
+}
+
+/// A trap and the earlier visit that proves it, joined.
+function draw_proof(scene: Scene, event: RunEvent, [x, y]: Point): void {
+  const { g, view, theme } = scene;
+  if (!event.earlier) return;
+  const [ex, ey] = view.at(...event.earlier.place);
+  g.strokeStyle = theme.trap;
+  g.lineWidth = 1.4;
+  g.setLineDash([4, 3]);
+  g.beginPath();
+  g.moveTo(x, y);
+  g.lineTo(ex, ey);
+  g.stroke();
+  g.setLineDash([]);
+  g.beginPath();
+  g.arc(ex, ey, 6, 0, 2 * Math.PI);
+  g.fillStyle = theme.field;
+  g.fill();
+  g.stroke();
+}
+
+/// Virtual targets, small, each joined to where it was set; the one in force is large.
+export function draw_virtual_targets(scene: Scene, run: Run): void {
+  const { g, view, theme } = scene;
+  const past = run.virtual_targets.filter((each) => each.tick <= scene.tick);
+  const in_force = run.recording.topic("guidance")?.number_at(scene.tick, "target_is_virtual") === 1;
+  past.forEach((each, i) => {
+    const last = in_force && i === past.length - 1;
+    const [x, y] = view.at(...each.place);
+    g.strokeStyle = run_colour(theme, run.index);
+    g.globalAlpha = last ? 0.9 : 0.25;
+    g.lineWidth = 1;
+    g.beginPath();
+    g.moveTo(...view.at(...each.from));
+    g.lineTo(x, y);
+    g.stroke();
+    g.globalAlpha = last ? 1 : 0.6;
+    draw_mark(g, "virtual_target", x, y, last ? 7 : 3, run_colour(theme, run.index), theme.field);
+    g.globalAlpha = 1;
+  });
+}
+
+interface Box {
+  x_min_m: number;
+  y_min_m: number;
+  x_max_m: number;
+  y_max_m: number;
+}
+
+export function draw_virtual_obstacles(scene: Scene, run: Run): void {
+  const boxes = (run.recording.topic("guidance")?.message_at(scene.tick)?.["virtual_obstacles"] ?? []) as Box[];
+  const { g, view, theme } = scene;
+  for (const box of boxes) {
+    const corners = [[box.x_min_m, box.y_min_m], [box.x_max_m, box.y_min_m], [box.x_max_m, box.y_max_m],
+      [box.x_min_m, box.y_max_m]];
+    g.beginPath();
+    for (const [x, y] of corners) g.lineTo(...view.at(...run.to_world(scene.tick, x ?? 0, y ?? 0)));
+    g.closePath();
+    g.globalAlpha = 0.18;
+    g.fillStyle = theme.trap;
+    g.fill();
+    g.globalAlpha = 1;
+    g.setLineDash([5, 3]);
+    g.strokeStyle = theme.trap;
+    g.lineWidth = 1.4;
+    g.stroke();
+    g.setLineDash([]);
+  }
+}
+
+interface Scan {
+  bearing_first_rad: number;
+  bearing_step_rad: number;
+  beam_width_rad: number;
+  range_max_m: number;
+  ranges_m: ArrayLike<number>;
+}
+
+export function draw_scan(scene: Scene, run: Run): void {
+  const scan = run.recording.topic("scan")?.message_at(scene.tick) as unknown as Scan | undefined;
+  const pose = run.truth[run.index_at(scene.tick)];
+  if (!scan || !pose || run.ticks[run.index_at(scene.tick)] !== scene.tick) return;
+  const { g, view, theme } = scene;
+  g.lineWidth = 1;
+  g.strokeStyle = g.fillStyle = theme.scan;
+  const [x, y] = view.at(pose.x, pose.y);
+  for (let i = 0; i < scan.ranges_m.length; i++) {
+    const range = scan.ranges_m[i] ?? 0;
+    const far = range >= scan.range_max_m;
+    const angle = -(pose.heading + scan.bearing_first_rad + i * scan.bearing_step_rad);
+    const radius = (range + run.radius_m) * view.scale;
+    g.globalAlpha = far ? 0.08 : 0.28;
+    if (scan.beam_width_rad > 0) {
+      g.beginPath();
+      g.moveTo(x, y);
+      g.arc(x, y, radius, angle - scan.beam_width_rad / 2, angle + scan.beam_width_rad / 2);
+      g.closePath();
+      g.fill();
+    } else {
+      g.beginPath();
+      g.moveTo(x, y);
+      g.lineTo(x + radius * Math.cos(angle), y + radius * Math.sin(angle));
+      g.stroke();
+    }
+    if (far) continue;
+    g.globalAlpha = 1;
+    g.beginPath();
+    g.lineWidth = 2;
+    const half = Math.max(scan.beam_width_rad / 2, 2 / Math.max(radius, 1));
+    g.arc(x, y, radius, angle - half, angle + half);
+    g.stroke();
+    g.lineWidth = 1;
+  }
+  g.globalAlpha = 1;
+}
+
+/// Where a run would begin.
+export function draw_start(scene: Scene, world: World): void {
+  const { g, view, theme } = scene;
+  const [x, y, heading] = world.start;
+  const [px, py] = view.at(x, y);
+  g.strokeStyle = theme.text;
+  g.fillStyle = theme.field;
+  g.lineWidth = 2;
+  g.beginPath();
+  g.arc(px, py, Math.max(5, 0.15 * view.scale), 0, 2 * Math.PI);
+  g.fill();
+  g.moveTo(px, py);
+  g.lineTo(px + 0.3 * view.scale * Math.cos(heading), py - 0.3 * view.scale * Math.sin(heading));
+  g.stroke();
+}
+
+export function draw_robot(scene: Scene, run: Run): void {
+  const at = run.index_at(scene.tick);
+  const { g, view, theme } = scene;
+  const body = (x: number, y: number, heading: number, ghost: boolean): void => {
+    const [px, py] = view.at(x, y);
+    const radius = Math.max(5, run.radius_m * view.scale);
+    g.lineWidth = 2;
+    g.strokeStyle = ghost ? theme.faint : run_colour(theme, run.index);
+    g.fillStyle = theme.field;
+    g.setLineDash(ghost ? [3, 3] : []);
+    g.beginPath();
+    g.arc(px, py, radius, 0, 2 * Math.PI);
+    if (!ghost) g.fill();
+    g.stroke();
+    g.beginPath();
+    g.moveTo(px, py);
+    g.lineTo(px + radius * 1.5 * Math.cos(heading), py - radius * 1.5 * Math.sin(heading));
+    g.stroke();
+    g.setLineDash([]);
+  };
+  const belief = run.belief[at];
+  const truth = run.truth[at];
+  if (belief && scene.layers.has("belief")) body(belief.x, belief.y, belief.heading, true);
+  if (truth) body(truth.x, truth.y, truth.heading, false);
+}

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+// The map: pan by dragging, zoom by the wheel, measure, layers on and off.
+
+import { by_id, button, element, fit_canvas, once_a_frame } from "./elements";
+import {
+  draw_events, draw_paths, draw_robot, draw_scan, draw_start, draw_virtual_obstacles, draw_virtual_targets, draw_world, kLayers,
+  round_up,
+} from "./map_layers";
+import type { Scene, View } from "./map_layers";
+import type { Run, RunEvent } from "./run";
+import type { Session } from "./session";
+import { kKindNames, theme } from "./theme";
+import type { Point, World } from "./world";
+
+/// What takes the pointer in place of panning, and a world to show in place of the runs'.
+export interface MapTool {
+  readonly shown: World;
+  down(place: Point): void;
+  move(place: Point): void;
+  up(): void;
+}
+
+export class MapView {
+  private readonly canvas = by_id<HTMLCanvasElement>("map-canvas");
+  private readonly status = by_id("map-status");
+  private readonly layers = new Set(kLayers.map(([name]) => name).filter((name) => name !== "belief"));
+  private scale = 0;
+  private centre: Point = [0, 0];
+  private measuring = false;
+  private ruler: { from: Point; to: Point } | undefined;
+  private tool: MapTool | undefined;
+  private drag: { x: number; y: number } | undefined;
+  readonly draw = once_a_frame(() => this.draw_now());
+
+  constructor(private readonly session: Session) {
+    this.add_controls();
+    this.add_pointer();
+    session.listen((change) => {
+      if (change === "data" || change === "runs") this.fit_if_new();
+      this.draw();
+    });
+    new ResizeObserver(() => {
+      if (this.scale > 0 && this.fitted) this.fit();
+      this.draw();
+    }).observe(this.canvas);
+  }
+
+  private fitted = true;
+
+  use(tool: MapTool | undefined): void {
+    if (tool === this.tool) return;
+    this.tool = tool;
+    this.canvas.style.cursor = tool ? "crosshair" : "";
+    if (tool || this.scale > 0) this.fit();
+    this.draw();
+  }
+
+  private get world(): World | undefined {
+    return this.tool?.shown ?? this.first?.world;
+  }
+
+  /// The run whose world is shown.
+  private get first(): Run | undefined {
+    const { shown, run } = this.session;
+    return shown.find((each) => each === run) ?? shown[0] ?? run;
+  }
+
+  private fit_if_new(): void {
+    if (this.scale === 0 && this.world) this.fit();
+  }
+
+  /// Shows the whole world.
+  fit(): void {
+    const world = this.world;
+    const width = this.canvas.clientWidth;
+    const height = this.canvas.clientHeight;
+    if (!world || width === 0) return;
+    const [left, bottom, right, top] = world.bounds;
+    this.scale = Math.min((width - 80) / (right - left), (height - 70) / (top - bottom));
+    this.centre = [(left + right) / 2, (bottom + top) / 2];
+    this.fitted = true;
+    this.draw();
+  }
+
+  zoom(factor: number, x = this.canvas.clientWidth / 2, y = this.canvas.clientHeight / 2): void {
+    const before = this.place(x, y);
+    this.scale = Math.max(0.5, Math.min(5000, this.scale * factor));
+    const after = this.place(x, y);
+    this.centre = [this.centre[0] + before[0] - after[0], this.centre[1] + before[1] - after[1]];
+    this.fitted = false;
+    this.draw();
+  }
+
+  pan(right_px: number, down_px: number): void {
+    this.centre = [this.centre[0] + right_px / this.scale, this.centre[1] - down_px / this.scale];
+    this.fitted = false;
+    this.draw();
+  }
+
+  measure(on = !this.measuring): void {
+    this.measuring = on;
+    if (!on) this.ruler = undefined;
+    by_id("measure").setAttribute("aria-pressed", String(on));
+    this.canvas.style.cursor = on ? "crosshair" : "";
+    this.draw();
+  }
+
+  /// The length of what was measured last, in metres.
+  get measured(): number {
+    return this.ruler ? Math.hypot(this.ruler.to[0] - this.ruler.from[0], this.ruler.to[1] - this.ruler.from[1]) : NaN;
+  }
+
+  /// The place of the world under a pixel of the canvas.
+  place(x: number, y: number): Point {
+    return [
+      this.centre[0] + (x - this.canvas.clientWidth / 2) / this.scale,
+      this.centre[1] - (y - this.canvas.clientHeight / 2) / this.scale,
+    ];
+  }
+
+  /// The pixel of the canvas where a place of the world is.
+  pixel(x: number, y: number): Point {
+    return this.view().at(x, y);
+  }
+
+  private view(): View {
+    const x0 = this.canvas.clientWidth / 2 - this.centre[0] * this.scale;
+    const y0 = this.canvas.clientHeight / 2 + this.centre[1] * this.scale;
+    return { scale: this.scale, at: (x, y) => [x0 + x * this.scale, y0 - y * this.scale] };
+  }
+
+  private draw_now(): void {
+    const { g, width, height } = fit_canvas(this.canvas);
+    const colours = theme();
+    g.fillStyle = colours.ground;
+    g.fillRect(0, 0, width, height);
+    if (this.scale === 0) this.fit_if_new();
+    const world = this.world;
+    if (!world || this.scale === 0) return;
+    const scene: Scene = { g, view: this.view(), theme: colours, layers: this.layers, tick: this.session.tick };
+    draw_world(scene, world, this.session.tick * (this.session.run?.tick_s ?? 0));
+    if (this.tool) draw_start(scene, world);
+    else this.draw_runs(scene);
+    this.draw_ruler(g);
+    this.draw_scale(g, height);
+  }
+
+  private draw_runs(scene: Scene): void {
+    // A path in another world would mean nothing here.
+    const world_of = (run: Run | undefined): string | undefined => run?.recording.bundle.get("world.yaml");
+    const shown = this.session.shown.filter((run) => world_of(run) === world_of(this.first));
+    for (const run of shown) draw_paths(scene, run);
+    const chosen = shown.find((run) => run.index === this.session.chosen) ?? shown[0];
+    if (chosen && this.layers.has("obstacles")) draw_virtual_obstacles(scene, chosen);
+    if (chosen && this.layers.has("scan")) draw_scan(scene, chosen);
+    for (const run of shown) {
+      if (this.layers.has("targets")) draw_virtual_targets(scene, run);
+      draw_events(scene, run);
+    }
+    for (const run of shown) draw_robot(scene, run);
+  }
+
+  private draw_scale(g: CanvasRenderingContext2D, height: number): void {
+    const length = round_up(60 / this.scale);
+    const pixels = length * this.scale;
+    const colours = theme();
+    g.strokeStyle = g.fillStyle = colours.text;
+    g.lineWidth = 1.5;
+    g.beginPath();
+    g.moveTo(16, height - 22);
+    g.lineTo(16, height - 16);
+    g.lineTo(16 + pixels, height - 16);
+    g.lineTo(16 + pixels, height - 22);
+    g.stroke();
+    g.font = "11px system-ui, sans-serif";
+    g.textAlign = "left";
+    g.textBaseline = "middle";
+    g.fillText(`${length} m`, 22 + pixels, height - 18);
+  }
+
+  private draw_ruler(g: CanvasRenderingContext2D): void {
+    if (!this.ruler) return;
+    const colours = theme();
+    const view = this.view();
+    const [x1, y1] = view.at(...this.ruler.from);
+    const [x2, y2] = view.at(...this.ruler.to);
+    g.strokeStyle = colours.text;
+    g.lineWidth = 1.5;
+    g.beginPath();
+    g.moveTo(x1, y1);
+    g.lineTo(x2, y2);
+    g.stroke();
+    const dx = this.ruler.to[0] - this.ruler.from[0];
+    const dy = this.ruler.to[1] - this.ruler.from[1];
+    const text = `${Math.hypot(dx, dy).toFixed(3)} m, ${(Math.atan2(dy, dx) * 180 / Math.PI).toFixed(1)}°`;
+    g.font = "600 12px system-ui, sans-serif";
+    const width = g.measureText(text).width;
+    g.fillStyle = colours.ground;
+    g.fillRect((x1 + x2) / 2 + 8, (y1 + y2) / 2 - 9, width + 8, 18);
+    g.fillStyle = colours.text;
+    g.textAlign = "left";
+    g.textBaseline = "middle";
+    g.fillText(text, (x1 + x2) / 2 + 12, (y1 + y2) / 2);
+  }
+
+  private add_controls(): void {
+    const bar = by_id("map-controls");
+    const measure = button("Measure", "Measure a distance: drag on the map (m)", () => this.measure());
+    measure.id = "measure";
+    measure.setAttribute("aria-pressed", "false");
+    const menu = element("details", { id: "layers" }, element("summary", { title: "What the map shows (l)" }, "Layers"));
+    const list = element("div", { class: "menu" });
+    for (const [name, label] of kLayers) {
+      const box = element("input", { type: "checkbox", "data-layer": name });
+      box.checked = this.layers.has(name);
+      box.addEventListener("change", () => {
+        if (box.checked) this.layers.add(name);
+        else this.layers.delete(name);
+        this.draw();
+      });
+      list.append(element("label", {}, box, label));
+    }
+    menu.append(list);
+    bar.append(
+      button("+", "Zoom in (+)", () => this.zoom(1.3)), button("−", "Zoom out (-)", () => this.zoom(1 / 1.3)),
+      button("Fit", "Show the whole world (0)", () => this.fit()), measure, menu);
+  }
+
+  private add_pointer(): void {
+    const canvas = this.canvas;
+    canvas.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      this.zoom(Math.exp(-event.deltaY * 0.0015), event.offsetX, event.offsetY);
+    }, { passive: false });
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      this.drag = { x: event.offsetX, y: event.offsetY };
+      if (this.tool && !this.measuring) this.tool.down(this.place(event.offsetX, event.offsetY));
+      if (this.measuring) this.ruler = { from: this.place(event.offsetX, event.offsetY), to: this.place(event.offsetX, event.offsetY) };
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      this.show_status(event.offsetX, event.offsetY);
+      if (!this.drag) return;
+      if (this.measuring && this.ruler) {
+        this.ruler.to = this.place(event.offsetX, event.offsetY);
+        this.draw();
+      } else if (this.tool) {
+        this.tool.move(this.place(event.offsetX, event.offsetY));
+        this.draw();
+      } else {
+        this.pan(this.drag.x - event.offsetX, this.drag.y - event.offsetY);
+        this.drag = { x: event.offsetX, y: event.offsetY };
+      }
+    });
+    canvas.addEventListener("pointerup", () => {
+      if (this.drag && !this.measuring) this.tool?.up();
+      this.drag = undefined;
+      this.draw();
+    });
+    canvas.addEventListener("dblclick", (event) => {
+      const near = this.nearest_event(event.offsetX, event.offsetY);
+      if (near) this.session.go_to(near.tick);
+    });
+  }
+
+  private nearest_event(x: number, y: number): RunEvent | undefined {
+    const view = this.view();
+    let best: RunEvent | undefined;
+    let least = 12;
+    for (const run of this.session.shown) {
+      for (const event of run.events) {
+        if (event.tick > this.session.tick) continue;
+        const [ex, ey] = view.at(...event.place);
+        const distance = Math.hypot(ex - x, ey - y);
+        if (distance >= least) continue;
+        least = distance;
+        best = event;
+      }
+    }
+    return best;
+  }
+
+  private show_status(x: number, y: number): void {
+    if (this.scale === 0) return;
+    const [wx, wy] = this.place(x, y);
+    const near = this.nearest_event(x, y);
+    const what = near ? `   ${kKindNames[near.kind]}${near.shadow ? " (in shadow)" : ""} at tick ${near.tick}` +
+      `${near.rule ? `, ${near.rule}` : ""}${near.text ? `: ${near.text}` : ""}` : "";
+    this.status.textContent = `x ${wx.toFixed(2)} m   y ${wy.toFixed(2)} m${what}`;
+  }
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// A recorded run in memory: samples by topic, as bytes, and what the run was made of. It may grow,
+// while a file is read or a run goes on.
+
+import { McapStreamReader } from "@mcap/core";
+import type { McapTypes } from "@mcap/core";
+import { decompress as decompress_zstd } from "fzstd";
+import { decompress as decompress_lz4 } from "lz4js";
+
+import { Schema } from "./cdr_fields";
+
+/// One topic's samples, in one growing buffer.
+export class Topic {
+  readonly ticks: number[] = [];
+  private readonly sequences: number[] = [];
+  private readonly starts: number[] = [0];
+  private bytes = new Uint8Array(1 << 16);
+
+  constructor(readonly name: string, readonly schema: Schema) {}
+
+  get length(): number {
+    return this.ticks.length;
+  }
+
+  add(tick: number, sequence: number, cdr: Uint8Array): void {
+    const start = this.starts[this.ticks.length] ?? 0;
+    if (start + cdr.length > this.bytes.length) {
+      const larger = new Uint8Array(Math.max(2 * this.bytes.length, start + cdr.length));
+      larger.set(this.bytes);
+      this.bytes = larger;
+    }
+    this.bytes.set(cdr, start);
+    this.ticks.push(tick);
+    this.sequences.push(sequence);
+    this.starts.push(start + cdr.length);
+  }
+
+  sample(index: number): Uint8Array {
+    return this.bytes.subarray(this.starts[index], this.starts[index + 1]);
+  }
+
+  sequence(index: number): number {
+    return this.sequences[index] ?? -1;
+  }
+
+  /// The index of the sample of `tick`; -1 if there is none.
+  index_at(tick: number): number {
+    // Ticks without a gap, which is the rule, need no search.
+    const guess = tick - (this.ticks[0] ?? 0);
+    if (this.ticks[guess] === tick) return guess;
+    let low = 0;
+    let high = this.ticks.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if ((this.ticks[middle] ?? 0) < tick) low = middle + 1;
+      else high = middle;
+    }
+    return this.ticks[low] === tick ? low : -1;
+  }
+
+  message_at(tick: number): Record<string, unknown> | undefined {
+    const index = this.index_at(tick);
+    return index < 0 ? undefined : this.schema.message(this.sample(index));
+  }
+
+  number_at(tick: number, path: string): number {
+    const index = this.index_at(tick);
+    return index < 0 ? NaN : this.schema.number(this.sample(index), path);
+  }
+}
+
+export class Recording {
+  readonly topics = new Map<string, Topic>();
+  readonly bundle = new Map<string, string>();
+  tick_s = 0.1;
+  seed = "";
+  /// What its recorder wrote at the end; nothing of one that was cut off or is not read yet.
+  end: { hash: string; ticks: number; lost: number; aborted: string } | undefined;
+
+  constructor(public name: string) {}
+
+  add_topic(name: string, type: string, text: string): Topic {
+    const known = this.topics.get(name);
+    if (known) return known;
+    const topic = new Topic(name, new Schema(type, text));
+    this.topics.set(name, topic);
+    return topic;
+  }
+
+  topic(name: string): Topic | undefined {
+    return this.topics.get(name);
+  }
+
+  get first_tick(): number {
+    const firsts = [...this.topics.values()].filter((topic) => topic.length > 0).map((topic) => topic.ticks[0] ?? 0);
+    return firsts.length === 0 ? 0 : Math.min(...firsts);
+  }
+
+  get last_tick(): number {
+    let last = 0;
+    for (const topic of this.topics.values()) last = Math.max(last, topic.ticks[topic.length - 1] ?? 0);
+    return last;
+  }
+}
+
+const kText = new TextDecoder();
+
+/// Takes the bytes of an MCAP file, in pieces of any size, into a recording.
+export class McapFeed {
+  private readonly reader = new McapStreamReader({
+    validateCrcs: true,
+    decompressHandlers: {
+      zstd: (data) => decompress_zstd(data),
+      lz4: (data, size) => Uint8Array.from(decompress_lz4(data, Number(size))),
+    },
+  });
+  private readonly schemas = new Map<number, McapTypes.Schema>();
+  private readonly channels = new Map<number, Topic>();
+
+  constructor(private readonly recording: Recording) {}
+
+  /// Throws where a changed byte or a foreign file is found; what came before it stays.
+  append(bytes: Uint8Array): void {
+    this.reader.append(bytes);
+    for (let record = this.reader.nextRecord(); record; record = this.reader.nextRecord()) this.take(record);
+  }
+
+  private take(record: McapTypes.TypedMcapRecord): void {
+    switch (record.type) {
+      case "Message": {
+        const tick = Math.round(Number(record.logTime) / 1e9 / this.recording.tick_s);
+        this.channels.get(record.channelId)?.add(tick, record.sequence, record.data);
+        break;
+      }
+      case "Schema":
+        this.schemas.set(record.id, { ...record, data: record.data.slice() });
+        break;
+      case "Channel":
+        this.take_channel(record);
+        break;
+      case "Metadata":
+        this.take_metadata(record);
+        break;
+      case "Attachment":
+        if (record.mediaType === "application/yaml") this.recording.bundle.set(record.name, kText.decode(record.data));
+        break;
+    }
+  }
+
+  private take_channel(channel: McapTypes.Channel): void {
+    const schema = this.schemas.get(channel.schemaId);
+    if (this.channels.has(channel.id) || schema?.encoding !== "omgidl") return;
+    const name = channel.topic.replace(/^\//, "");
+    this.channels.set(channel.id, this.recording.add_topic(name, schema.name, kText.decode(schema.data)));
+  }
+
+  private take_metadata(record: McapTypes.Metadata): void {
+    const value = (key: string): string => record.metadata.get(key) ?? "";
+    if (record.name === "clew") {
+      this.recording.tick_s = Number(value("tick_s")) || this.recording.tick_s;
+      this.recording.seed = value("seed");
+    } else if (record.name === "clew_end") {
+      this.recording.end = {
+        hash: value("hash"), ticks: Number(value("ticks")), lost: Number(value("lost_samples")),
+        aborted: value("aborted"),
+      };
+    }
+  }
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page asks of the server besides bytes: what there is to choose from, branches and runs.
+
+export interface Parameter {
+  name: string;
+  unit: string;
+  doc: string;
+  default: boolean | number | string | string[];
+  range?: [number, number];
+  choices?: string[];
+  folder?: string;
+}
+export interface Behaviour {
+  name: string;
+  summary: string;
+  parameters: Parameter[];
+}
+export interface Part {
+  name: string;
+  is_list: boolean;
+  variants: Behaviour[];
+}
+export interface Stage {
+  name: string;
+  summary: string;
+  parameters: Parameter[];
+  parts: Part[];
+}
+export interface Choices {
+  stages: Stage[];
+  graphs: string[];
+  worlds: string[];
+}
+
+/// One value in the place of another.
+export interface SetEntry {
+  stage: string;
+  part: string;
+  behaviour: string;
+  name: string;
+  value: boolean | number | string;
+}
+export interface Changes {
+  with: Record<string, string[]>;
+  set: SetEntry[];
+}
+
+/// What became of a branch or a run.
+export interface Started {
+  command: string;
+  recording: number;
+  name: string;
+  report: { outcome: string; ticks: number; hash: string | null; path_length_m: number };
+}
+
+export async function read_choices(): Promise<Choices> {
+  return await (await fetch("choices")).json() as Choices;
+}
+
+/// Throws what the server says is wrong.
+export async function ask_for(what: "branch" | "run", request: object): Promise<Started> {
+  const answer = await fetch(what, { method: "POST", body: JSON.stringify(request) });
+  const told = await answer.json() as Started & { error?: string };
+  if (!answer.ok) throw new Error(told.error ?? `status ${answer.status}`);
+  return told;
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where recordings come from: the server that serves this page, or the page itself if it is a
+// report.
+
+import { decompress } from "fzstd";
+
+import { McapFeed, Recording } from "./recording";
+
+export interface ServedRecording {
+  id: number;
+  name: string;
+}
+
+/// What the server says there is.
+export interface Served {
+  recordings: ServedRecording[];
+  /// Whether a run is under way.
+  live: boolean;
+}
+
+const kPiece = 4 << 20;
+
+/// Nothing between two pieces would let the page answer.
+const breathe = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
+
+/// Reads a file piece by piece. `on_piece` is called when more of it is there.
+export async function read_served(id: number, recording: Recording, on_piece: () => void): Promise<void> {
+  const feed = new McapFeed(recording);
+  for (let start = 0, size = Infinity; start < size;) {
+    const answer = await fetch(`recordings/${id}`, { headers: { Range: `bytes=${start}-${start + kPiece - 1}` } });
+    if (answer.status === 416) return;
+    if (!answer.ok) throw new Error(`${answer.status}: ${await answer.text()}`);
+    const total = /\/(\d+)$/.exec(answer.headers.get("Content-Range") ?? "")?.[1];
+    const bytes = new Uint8Array(await answer.arrayBuffer());
+    size = total === undefined ? bytes.length : Number(total);
+    if (bytes.length === 0) return;
+    start += bytes.length;
+    feed.append(bytes);
+    on_piece();
+    await breathe();
+  }
+}
+
+/// The recordings inside a report: files in zstd in base64.
+export function embedded(): { name: string; bytes: Uint8Array }[] {
+  return [...document.querySelectorAll<HTMLElement>("script[type='text/plain'][data-name]")].map((script) => {
+    const text = (script.textContent ?? "").trim();
+    const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const name = new TextDecoder().decode(Uint8Array.from(atob(script.dataset["name"] ?? ""), (c) => c.charCodeAt(0)));
+    return { name, bytes: decompress(packed) };
+  });
+}
+
+export async function read_embedded(bytes: Uint8Array, recording: Recording, on_piece: () => void): Promise<void> {
+  const feed = new McapFeed(recording);
+  for (let start = 0; start < bytes.length; start += kPiece) {
+    feed.append(bytes.subarray(start, start + kPiece));
+    on_piece();
+    await breathe();
+  }
+}

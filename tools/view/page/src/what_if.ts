@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// What if: another behaviour or value from the chosen tick on, and runs of other graphs and worlds.
+// The server carries out what it tells as a command line, so that a terminal gives the same.
+
+import { ChangesForm } from "./changes_form";
+import { Drawing } from "./drawing";
+import { button, element } from "./elements";
+import type { MapView } from "./map_view";
+import type { Run } from "./run";
+import { ask_for } from "./server";
+import type { Choices, Started } from "./server";
+import type { Session } from "./session";
+import { names_of } from "./graph_names";
+
+type Open = (started: Started) => Promise<Run>;
+
+export class WhatIf {
+  private readonly max_ticks = element("input", { type: "number", min: "1", max: "100000", value: "2000", "aria-label": "Most ticks" });
+  private readonly at = element("b");
+  private readonly told = element("ol", { id: "branches" });
+  private readonly message = element("p", { class: "warn", role: "alert" });
+  private readonly graph = element("select", { "aria-label": "Graph", id: "run-graph" });
+  private readonly world = element("select", { "aria-label": "World", id: "run-world" });
+  private readonly drawing: Drawing;
+  private readonly form: ChangesForm;
+
+  constructor(private readonly session: Session, private readonly map: MapView, private readonly panel: HTMLElement,
+    choices: Choices, private readonly open: Open) {
+    this.drawing = new Drawing(map);
+    this.form = new ChangesForm(choices, (stage, part) => this.current(stage, part));
+    const branch = button("Branch", "Go on from this tick with these changes (b)", () => void this.branch());
+    branch.id = "branch";
+    branch.className = "strong";
+    const run = button("Run", "Run this graph in this world", () => void this.run());
+    run.id = "run";
+    run.className = "strong";
+    for (const name of choices.graphs) this.graph.append(element("option", { value: name }, name));
+    this.graph.value = choices.graphs.includes("default") ? "default" : choices.graphs[0] ?? "";
+    this.world.append(element("option", { value: "" }, "draw one"));
+    for (const name of choices.worlds) this.world.append(element("option", { value: name }, name));
+    this.world.value = choices.worlds.includes("u-trap") ? "u-trap" : "";
+    this.world.addEventListener("change", () => this.show_drawing());
+    panel.append(
+      element("h2", {}, "What if"), element("p", {}, "From tick ", this.at, " on:"), this.form.box,
+      element("div", { class: "row" }, element("label", {}, "at most ", this.max_ticks, " ticks"), branch), this.message, this.told,
+      element("h2", {}, "Another run"),
+      element("div", { class: "row" }, this.graph, " in ", this.world, run), this.drawing.box);
+    this.show_drawing();
+    session.listen((change) => this.refresh(change === "runs"));
+    this.refresh(true);
+  }
+
+  /// Whether the map shows the world that is drawn.
+  show_drawing(): void {
+    const draws = this.world.value === "" && !this.panel.hidden;
+    this.drawing.box.hidden = this.world.value !== "";
+    this.map.use(draws ? this.drawing : undefined);
+  }
+
+  async branch(): Promise<void> {
+    const run = this.session.run;
+    if (!run || run.served === undefined) return;
+    await this.ask("branch", {
+      recording: run.served, tick: this.session.tick, max_ticks: Number(this.max_ticks.value), ...this.form.changes,
+    });
+  }
+
+  private async run(): Promise<void> {
+    const drawn = this.world.value === "";
+    const world = drawn ? this.drawing.drawn : this.world.value;
+    const started = await this.ask("run", { graph: this.graph.value, world, max_ticks: Number(this.max_ticks.value) });
+    if (!started) return;
+    this.map.use(undefined);
+    this.map.fit();
+  }
+
+  private async ask(what: "branch" | "run", request: object): Promise<boolean> {
+    this.message.textContent = "";
+    try {
+      const started = await ask_for(what, request);
+      const { report } = started;
+      const run = await this.open(started);
+      this.told.prepend(element("li", {}, element("b", {}, started.name), ` ${report.outcome} after ${report.ticks} ticks`,
+        element("code", { title: "The same on the command line" }, started.command)));
+      if (what === "run") {
+        this.session.chosen = run.index;
+        for (const other of this.session.runs) if (other !== run) this.session.hidden.add(other.index);
+        this.session.tell("runs");
+        this.session.go_to(0);
+        this.session.set_playing(true);
+      }
+      return true;
+    } catch (error) {
+      this.message.textContent = error instanceof Error ? error.message : String(error);
+      return false;
+    }
+  }
+
+  private current(stage: string, part: string): string | undefined {
+    const chosen = this.session.run?.graph[stage] as Record<string, unknown> | undefined;
+    if (!chosen) return undefined;
+    return names_of(chosen[part]);
+  }
+
+  private refresh(others: boolean): void {
+    this.at.textContent = String(this.session.tick);
+    if (others) this.form.refresh();
+  }
+}

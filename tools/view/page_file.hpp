@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+namespace clew::view {
+
+/// The page of `clew view`: one HTML file. Empty in a build without npm.
+std::string_view page();
+
+/// What to say where it is empty.
+inline constexpr char kNoPage[] =
+    "this build has no page: node, npm or npm's registry were missing; install nodejs and npm and "
+    "build again";
+
+}  // namespace clew::view
