@@ -2,7 +2,7 @@
 """Recovery by all that was seen: it reaches what can be reached, and proves what cannot."""
 import unittest
 
-from clew_command import SOAK, SOURCE, run_graph
+from clew_command import SOAK, SOURCE, run_graph, write_file
 
 # Pockets, a maze, a gap of 1.2 robot diameters, and a world without a way.
 SAMPLE = ["u-trap", "n-fig04-invisible-minimum", "maze-8x8", "narrow-gap", "unsolvable-box"]
@@ -13,6 +13,15 @@ SENSORS = {
     "ring": ["any_sensor", "--with", "sense=sonar_ring"],
     "infrared": ["any_sensor", "--with", "sense=infrared"],
 }
+
+
+FAR_TARGET = """format: clew-world/1
+name: far-target
+bounds: [0, 0, 1000, 10]
+start: [1, 5, 0]
+target: [999, 5]
+target_radius: 0.2
+"""
 
 
 def worlds(sample=None):
@@ -53,6 +62,19 @@ class RememberedWays(unittest.TestCase):
 
     def test_astar_with_a_laser(self):
         self.run_everywhere("remembered_astar", "laser")
+
+
+class FarTargets(unittest.TestCase):
+    def test_a_step_takes_no_longer_the_farther_the_target_is(self):
+        # A step that takes longer than the watchdog's 2 s ends a run as processes.
+        words = ["--world", write_file(FAR_TARGET), "--max-ticks", "60"]
+
+        processes = run_graph("default", *words)
+        composed = run_graph("default", *words, "--layout", "composed")
+
+        self.assertEqual(processes["outcome"], "timeout")
+        self.assertEqual(processes["hash"], composed["hash"])
+        self.assertEqual(composed["restarts"], processes["restarts"])
 
 
 if __name__ == "__main__":
