@@ -84,7 +84,8 @@ void PageClient::send_all() {
     message += *tick->records;
     next_ = tick->number + 1;
     if (message.size() < kMostMessageBytes) continue;
-    sender_.send_binary(std::make_shared<const std::string>(std::exchange(message, {})));
+    sender_.send_binary(std::make_shared<const std::string>(std::move(message)));
+    message.clear();
     if (sender_.queued_bytes() > kMostUnderWayBytes) return;
   }
   if (message.empty()) return;
