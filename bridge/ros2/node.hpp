@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,6 +74,7 @@ class Node : public TopicOutput, private bridge::DiscoveryListener {
   std::string user_data(const MessageType& type) const;
   template <std::size_t kGidBytes>
   core::Result<void> announce_entities();
+  void on_participants(const std::set<std::string>&) override {}
   void on_matched(const bridge::RemoteEndpoint&) override {}
   void on_unmatched(const bridge::RemoteEndpoint&) override {}
   void on_incompatible_qos(const std::string& topic, bool local_is_writer,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,7 @@ class RunWatch : private DiscoveryListener {
   core::Result<void> take_assignment(Time deadline);
   core::Result<void> listen();
   void keep(domain::Topic topic, std::string_view cdr, const RemoteEndpoint& writer);
+  void on_participants(const std::set<std::string>&) override {}
   void on_matched(const RemoteEndpoint&) override {}
   void on_unmatched(const RemoteEndpoint&) override {}
   void on_incompatible_qos(const std::string&, bool, const std::string&) override {}
