@@ -78,12 +78,12 @@ function(clew_library name)
   target_precompile_headers(clew_${name} REUSE_FROM clew_precompiled)
 endfunction()
 
-# Where programs look for the modules that they load: in the build tree, tests as well, and once
-# installed. A run path of the older kind, since the newer one is that of whoever calls dlopen: with
-# a sanitizer, not the program.
+# Where programs look for the modules that they load: in the build tree beside the command, as seen
+# from the command itself and from the folders of tests and tools; once installed, in lib/clew. A run
+# path of the older kind, since the newer one is that of whoever calls dlopen: with a sanitizer, not
+# the program.
 set(CLEW_MODULE_DIRECTORY lib/clew)
-set(CMAKE_BUILD_RPATH ${PROJECT_BINARY_DIR})
-set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
+set(CMAKE_BUILD_RPATH "$ORIGIN" "$ORIGIN/../..")
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CLEW_MODULE_DIRECTORY}")
 add_link_options(-Wl,--disable-new-dtags)
 
