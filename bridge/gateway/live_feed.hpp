@@ -61,6 +61,9 @@ class FedSink : public SampleSink {
   void add_state(const SpooledState& state) override {
     if (next_ != nullptr) next_->add_state(state);
   }
+  void add_intervention(const domain::Intervention& intervention) override {
+    if (next_ != nullptr) next_->add_intervention(intervention);
+  }
 
  private:
   SampleSink* next_;

@@ -40,7 +40,7 @@ class Supervisor {
     ProgressDisplay display;                   ///< may be null
     StartProcess start = ChildProcess::start;  ///< starts a program
     RunControl* control = nullptr;  ///< what is changed while the run goes on; null: nothing may be
-    WatchSamples watch = nullptr;              ///< sees what the recorder gets; may be null
+    WatchSamples watch = nullptr;   ///< sees what the recorder gets; may be null
   };
 
   Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
