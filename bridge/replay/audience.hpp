@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "component/start_barrier.hpp"
-#include "replay/fed_component.hpp"
 #include "line/wake_up.hpp"
+#include "replay/fed_component.hpp"
 #include "runtime/component.hpp"
 #include "vendors/third_party_environment.hpp"
 

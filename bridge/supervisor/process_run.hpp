@@ -21,8 +21,7 @@ namespace clew::bridge {
 core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const ProcessLayout& layout,
                                       const std::optional<RecordingOrder>& recording,
                                       const ProgressDisplay& display,
-                                      const ProcessStart& start = {},
-                                      RunControl* control = nullptr,
+                                      const ProcessStart& start = {}, RunControl* control = nullptr,
                                       const WatchSamples& watch = nullptr);
 
 }  // namespace clew::bridge
