@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * What a node of ROS 2 on Cyclone DDS would see of its domain: plain C, types by idlc, nothing of
- * Clew. The participant is configured as rmw_cyclonedds does for localhost only (Jazzy's
- * ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST).
+ * Clew. The participant is configured as rmw_cyclonedds does with ROS_LOCALHOST_ONLY=1 (Humble).
  *
  *     cyclone_listener DOMAIN
  *
@@ -20,11 +19,9 @@
 
 #include "ros_types.h"
 
-#define CONFIGURATION                                                             \
-  "<CycloneDDS><Domain><General><AllowMulticast>false</AllowMulticast></General>" \
-  "<Discovery><ParticipantIndex>auto</ParticipantIndex>"                          \
-  "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"                         \
-  "<Peers><Peer Address=\"localhost\"/></Peers></Discovery></Domain></CycloneDDS>"
+#define CONFIGURATION                         \
+  "<CycloneDDS><Domain><General><Interfaces>" \
+  "<NetworkInterface address=\"127.0.0.1\"/></Interfaces></General></Domain></CycloneDDS>"
 
 struct topic {
   const char* name;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// As cyclone_listener.c, but a node on Fast DDS: plain Fast DDS, nothing of Clew. The participant
-/// is configured as rmw_fastrtps does for localhost only. Types are bytes to it.
+/// is configured as rmw_fastrtps does with ROS_LOCALHOST_ONLY=1 (Humble). Types are bytes to it.
 ///     fastdds_listener DOMAIN
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <poll.h>
 
 #include <cstdio>
@@ -105,18 +104,12 @@ DomainParticipantQos localhost_only() {
   qos.name("/");
   const std::string enclave = "enclave=/;";
   qos.user_data().data_vec({enclave.begin(), enclave.end()});
-  auto& builtin = qos.wire_protocol().builtin;
-  builtin.metatrafficMulticastLocatorList.clear();
-  builtin.metatrafficUnicastLocatorList.push_back(eprosima::fastrtps::rtps::Locator_t());
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.push_back(
       std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>());
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
-  udp->maxInitialPeersRange = 32;
+  udp->interfaceWhiteList.emplace_back("127.0.0.1");
   qos.transport().user_transports.push_back(udp);
-  eprosima::fastrtps::rtps::Locator_t peer;
-  eprosima::fastrtps::rtps::IPLocator::setIPv4(peer, 127, 0, 0, 1);
-  builtin.initialPeersList.push_back(peer);
   return qos;
 }
 
