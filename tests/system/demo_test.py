@@ -4,6 +4,7 @@ can be typed next."""
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -43,6 +44,15 @@ class Demo(unittest.TestCase):
                               env={**os.environ, "PATH": f"{self.tree}/bin:{os.environ['PATH']}"},
                               shell=isinstance(command, str), check=False)
 
+    def first_line_of(self, command):
+        """Of a command that goes on until Ctrl-C."""
+        with subprocess.Popen(f"exec {command}", cwd=self.tree, stdout=subprocess.PIPE, text=True,
+                              shell=True) as process:
+            line = process.stdout.readline()
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=TIMEOUT_S)
+        return line
+
     def demo(self, *arguments):
         return self.run_shown([self.tree / "tools/demo", *arguments], self.elsewhere)
 
@@ -59,9 +69,11 @@ class Demo(unittest.TestCase):
         self.assertEqual(demo.returncode, 0, demo.stderr)
         self.assertIn("reached in ", demo.stdout)
         self.assertEqual(self.names_left(), ["some where.mcap", "some where.svg"])
-        self.assertEqual(len(commands), 5, demo.stdout)
+        self.assertEqual(len(commands), 6, demo.stdout)
         self.assertEqual(sum("--world" in command for command in commands), 3)
-        for command in commands:
+        view, *others = commands
+        self.assertTrue(self.first_line_of(view).startswith("view http://127.0.0.1:"), view)
+        for command in others:
             typed = self.run_shown(command, self.tree)
             self.assertEqual(typed.returncode, 0, command + typed.stderr)
 

@@ -160,6 +160,7 @@ TEST_P(DdsPair, ABestEffortReaderHoldsUpNobody) {
   spec.qos.transient_local = false;
   open_reader(spec);
   ASSERT_TRUE(writer_side_.wait_for_matches(1));
+  ASSERT_TRUE(reader_side_.wait_for_matches(1));
   samples_.hold();
 
   for (std::uint32_t i = 0; i < 100 * kDepth; ++i) {

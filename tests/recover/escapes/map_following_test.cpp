@@ -217,7 +217,7 @@ TEST_P(RememberedWayTest, KeepsItsProofInItsState) {
   core::StateReader reader(writer.bytes());
   loaded->load(reader);
 
-  EXPECT_TRUE(reader.complete());
+  EXPECT_TRUE(reader.complete()) << reader.fault();
   for (std::uint64_t tick = 101; tick <= 120; ++tick) memory_.tick(*loaded, held.situation(tick));
   EXPECT_EQ(memory_.tick(*loaded, held.situation(121)).status, EscapeStatus::kUnreachable);
 }
