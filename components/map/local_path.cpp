@@ -287,7 +287,8 @@ void LocalPath::save(core::StateWriter& writer) const { writer(state_); }
 
 void LocalPath::load(core::StateReader& reader) {
   reader(state_);
-  // A path that was sought in vain has no corners, and the robot's next one is the first all the same.
+  // A path that was sought in vain has no corners, and the robot's next one is the first all the
+  // same.
   const std::size_t corners = std::max<std::size_t>(state_.corners_odom.size(), 1);
   const bool valid = state_.next <= corners && state_.refused_odom.size() <= kMostRefused;
   if (!reader.check(valid, "the path has no such corner")) state_ = {};
