@@ -81,16 +81,23 @@ Result<plugin::Descriptor> read_descriptor(const std::string& path, std::string&
   }
   std::size_t segments = 0;
   if (elf_getphdrnum(elf.get(), &segments) != 0) return refuse("is a broken shared library");
+  std::optional<plugin::Descriptor> found;
   for (std::size_t i = 0; i < segments; ++i) {
     GElf_Phdr segment{};
-    if (gelf_getphdr(elf.get(), static_cast<int>(i), &segment) == nullptr) break;
-    if (segment.p_type != PT_NOTE) continue;
+    if (gelf_getphdr(elf.get(), static_cast<int>(i), &segment) == nullptr) {
+      return refuse("is a broken shared library");
+    }
+    // The linker maps segments as they are declared, and dies where the file has ended.
+    const bool is_there =
+        segment.p_offset <= bytes.size() && segment.p_filesz <= bytes.size() - segment.p_offset;
+    if (!is_there) return refuse("is cut off: it lacks a part that it declares");
+    if (segment.p_type != PT_NOTE || found) continue;
     const Elf_Data* notes =
         elf_getdata_rawchunk(elf.get(), static_cast<std::int64_t>(segment.p_offset),
                              segment.p_filesz, segment.p_align == 8 ? ELF_T_NHDR8 : ELF_T_NHDR);
-    if (notes == nullptr) continue;
-    if (const auto found = find_note(*notes)) return *found;
+    if (notes != nullptr) found = find_note(*notes);
   }
+  if (found) return *found;
   return refuse("is a shared library, but no plug-in of clew: it has no CLEW_PLUGIN");
 }
 

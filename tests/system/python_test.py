@@ -33,7 +33,7 @@ class PythonTest(unittest.TestCase):
 
     def test_the_tutorial_runs_as_it_is(self):
         with tempfile.TemporaryDirectory() as folder:
-            done = run_python(SOURCE / "tools/python/tutorial.py", cwd=folder)
+            done = run_python(SOURCE / "tools/python/tutorial/tutorial.py", cwd=folder)
 
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertTrue((pathlib.Path(folder) / "tutorial.mcap").exists())

@@ -6,8 +6,8 @@
 namespace clew::tools {
 namespace {
 
-// Completes the words of the commands' tables. _clew_table prints, for the commands typed so far,
-// the words that may follow; _clew_names the names that a value is chosen from.
+// Completes the words of the tables of commands. _clew_words prints, for the commands typed so far,
+// the words that may follow; _clew_list which list a value is chosen from.
 constexpr char kBashFunction[] = R"sh(_clew() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} commands= i list
   COMPREPLY=()
@@ -19,9 +19,11 @@ constexpr char kBashFunction[] = R"sh(_clew() {
   list=$(_clew_list "$commands $before")
   if [[ -z $list && $word != -* && $before != -* ]]; then list=$(_clew_list "$commands"); fi
   if [[ -n $list ]]; then
-    COMPREPLY=($(compgen -W "$("${COMP_WORDS[0]}" list "$list" 2>/dev/null | cut -d' ' -f1)" -- "$word"))
-  elif [[ $word == -* || -z $commands || $commands == train || $commands == world ]];
-then COMPREPLY = ($(compgen - W "$(_clew_words " $commands ")" --"$word")) fi
+    COMPREPLY=($(compgen -W \
+      "$("${COMP_WORDS[0]}" list "$list" 2>/dev/null | cut -d' ' -f1)" -- "$word"))
+  elif [[ $word == -* || -z $commands || $commands == train || $commands == world ]]; then
+    COMPREPLY=($(compgen -W "$(_clew_words "$commands")" -- "$word"))
+  fi
 }
 complete -o default -F _clew clew
 )sh";
@@ -37,9 +39,11 @@ constexpr char kZshFunction[] = R"sh(_clew() {
   if [[ -z $list && $PREFIX != -* && $before != -* ]]; then list=$(_clew_list "$commands"); fi
   if [[ -n $list ]]; then
     compadd -- ${(f)"$(${words[1]} list $list 2>/dev/null | cut -d' ' -f1)"}
-  elif [[ $PREFIX == -* || -z $commands || $commands == train || $commands == world ]];
-then compadd-- $ { = $(_clew_words "$commands") }
-else _files fi
+  elif [[ $PREFIX == -* || -z $commands || $commands == train || $commands == world ]]; then
+    compadd -- ${=$(_clew_words "$commands")}
+  else
+    _files
+  fi
 }
 _clew "$@"
 )sh";

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Clew in Python, step by step. The tests run this file as it is:
 
-    PYTHONPATH=build/python /usr/bin/python3 tools/python/tutorial.py
+    PYTHONPATH=build/python /usr/bin/python3 tools/python/tutorial/tutorial.py
 """
 import numpy as np
 
