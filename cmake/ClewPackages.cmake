@@ -7,7 +7,7 @@ endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME clew)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "The Clew authors <clew@localhost.localdomain>")
+set(CPACK_PACKAGE_CONTACT "The Clew authors <clew@users.noreply.github.com>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL ${packages})
@@ -20,23 +20,23 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/settle_times.cmake)
 
 set(CPACK_COMPONENT_CLEW_DESCRIPTION "Sensor-based navigation of a mobile robot that gets trapped
- Clew runs the behaviours of a mobile robot as a graph of DDS components, in one
- process or in many, with the same bytes. A recording holds the whole run and can
- be replayed, changed and continued.")
+Clew runs the behaviours of a mobile robot as a graph of DDS components,
+in one process or in many, with the same bytes. A recording holds the
+whole run and can be replayed, changed and continued.")
 set(CPACK_DEBIAN_CLEW_PACKAGE_NAME clew)
 set(CPACK_DEBIAN_CLEW_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_CLEW_PACKAGE_SHLIBDEPS ON)
 
 set(CPACK_COMPONENT_LIBCLEW-DEV_DESCRIPTION "Sensor-based navigation of a mobile robot (development files)
- Static libraries and headers of Clew's behaviours, runtime, recordings and
- replay: for programs that use them, and for plug-ins of the clew command.")
+Static libraries and headers of Clew's behaviours, runtime, recordings and
+replay: for programs that use them, and for plug-ins of the clew command.")
 set(CPACK_DEBIAN_LIBCLEW-DEV_PACKAGE_NAME libclew-dev)
 set(CPACK_DEBIAN_LIBCLEW-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBCLEW-DEV_PACKAGE_DEPENDS "clew (= ${PROJECT_VERSION}), libeigen3-dev (>= 3.4), libfmt-dev (>= 9), nlohmann-json3-dev, libyaml-cpp-dev, libxxhash-dev, libzstd-dev, liblz4-dev, zlib1g-dev, pkg-config, libelf-dev, libfastrtps-dev, cyclonedds-dev")
 
 set(CPACK_COMPONENT_PYTHON3-CLEW_DESCRIPTION "Sensor-based navigation of a mobile robot (Python module)
- Runs Clew's graphs in Python, reads recordings as NumPy arrays, and takes
- behaviours that are written in Python.")
+Runs Clew's graphs in Python, reads recordings as NumPy arrays, and takes
+behaviours that are written in Python.")
 set(CPACK_DEBIAN_PYTHON3-CLEW_PACKAGE_NAME python3-clew)
 set(CPACK_DEBIAN_PYTHON3-CLEW_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON3-CLEW_PACKAGE_SHLIBDEPS ON)
@@ -60,7 +60,7 @@ file(WRITE ${PROJECT_BINARY_DIR}/packaging/changelog
 
   * Release ${PROJECT_VERSION}.
 
- -- The Clew authors <clew@localhost.localdomain>  Sat, 28 Nov 2026 00:00:00 +0000
+ -- The Clew authors <clew@users.noreply.github.com>  Sat, 28 Nov 2026 00:00:00 +0000
 ")
 execute_process(COMMAND ${CLEW_GZIP} -9nf ${PROJECT_BINARY_DIR}/packaging/changelog)
 foreach(package IN LISTS packages)
