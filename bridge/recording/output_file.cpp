@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -13,6 +15,9 @@
 
 namespace clew::bridge::mcap {
 namespace {
+
+// Of what was written last, so many bytes are looked for again.
+constexpr std::size_t kTailBytes = 64;
 
 enum class PathKind { kMissing, kRegularFile, kDirectory, kDevice, kOther };
 
@@ -114,6 +119,7 @@ OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
   std::swap(keeps_, other.keeps_);
   std::swap(position_, other.position_);
   std::swap(file_bytes_, other.file_bytes_);
+  std::swap(tail_, other.tail_);
   std::swap(state_, other.state_);
   return *this;
 }
@@ -145,20 +151,25 @@ core::Result<void> OutputFile::append(std::string_view bytes) {
   if (keeps_) return demand(bytes);
   CLEW_RETURN_IF_ERROR(write_at_end(bytes));
   position_ += bytes.size();
+  keep_tail(bytes);
   if (file_bytes_ > position_) {
     if (::ftruncate(descriptor_, static_cast<off_t>(position_)) != 0) {
       return fail("cannot be cut", errno);
     }
     file_bytes_ = position_;
   }
-  return check_still_there();
+  return {};
+}
+
+void OutputFile::keep_tail(std::string_view bytes) {
+  tail_ += bytes.substr(bytes.size() - std::min(bytes.size(), kTailBytes));
+  tail_.erase(0, tail_.size() - std::min(tail_.size(), kTailBytes));
 }
 
 core::Result<void> OutputFile::write_ahead(std::string_view bytes) {
   CLEW_RETURN_IF_ERROR(state_);
   if (is_device_ || keeps_) return {};
-  CLEW_RETURN_IF_ERROR(write_at_end(bytes));
-  return check_still_there();
+  return write_at_end(bytes);
 }
 
 core::Result<void> OutputFile::demand(std::string_view bytes) {
@@ -177,6 +188,7 @@ core::Result<void> OutputFile::demand(std::string_view bytes) {
                                                 " what this version does not write for this run");
   }
   position_ += bytes.size();
+  keep_tail(bytes);
   return {};
 }
 
@@ -193,7 +205,16 @@ core::Result<void> OutputFile::write_at_end(std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   if (at > file_bytes_) file_bytes_ = at;
-  return {};
+  return check_still_there();
+}
+
+/// Whether what was written last is still there. A file that is cut and written on has its length
+/// again, with zeros in between.
+bool OutputFile::has_its_tail() const {
+  std::array<char, kTailBytes> found;
+  const ssize_t got = ::pread(descriptor_, found.data(), tail_.size(),
+                              static_cast<off_t>(position_ - tail_.size()));
+  return got >= 0 && std::string_view(found.data(), static_cast<std::size_t>(got)) == tail_;
 }
 
 // Writing to a file without a name succeeds, and is lost.
@@ -201,7 +222,8 @@ core::Result<void> OutputFile::check_still_there() {
   struct stat status {};
   if (is_device_) return {};
   const bool known = ::fstat(descriptor_, &status) == 0;
-  const bool whole = known && static_cast<std::uint64_t>(status.st_size) >= position_;
+  const bool long_enough = known && static_cast<std::uint64_t>(status.st_size) >= position_;
+  const bool whole = long_enough && has_its_tail();
   if (whole && status.st_nlink > 0) return {};
   state_ = error_at(written_path_, known && status.st_nlink > 0
                                        ? "was cut by somebody else while it was written"

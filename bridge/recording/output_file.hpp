@@ -62,6 +62,8 @@ class OutputFile {
   core::Result<void> demand(std::string_view bytes);
   core::Result<void> write_at_end(std::string_view bytes);
   core::Result<void> check_still_there();
+  bool has_its_tail() const;
+  void keep_tail(std::string_view bytes);
   core::Result<void> fail(const std::string& what, int error_number);
   void close();
 
@@ -72,6 +74,7 @@ class OutputFile {
   bool keeps_ = false;
   std::uint64_t position_ = 0;
   std::uint64_t file_bytes_ = 0;  ///< the file's size
+  std::string tail_;              ///< the last bytes before position_ that were appended
   std::string there_;             ///< kept for its memory
   core::Result<void> state_;
 };

@@ -19,6 +19,9 @@ export function clew(...words) {
 }
 export const json_lines = (text) => text.trim().split("\n").filter((line) => line !== "").map((line) => JSON.parse(line));
 
+/// How many ticks a recording has.
+export const ticks_of = (file) => json_lines(clew("echo", file, "state", "--jsonl", "--field", "outcome").out).length;
+
 export function scratch_directory(context) {
   const directory = mkdtempSync(path.join(tmpdir(), "clew-view-test-"));
   context.after(() => rmSync(directory, { recursive: true, force: true }));
