@@ -18,7 +18,7 @@ max_ticks: 6000
 """
 SEEDS = range(1, 6) if SOAK else [1]
 COUNT = 1000 if SOAK else 16
-# A gap a few millimetres narrower than the robot lets it in and holds it, now here, now there: no
+# A gap about 2 cm narrower than the robot lets it in and holds it, now here, now there: no
 # cut stands. Following an obstacle proves nothing where the robot is enclosed in a small space.
 LEAST_TOLD_BY_MAP = 0.9
 LEAST_TOLD_BY_CIRCUITS = 0.4
