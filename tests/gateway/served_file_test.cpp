@@ -32,7 +32,10 @@ TEST(ByteRange, RefusesWhatIsNoRangeOfTheFile) {
 
 class AServedFile : public ::testing::Test {
  protected:
-  AServedFile() : path_(::testing::TempDir() + "clew_served_file_test.bin") {
+  // Tests run side by side: each has a file of its own.
+  AServedFile()
+      : path_(::testing::TempDir() + "clew_served_file_" +
+              ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".bin") {
     std::ofstream(path_, std::ios::binary) << "0123456789";
   }
   ~AServedFile() override { std::remove(path_.c_str()); }

@@ -26,13 +26,14 @@ using core::Error;
 using core::Resource;
 using core::Result;
 
-// The robot of the paper's training runs: fuzzy control, no memory; classify only tells classes.
+// The robot of the paper's training runs: fuzzy control up to the target, no memory; classify only
+// tells classes.
 constexpr char kTrainingGraph[] = R"(world: landmark
 robot: disc-015
 max_ticks: 1000
 sense:    {behaviour: cones}
 classify: {behaviour: krishna_kalra, networks: [], som: ""}
-control:  {behaviour: krishna_kalra_fuzzy}
+control:  {behaviour: krishna_kalra_fuzzy, approach_m: 0}
 drive:    {behaviour: turn_then_step}
 )";
 
