@@ -58,6 +58,8 @@ class McapWriter {
   std::uint64_t chunk_count() const { return statistics_.chunk_count; }
   /// OutputFile::keep.
   void keep(bool keep) { file_.keep(keep); }
+  /// Writes what the file held back. OutputFile::hold().
+  core::Result<void> release() { return file_.release(); }
 
   /// Closes the chunk, writes the summary and closes the file, which keeps its temporary name.
   /// Nothing may follow.

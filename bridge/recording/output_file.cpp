@@ -117,6 +117,8 @@ OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
   std::swap(is_device_, other.is_device_);
   std::swap(keeps_, other.keeps_);
+  std::swap(holds_, other.holds_);
+  std::swap(held_, other.held_);
   std::swap(position_, other.position_);
   std::swap(file_bytes_, other.file_bytes_);
   std::swap(tail_, other.tail_);
@@ -148,6 +150,10 @@ core::Result<void> OutputFile::fail(const std::string& what, int error_number) {
 core::Result<void> OutputFile::append(std::string_view bytes) {
   CLEW_RETURN_IF_ERROR(state_);
   CLEW_CHECK(descriptor_ >= 0, "append to " + path_ + ", which is closed");
+  if (holds_) {
+    held_ += bytes;
+    return {};
+  }
   if (keeps_) return demand(bytes);
   CLEW_RETURN_IF_ERROR(write_at_end(bytes));
   position_ += bytes.size();
@@ -159,6 +165,12 @@ core::Result<void> OutputFile::append(std::string_view bytes) {
     file_bytes_ = position_;
   }
   return {};
+}
+
+core::Result<void> OutputFile::release() {
+  holds_ = false;
+  const std::string together = std::exchange(held_, {});
+  return append(together);
 }
 
 void OutputFile::keep_tail(std::string_view bytes) {

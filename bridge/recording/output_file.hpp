@@ -34,6 +34,11 @@ class OutputFile {
   /// Puts `bytes` behind the end, where the next append() writes over them: until then a crash
   /// leaves them. Does nothing on a device.
   core::Result<void> write_ahead(std::string_view bytes);
+  /// Until release(), append() only collects. What belongs together is then written by one call, so
+  /// that a process which dies leaves all of it or nothing (the kernel may still cut such a write
+  /// between two pages if it kills the process in the middle of it).
+  void hold() { holds_ = true; }
+  core::Result<void> release();
   /// While it keeps, append() writes nothing: it only demands that the bytes stand there already.
   void keep(bool keep) { keeps_ = keep; }
 
@@ -55,7 +60,7 @@ class OutputFile {
   /// The name that it gets when it is whole.
   const std::string& path() const { return path_; }
   /// Bytes appended so far.
-  std::uint64_t position() const { return position_; }
+  std::uint64_t position() const { return position_ + held_.size(); }
 
  private:
   OutputFile(std::string path, int descriptor, bool is_device, std::uint64_t file_bytes);
@@ -72,7 +77,9 @@ class OutputFile {
   int descriptor_ = -1;
   bool is_device_ = false;
   bool keeps_ = false;
-  std::uint64_t position_ = 0;
+  bool holds_ = false;
+  std::string held_;              ///< what release() will append
+  std::uint64_t position_ = 0;    ///< behind what stands in the file
   std::uint64_t file_bytes_ = 0;  ///< the file's size
   std::string tail_;              ///< the last bytes before position_ that were appended
   std::string there_;             ///< kept for its memory

@@ -79,6 +79,8 @@ core::Result<RunRecorder> RunRecorder::start(mcap::OutputFile file,
   writer_options.library = library_of(description);
   writer_options.compression = description.compression;
   writer_options.chunk_span_ns = kChunkSpanNs;
+  // A run that dies now leaves a file that says which run it is of, or an empty one.
+  file.hold();
   auto writer = mcap::McapWriter::create(std::move(file), writer_options);
   if (!writer) return writer.error();
   CLEW_RETURN_IF_ERROR(writer->write(to_metadata(description)));
@@ -91,6 +93,7 @@ core::Result<RunRecorder> RunRecorder::start(mcap::OutputFile file,
           mcap::Attachment{0, 0, kStatePrefix + stage, "application/octet-stream", state}));
     }
   }
+  CLEW_RETURN_IF_ERROR(writer->release());
   RunRecorder recorder(std::move(writer).value(), description.tick_s);
   recorder.declare_topics(description.schemas);
   return recorder;

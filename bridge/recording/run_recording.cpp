@@ -64,7 +64,7 @@ core::Result<void> RunRecording::read_description() {
     }
   }
   if (described) return {};
-  if (tear()) return error("is cut off before it says which run it is of");
+  if (tear()) return error("is cut off before it says which run it is of: it holds no ticks");
   return error("is no recording of a run: it has no metadata record '" +
                std::string(kDescriptionName) + "'");
 }

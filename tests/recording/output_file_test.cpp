@@ -185,6 +185,24 @@ TEST(OutputFile, LeavesAFileAsItIsThatHoldsSomethingElse) {
   EXPECT_EQ(read_bytes(path + ".tmp~"), "one two");
 }
 
+TEST(OutputFile, WritesNothingWhileItHolds) {
+  const ScratchDirectory scratch;
+  const std::string path = scratch.file("held");
+  auto file = OutputFile::create(path, false);
+  ASSERT_TRUE(file);
+
+  file->hold();
+  ASSERT_TRUE(file->append("what belongs ") && file->append("together"));
+  EXPECT_EQ(file->position(), 21U);
+  EXPECT_EQ(read_bytes(path + ".tmp~"), "");
+  ASSERT_TRUE(file->release());
+
+  EXPECT_EQ(read_bytes(path + ".tmp~"), "what belongs together");
+  ASSERT_TRUE(file->append(", and more"));
+  EXPECT_EQ(read_bytes(path + ".tmp~"), "what belongs together, and more");
+  EXPECT_EQ(file->position(), 31U);
+}
+
 TEST(OutputFile, WritesOverWhatItWroteAhead) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("ahead");
