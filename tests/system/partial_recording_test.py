@@ -82,21 +82,27 @@ class Records(Partial):
 
 
 class Aborted(Partial):
-    def test_in_real_time_after_the_last_command_of_a_frozen_control(self):
-        recording = self.directory / "frozen.mcap"
+    def replay_of_a_run_with_frozen_control(self, recording):
         process = self.start_recording(recording, 30_000, "--pace", "realtime",
-                                       "--set", "drive.tick_s=0.05")
-
+                                       "--set", "drive.tick_s=0.05", "--force")
         os.kill(components_of(process.pid)["control"], signal.SIGSTOP)
         process.communicate(timeout=20)
         replay = self.ran(["replay", recording, "--json"], 0)
 
         self.assertEqual(process.returncode, 1)
-        ticks = {one["component"]: one["ticks"] for one in replay.report["components"]}
         self.assertTrue(replay.report["identical"])
-        # It was killed after two seconds, through which the others went on.
-        self.assertGreater(ticks["drive"], ticks["control"] + 20)
         self.assertIn("is of a run that was aborted (control", replay.err)
+        return {one["component"]: one["ticks"] for one in replay.report["components"]}
+
+    def test_in_real_time_after_the_last_command_of_a_frozen_control(self):
+        # It is killed after two seconds, through which the others go on. A machine that stands
+        # still for those two seconds lets nobody go on: hence more than one try.
+        recording = self.directory / "frozen.mcap"
+        for _ in range(3):
+            ticks = self.replay_of_a_run_with_frozen_control(recording)
+            if ticks["drive"] > ticks["control"] + 20:
+                return
+        self.fail(f"drive did not go on without control: {ticks}")
 
     def test_of_an_interrupted_run_goes_up_to_the_interrupt(self):
         for layout in (["--layout", "processes"], ["--layout", "composed"]):
