@@ -68,7 +68,9 @@ class Demo(unittest.TestCase):
 
         self.assertEqual(demo.returncode, 0, demo.stderr)
         self.assertIn("reached in ", demo.stdout)
-        self.assertEqual(self.names_left(), ["some where.mcap", "some where.svg"])
+        self.assertEqual(self.names_left(), ["some where.html", "some where.mcap", "some where.svg"])
+        self.assertEqual(demo.stdout.splitlines()[-1],
+                         f"Look at it: {(self.tree.resolve() / 'out/some where.html').as_uri()}")
         self.assertEqual(len(commands), 6, demo.stdout)
         self.assertEqual(sum("--world" in command for command in commands), 3)
         view, *others = commands
@@ -92,6 +94,18 @@ class Demo(unittest.TestCase):
             self.assertEqual(demo.stderr.count("clew: "), 2, demo.stderr)  # that it builds, and why not
         self.assertEqual(self.names_left(), ["broken.mcap"])
 
+    def test_without_a_page_does_the_rest(self):
+        (self.tree / "build/clew").unlink()
+        write_program(self.tree / "build/clew", f'''[ "$1" = report ] && exit 2
+exec "{pathlib.Path(CLEW).resolve()}" "$@"
+''')
+
+        demo = self.demo("u-trap")
+
+        self.assertEqual(demo.returncode, 0, demo.stderr)
+        self.assertEqual(demo.stdout.splitlines()[-1], "Look at it: no page, see above")
+        self.assertEqual(self.names_left(), ["u-trap.mcap", "u-trap.svg"])
+
     def test_of_a_mission_that_fails_shows_the_path(self):
         (self.elsewhere / "shut.yaml").write_text(
             WORLD + "walls: [[2, 0, 2, 2]]\nsolvable: false\n")
@@ -100,7 +114,7 @@ class Demo(unittest.TestCase):
 
         self.assertEqual(demo.returncode, 5, demo.stderr)
         self.assertIn("unreachable in ", demo.stdout)
-        self.assertEqual(self.names_left(), ["shut.mcap", "shut.svg"])
+        self.assertEqual(self.names_left(), ["shut.html", "shut.mcap", "shut.svg"])
 
 
 if __name__ == "__main__":
