@@ -20,6 +20,9 @@ std::string text_of(double number) {
 }  // namespace
 
 Result<void> check_format(const YamlNode& map, const char* format) {
+  if (map.kind() == YamlKind::kMap && !map.find("format")) {
+    return map.error("missing key 'format', expected " + std::string(format));
+  }
   const auto node = map.at("format");
   if (!node.ok()) return node.error();
   const auto found = node->string();

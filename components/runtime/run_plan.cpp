@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/yaml_fields.hpp"
 #include "core/yaml_reader.hpp"
 #include "world/world.hpp"
 
@@ -142,12 +143,7 @@ Result<RunPlan> read_run(const std::string& graph_name, const GraphOverrides& ov
 Result<domain::Robot> read_robot(const core::Resource& file, const std::string& name) {
   const auto root = core::YamlNode::parse(file.text, file.file);
   if (!root.ok()) return root.error();
-  const auto format = root->at("format");
-  if (!format.ok()) return format.error();
-  const auto format_name = format->string();
-  if (!format_name.ok() || *format_name != kRobotFormat) {
-    return format->error("format is " + format->found() + "; allowed: " + kRobotFormat);
-  }
+  CLEW_RETURN_IF_ERROR(core::check_format(*root, kRobotFormat));
   CLEW_RETURN_IF_ERROR(root->check_keys({"format", "name", "about", "radius_m"}));
   domain::Robot robot;
   robot.name = name;

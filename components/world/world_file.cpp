@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/yaml_fields.hpp"
 #include "core/yaml_reader.hpp"
 #include "world/nearest_obstacle.hpp"
 
@@ -170,11 +171,7 @@ Result<void> read_list(const YamlNode& map, const char* key, std::vector<T>& val
 }
 
 Result<void> read_head(const YamlNode& root, WorldFile& world) {
-  std::string format;
-  CLEW_RETURN_IF_ERROR(read_required(root, "format", format));
-  if (format != kFormat) {
-    return root.at("format")->error("found '" + format + "', expected '" + kFormat + "'");
-  }
+  CLEW_RETURN_IF_ERROR(core::check_format(root, kFormat));
   CLEW_RETURN_IF_ERROR(root.check_keys({"format", "name", "about", "bounds", "walls", "polygons",
                                         "circles", "moving", "subgoals", "start", "target",
                                         "target_radius", "solvable", "shortest_path"}));

@@ -24,7 +24,7 @@ TEST(YamlFields, TheFormatIsTheOneExpected) {
   EXPECT_EQ(check("format: clew-a/1"), "accepted");
   EXPECT_EQ(check("format: clew-a/2"), "a.yaml:1:9: found 'clew-a/2', expected clew-a/1");
   EXPECT_EQ(check("format: [clew-a/1]"), "a.yaml:1:9: found a list of 1, expected clew-a/1");
-  EXPECT_EQ(check("name: a"), "a.yaml:1:1: missing key 'format'");
+  EXPECT_EQ(check("name: a"), "a.yaml:1:1: missing key 'format', expected clew-a/1");
 }
 
 TEST(YamlFields, ANumberIsWithinItsRange) {

@@ -239,11 +239,11 @@ TEST(RobotFile, IsRefusedWithItsPlace) {
   };
 
   EXPECT_EQ(refused(""), "a.yaml: the file is empty");
-  EXPECT_EQ(refused("radius_m: 0.2"), "a.yaml:1:1: missing key 'format'");
+  EXPECT_EQ(refused("radius_m: 0.2"), "a.yaml:1:1: missing key 'format', expected clew-robot/1");
   EXPECT_EQ(refused("{format: clew-robot/2, radius_m: 0.2}"),
-            "a.yaml:1:10: format is 'clew-robot/2'; allowed: clew-robot/1");
+            "a.yaml:1:10: found 'clew-robot/2', expected clew-robot/1");
   EXPECT_EQ(refused("{format: [clew-robot/1], radius_m: 0.2}"),
-            "a.yaml:1:10: format is a list of 1; allowed: clew-robot/1");
+            "a.yaml:1:10: found a list of 1, expected clew-robot/1");
   EXPECT_EQ(refused("format: clew-robot/1"), "a.yaml:1:1: missing key 'radius_m'");
   EXPECT_EQ(refused("{format: clew-robot/1, raduis_m: 0.2}"),
             "a.yaml:1:24: unknown key 'raduis_m' (did you mean 'radius_m'?); allowed: format, "

@@ -9,7 +9,7 @@ import tempfile
 import unittest
 from xml.etree import ElementTree
 
-from clew_command import CLEW, Run, write_file
+from clew_command import CLEW, SOURCE, Run, write_file
 
 GRAPH = """world: open-field
 robot: disc-015
@@ -65,7 +65,9 @@ class Graphs(BadInput):
         self.refused(Run(["check", write_file(WORLD)]), "file.yaml:1:9: found a file of the format "
                      "'clew-world/1', expected a graph, which has none")
         self.refused(Run(["run", "reactive", "--robot", write_file(WORLD)]),
-                     "file.yaml:1:9: format is 'clew-world/1'; allowed: clew-robot/1")
+                     "file.yaml:1:9: found 'clew-world/1', expected clew-robot/1")
+        self.refused(Run(["bench", SOURCE / "configs/graphs/default.yaml"]),
+                     "missing key 'format', expected clew-suite/")
 
     def test_a_directory_is_no_graph(self):
         self.refused(Run(["run", "./configs"], cwd=None), "cannot be read")

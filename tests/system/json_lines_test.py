@@ -90,7 +90,8 @@ class JsonLines(unittest.TestCase):
 
     def test_a_second_line_is_named_with_the_next_tick(self):
         # In one piece, so that both are there at once.
-        twice = f"print('{STOP}', *(['{STOP}'] if tick == 4 else []), sep='\\n', flush=True)"
+        twice = (f"sys.stdout.write('{STOP}\\n' * (2 if tick == 4 else 1))\n"
+                 "    sys.stdout.flush()")
         run = Run(["run", self.graph(f"{{{self.answering(twice)}}}")])
 
         self.assertEqual(run.status, 1)

@@ -204,6 +204,13 @@ class Words(Told):
         for word in ("./", "''"):
             path = write_file(graph.read_text().replace("./no_such_control", word))
             self.refused(["run", path], f"{path}:4:", "there is no program ")
+        script = write_file("#!/usr/bin/no-such-interpreter -x\n", ".sh")
+        script.chmod(0o755)
+        path = write_file(graph.read_text().replace("./no_such_control", str(script)))
+        self.refused(["run", path], f"{path}:4:", f"'{script}' names in its first line "
+                     "'/usr/bin/no-such-interpreter', which is no program")
+        self.refused(["run", "default", "--prefix", "control=no-such-debugger --args"],
+                     "--prefix: there is no program 'no-such-debugger' (looked for in PATH)")
         drive = write_file("world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n"
                            "control: {behaviour: krishna_kalra_fuzzy}\ndrive: {exec: [./d]}\n")
         self.refused(["check", drive], f"{drive}:5:", "drive has exec", "whose tick and limits it has")

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <system_error>
 
@@ -23,14 +24,42 @@ bool is_executable(const std::string& path) {
   return std::filesystem::is_regular_file(path, code) && ::access(path.c_str(), X_OK) == 0;
 }
 
-bool is_program(const std::string& word) {
-  if (word.find('/') != std::string::npos) return is_executable(word);
+/// Where exec() would find it; empty if nowhere.
+std::string place_of(const std::string& word) {
+  if (word.find('/') != std::string::npos) return is_executable(word) ? word : "";
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
-    if (is_executable(folder + '/' + word)) return true;
+    std::string place = folder + '/' + word;
+    if (is_executable(place)) return place;
   }
-  return false;
+  return "";
+}
+
+/// Of a script, the program that its first line names; empty if it names none.
+std::string interpreter_of(const std::string& place) {
+  std::ifstream file(place, std::ios::binary);
+  std::string mark(2, '\0');
+  if (!file.read(mark.data(), 2) || mark != "#!") return "";
+  std::string line;
+  std::getline(file, line);
+  std::istringstream words(line);
+  std::string interpreter;
+  words >> interpreter;
+  return interpreter;
+}
+
+/// Why exec() could not start it; empty if it can.
+std::string why_not_started(const std::string& word) {
+  const std::string place = place_of(word);
+  if (place.empty()) {
+    return fmt::format("there is no program '{}' ({})", word,
+                       word.find('/') == std::string::npos ? "looked for in PATH"
+                                                           : "a path from the working directory");
+  }
+  const std::string interpreter = interpreter_of(place);
+  if (interpreter.empty() || is_executable(interpreter)) return "";
+  return fmt::format("'{}' names in its first line '{}', which is no program", word, interpreter);
 }
 
 }  // namespace
@@ -40,14 +69,24 @@ Result<void> check_programs(const runtime::Graph& graph, const std::vector<std::
     if (stage.deployment.exec.empty()) continue;
     const bool is_external =
         std::find(external.begin(), external.end(), stage.info->name) != external.end();
-    const std::string& program = stage.deployment.exec.front();
-    if (is_external || is_program(program)) continue;
-    return stage.place.error(
-        fmt::format("exec of {}: there is no program '{}' ({})", stage.info->name, program,
-                    program.find('/') == std::string::npos ? "looked for in PATH"
-                                                           : "a path from the working directory"));
+    if (is_external) continue;
+    const std::string why = why_not_started(stage.deployment.exec.front());
+    if (!why.empty()) {
+      return stage.place.error(fmt::format("exec of {}: {}", stage.info->name, why));
+    }
   }
   return {};
+}
+
+// What the shell still has to work out is left to it.
+Result<void> check_prefix(const std::string& command) {
+  std::istringstream words(command);
+  std::string word;
+  words >> word;
+  if (word.find_first_of("\"'\\$`~(){};&|<>*?[") != std::string::npos) return {};
+  const std::string why = why_not_started(word);
+  if (why.empty()) return {};
+  return Error{why, "--prefix", 0, 0};
 }
 
 Result<void> check_pace(const runtime::Graph& graph, bridge::Pace pace) {

@@ -9,9 +9,13 @@
 
 namespace clew::tools {
 
-/// Refused: a graph with a third-party program that is not there, unless a person starts it.
+/// Refused: a graph with a third-party program that is not there or whose interpreter is not,
+/// unless a person starts it.
 core::Result<void> check_programs(const runtime::Graph& graph,
                                   const std::vector<std::string>& external);
+
+/// Refused: a command before a component whose program is not there.
+core::Result<void> check_prefix(const std::string& command);
 
 /// Refused: a factor of simulated time with a drive that is on the wire itself, which keeps its own
 /// pace.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clew/exit_status.hpp"
+#include "clew/foreign_programs.hpp"
 #include "clew/json_line.hpp"
 #include "clew/own_program.hpp"
 #include "clew/playback_console.hpp"
@@ -36,6 +37,7 @@ Result<void> read_prefix(const ReplayOptions& options, LiveReplayOptions& live) 
                  "--prefix", 0, 0};
   }
   live.prefix = options.prefix.substr(equals + 1);
+  CLEW_RETURN_IF_ERROR(check_prefix(live.prefix));
   live.starts_component = true;
   return {};
 }

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <set>
 
+#include "clew/foreign_programs.hpp"
 #include "clew/own_program.hpp"
 #include "core/nearest_name.hpp"
 #include "runtime/middleware.hpp"
@@ -98,7 +99,9 @@ Result<bridge::ProcessLayout> read_layout(const RunOptions& options, const runti
     }
     const std::string stage = text.substr(0, equals);
     CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--prefix"));
-    const bool first = layout.prefix.emplace(stage, text.substr(equals + 1)).second;
+    const std::string command = text.substr(equals + 1);
+    CLEW_RETURN_IF_ERROR(check_prefix(command));
+    const bool first = layout.prefix.emplace(stage, command).second;
     if (!first) return given_twice("--prefix", stage);
   }
   return layout;
