@@ -157,9 +157,10 @@ class JsonLines(unittest.TestCase):
         self.assertEqual(Run(["run", graph, "--record", whole]).status, 0)
         cut.write_bytes(whole.read_bytes()[:whole.stat().st_size // 2])
 
-        resumed = Run(["run", "--resume", cut])
+        named = ["--exec", f"{sys.executable} {EXAMPLE}"]
+        resumed = Run(["run", "--resume", cut, *named])
         changed = Run(["replay", whole, "--branch", "50", "--record", branch, "--json",
-                       "--set", "drive.safety=false"])
+                       "--set", "drive.safety=false", *named])
 
         self.assertEqual(resumed.status, 0, resumed.err)
         self.assertEqual(cut.read_bytes(), whole.read_bytes())

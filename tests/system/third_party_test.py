@@ -135,8 +135,17 @@ class ThirdParty(unittest.TestCase):
             self.assertEqual(Run(["run", path, "--record", whole]).status, 0)
             cut.write_bytes(whole.read_bytes()[:whole.stat().st_size // 2])
 
-            resumed = Run(["run", "--resume", cut])
-            branched = Run(["replay", whole, "--branch", "50", "--record", branch, "--json"])
+            named = ["--exec", f"{THIRD_PARTY}/straight_control --without-guidance"]
+            resume = ["run", "--resume", cut]
+            go_on = ["replay", whole, "--branch", "50", "--record", branch, "--json"]
+
+            # A recording may come from a stranger: it alone starts no program.
+            for command in (resume, [*resume, "--exec", "true"], go_on):
+                refused = Run(command)
+                self.assertEqual(refused.status, 2)
+                self.assertIn("it is run only if you name it, too", refused.err)
+            resumed = Run([*resume, *named])
+            branched = Run([*go_on, *named])
 
             self.assertEqual(resumed.status, 0, resumed.err)
             self.assertEqual(cut.read_bytes(), whole.read_bytes())

@@ -42,7 +42,10 @@ function read_all(address, protocol, last_time_ns) {
       }
     });
     client.on("message", ({ subscriptionId, timestamp, data }) => {
-      messages.get(channels.get(subscriptionId).topic).received.push({ timestamp, bytes: new Uint8Array(data.buffer, data.byteOffset, data.byteLength).slice() });
+      const { received } = messages.get(channels.get(subscriptionId).topic);
+      // What is held begins again with each subscription, and these may come a few at a time.
+      if (received.length > 0 && timestamp < received[received.length - 1].timestamp) received.length = 0;
+      received.push({ timestamp, bytes: new Uint8Array(data.buffer, data.byteOffset, data.byteLength).slice() });
       const whole = [...messages.values()].filter(({ channel }) => channel.topic !== "/foxglove/log")
         .every(({ received }) => received.length > 0 && received[received.length - 1].timestamp >= last_time_ns);
       if (!whole) return;

@@ -78,6 +78,23 @@ Result<void> check_programs(const runtime::Graph& graph, const std::vector<std::
   return {};
 }
 
+Result<void> check_programs_are_named(const runtime::Graph& graph,
+                                      const std::vector<std::string>& named,
+                                      const std::string& component) {
+  for (const auto& stage : graph.stages) {
+    if (stage.deployment.exec.empty()) continue;
+    if (!component.empty() && stage.info->name != component) continue;
+    const std::string program = fmt::format("{}", fmt::join(stage.deployment.exec, " "));
+    if (std::find(named.begin(), named.end(), program) != named.end()) continue;
+    return Error{
+        fmt::format("the recording names '{}' as the program of {}; it is run only if you name "
+                    "it, too: --exec '{}'",
+                    program, stage.info->name, program),
+        "--exec", 0, 0};
+  }
+  return {};
+}
+
 // What the shell still has to work out is left to it.
 Result<void> check_prefix(const std::string& command) {
   std::istringstream words(command);

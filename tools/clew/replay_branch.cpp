@@ -57,8 +57,10 @@ int print_report(const ReplayOptions& options, const bridge::RunReport& report,
 int branch_processes(const ReplayOptions& options, const bridge::RunRecording& recording,
                      const runtime::RunPlan& recorded, runtime::RunPlan plan) {
   const std::uint64_t tick = *options.branch_tick;
-  const auto programs = check_programs(plan.graph, {});
-  if (!programs.ok()) return complain(programs.error());
+  for (const auto& checked : {check_programs_are_named(plan.graph, options.exec),
+                              check_programs(plan.graph, {})}) {
+    if (!checked.ok()) return complain(checked.error());
+  }
   const auto start = bridge::branch_off_processes(recording, recorded, plan, tick);
   if (!start.ok()) return complain(start.error());
   settle_bundle(

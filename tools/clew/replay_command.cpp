@@ -47,6 +47,9 @@ Result<void> check_options(const ReplayOptions& options) {
     return Error{
         "--publish feeds what is recorded, --branch goes on from it: leave out one", {}, 0, 0};
   }
+  if (!options.exec.empty() && !options.start && !options.branch_tick) {
+    return Error{"needs --start or --branch", "--exec", 0, 0};
+  }
   if (!options.publishes &&
       (options.domain || options.start || !options.prefix.empty() || !options.readers.empty() ||
        options.wait_s || options.start_paused || options.commands)) {
@@ -172,9 +175,6 @@ void add_publish(CLI::App& app, ReplayOptions& options) {
   app.add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)");
   app.add_option("--middleware", options.middleware, "cyclonedds | fastdds (cyclonedds)");
   app.add_flag("--start", options.start, "start the component's process, too");
-  app.add_option("--exec", options.exec,
-                 "with --start, the COMMAND of a component of someone else's: as the recording has "
-                 "it, else nothing is run");
   app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it under a command");
   app.add_option("--reader", options.readers, "start a COMMAND that reads; may be repeated")
       ->allow_extra_args(false);
@@ -204,6 +204,10 @@ void add_replay(CLI::App& main, int& status) {
       ->check(number_between(bridge::Playback::kLowestRate, bridge::Playback::kHighestRate));
   app->add_option("--branch", options->branch_tick, "continue the run from this tick")
       ->check(whole_number());
+  app->add_option("--exec", options->exec,
+                  "with --branch, or --publish --start: a COMMAND of a component of someone else's, "
+                  "as the recording has it, else nothing is run; may be repeated")
+      ->allow_extra_args(false);
   app->add_option("--record", options->record, "write a recording of the branch (MCAP)")
       ->check(file_to_write());
   app->add_flag("--force", options->force, "overwrite it");

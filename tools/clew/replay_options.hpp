@@ -28,7 +28,7 @@ struct ReplayOptions {
   std::optional<int> domain;
   std::string middleware = "cyclonedds";
   bool start = false;                ///< the component's process
-  std::string exec;                  ///< the program that the recording may have started
+  std::vector<std::string> exec;     ///< the programs that the recording may have started
   std::string prefix;                ///< `STAGE=COMMAND`, which starts it too
   std::vector<std::string> readers;  ///< programs to start
   std::optional<double> wait_s;

@@ -71,20 +71,6 @@ Result<LiveReplayOptions> read_options(const ReplayOptions& options,
   return live;
 }
 
-/// A recording may come from a stranger: what it would have run is named by who replays it.
-Result<void> check_program(const ReplayOptions& options, const runtime::RunPlan& plan,
-                           const LiveReplayOptions& live) {
-  const runtime::GraphStage* stage = plan.graph.find(options.component);
-  if (stage == nullptr || stage->deployment.exec.empty() || !live.starts_component) return {};
-  const std::string named = fmt::format("{}", fmt::join(stage->deployment.exec, " "));
-  if (options.exec == named) return {};
-  return Error{
-      fmt::format("the recording names '{}' as the program of {}; it is run only if you name "
-                  "it, too: --exec '{}'",
-                  named, options.component, named),
-      "--exec", 0, 0};
-}
-
 std::string report_json(const LiveReplayReport& report) {
   ordered_json json = {{"component", nullptr},
                        {"ticks", report.ticks},
@@ -132,8 +118,9 @@ int replay_publish(const ReplayOptions& options, const bridge::RunRecording& rec
                    const runtime::RunPlan& recorded, const runtime::RunPlan& plan) {
   const auto live = read_options(options, recording);
   if (!live.ok()) return complain(live.error());
-  if (const auto checked = check_program(options, plan, *live); !checked.ok()) {
-    return complain(checked.error());
+  if (live->starts_component) {
+    const auto named = check_programs_are_named(plan.graph, options.exec, options.component);
+    if (!named.ok()) return complain(named.error());
   }
   PlaybackTerminal console(options.commands       ? PlaybackTerminal::Input::kCommands
                            : live->prefix.empty() ? PlaybackTerminal::Input::kKeys

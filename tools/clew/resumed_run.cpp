@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "clew/foreign_programs.hpp"
 #include "clew/plugin_options.hpp"
 #include "recorder/recording_sink.hpp"
 #include "recording/output_file.hpp"
@@ -98,6 +99,7 @@ Result<ResumedRun> resume_run(const RunOptions& options) {
   if (!plan.ok()) return plan.error();
   auto resumption = bridge::resume(*recording, *plan);
   if (!resumption.ok()) return resumption.error();
+  CLEW_RETURN_IF_ERROR(check_programs_are_named(plan->graph, options.exec));
   if (resumption->has_ended && recording->complete()) {
     return Error{fmt::format("is complete: the run ended at tick {}, nothing is left to resume",
                              resumption->processes.next_tick - 1),

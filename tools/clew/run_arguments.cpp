@@ -52,6 +52,10 @@ void add_recording(CLI::App& app, RunOptions& options) {
   add("--on-record-error", options.on_record_error,
       "stop | continue: what the run does if its recording fails or lacks samples (stop)");
   add("--resume", options.resume, "resume the cut-off run of a recording, instead of a graph");
+  add("--exec", options.exec,
+      "with --resume: a COMMAND of a component of someone else's, as the recording has it, else "
+      "nothing is run; may be repeated")
+      ->allow_extra_args(false);
 }
 
 /// `--view` alone takes a free port.

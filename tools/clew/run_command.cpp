@@ -58,6 +58,9 @@ Result<void> check_black_box(const RunOptions& options) {
 
 Result<void> check_options(const RunOptions& options) {
   CLEW_RETURN_IF_ERROR(check_black_box(options));
+  if (!options.exec.empty() && options.resume.empty()) {
+    return Error{"needs --resume: a graph names its programs itself", "--exec", 0, 0};
+  }
   if (options.layout != "processes" && options.layout != "composed") {
     return Error{core::unknown_name("layout", options.layout, {"processes", "composed"}),
                  "--layout", 0, 0};

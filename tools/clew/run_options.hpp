@@ -22,6 +22,7 @@ struct RunOptions {
   std::optional<int> realtime_priority;
   std::string record;
   std::string resume;  ///< a recording to go on with, in the graph's place
+  std::vector<std::string> exec;  ///< with resume, the programs that it may start
   bool force = false;
   std::string record_on;                ///< `trap`: a black box
   std::optional<double> record_last_s;  ///< that a black box keeps; none: 30
