@@ -4,6 +4,7 @@
 import type { Run, RunEvent } from "./run";
 import { draw_mark, run_colour, run_dash } from "./theme";
 import type { Theme } from "./theme";
+import { thinned } from "./thinned";
 import { place_at } from "./world";
 import type { Point, World } from "./world";
 
@@ -143,24 +144,9 @@ function draw_moving(scene: Scene, world: World, time_s: number): void {
   }
 }
 
-/// Draws the poses from one place in the lists to another, all of them, or of one mode.
-function stretch(scene: Scene, run: Run, from: number, to: number, belief: boolean): void {
-  const poses = belief ? run.belief : run.truth;
-  const { g, view } = scene;
-  // More points than pixels need not be drawn.
-  const stride = Math.max(1, Math.floor((to - from) / 20000));
-  g.beginPath();
-  for (let i = from; i <= to; i += stride) {
-    const pose = poses[i];
-    if (pose) g.lineTo(...view.at(pose.x, pose.y));
-  }
-  const last = poses[to];
-  if (last) g.lineTo(...view.at(last.x, last.y));
-  g.stroke();
-}
-
 export function draw_paths(scene: Scene, run: Run): void {
-  const { g, theme, layers } = scene;
+  const { g, view, theme, layers } = scene;
+  const drawn = thinned(run, view);
   const now = run.index_at(scene.tick);
   const end = run.ticks.length - 1;
   const colour = run_colour(theme, run.index);
@@ -170,39 +156,27 @@ export function draw_paths(scene: Scene, run: Run): void {
   if (layers.has("ahead") && now < end) {
     g.globalAlpha = 0.28;
     g.lineWidth = 1.5;
-    stretch(scene, run, now, end, false);
+    drawn.ahead.draw(g, view, now, true);
   }
   g.globalAlpha = 1;
   if (layers.has("path")) {
     g.lineWidth = 2;
-    stretch(scene, run, 0, now, false);
-    draw_recovering(scene, run, now);
+    drawn.truth.draw(g, view, now);
+    // Where an escape was at work the path is twice as wide, with a light core.
+    g.setLineDash([]);
+    g.lineWidth = 4.5;
+    drawn.recovering.draw(g, view, now);
+    g.strokeStyle = theme.field;
+    g.lineWidth = 1.5;
+    drawn.recovering.draw(g, view, now);
   }
   g.setLineDash([1, 4]);
   if (layers.has("belief")) {
     g.lineWidth = 1.5;
     g.strokeStyle = theme.faint;
-    stretch(scene, run, 0, now, true);
+    drawn.belief.draw(g, view, now);
   }
   g.setLineDash([]);
-}
-
-/// Where an escape was at work the path is twice as wide, with a light core.
-function draw_recovering(scene: Scene, run: Run, now: number): void {
-  const { g, theme } = scene;
-  for (let i = 0; i < now; i++) {
-    if (run.mode[i] !== 1) continue;
-    let to = i;
-    while (to < now && run.mode[to] === 1) to++;
-    g.setLineDash([]);
-    g.strokeStyle = run_colour(theme, run.index);
-    g.lineWidth = 4.5;
-    stretch(scene, run, i, to, false);
-    g.strokeStyle = theme.field;
-    g.lineWidth = 1.5;
-    stretch(scene, run, i, to, false);
-    i = to;
-  }
 }
 
 const kLayerOf: Partial<Record<RunEvent["kind"], string>> = {
@@ -217,7 +191,7 @@ export function by_weight(events: RunEvent[]): RunEvent[] {
 export function draw_events(scene: Scene, run: Run): void {
   const { g, view, theme } = scene;
   const colour = run_colour(theme, run.index);
-  for (const event of by_weight(run.events)) {
+  for (const event of by_weight(thinned(run, view).events)) {
     if (event.tick > scene.tick || event.kind === "end") continue;
     const layer = kLayerOf[event.kind] ?? "escapes";
     if (layer === "" || !scene.layers.has(layer)) continue;
@@ -252,10 +226,11 @@ function draw_proof(scene: Scene, event: RunEvent, [x, y]: Point): void {
 /// Virtual targets, small, each joined to where it was set; the one in force is large.
 export function draw_virtual_targets(scene: Scene, run: Run): void {
   const { g, view, theme } = scene;
-  const past = run.virtual_targets.filter((each) => each.tick <= scene.tick);
+  const past = thinned(run, view).virtual_targets.filter((each) => each.tick <= scene.tick);
   const in_force = run.recording.topic("guidance")?.number_at(scene.tick, "target_is_virtual") === 1;
-  past.forEach((each, i) => {
-    const last = in_force && i === past.length - 1;
+  const newest = in_force ? run.virtual_targets.filter((each) => each.tick <= scene.tick).pop() : undefined;
+  for (const each of newest ? [...past.filter((other) => other !== newest), newest] : past) {
+    const last = each === newest;
     const [x, y] = view.at(...each.place);
     g.strokeStyle = run_colour(theme, run.index);
     g.globalAlpha = last ? 0.9 : 0.25;
@@ -267,7 +242,7 @@ export function draw_virtual_targets(scene: Scene, run: Run): void {
     g.globalAlpha = last ? 1 : 0.6;
     draw_mark(g, "virtual_target", x, y, last ? 7 : 3, run_colour(theme, run.index), theme.field);
     g.globalAlpha = 1;
-  });
+  }
 }
 
 interface Box {

@@ -10,6 +10,8 @@ import { kKindNames } from "./theme";
 
 const kModes = ["seek", "recover", "unreachable"];
 const kDegrees = 180 / Math.PI;
+/// More entries than somebody reads.
+const kMostListed = 500;
 
 export class Overview {
   private readonly now = element("dl", { id: "now" });
@@ -63,15 +65,14 @@ export class Overview {
     const key = `${run.index} ${events.length}`;
     if (key !== this.listed) {
       this.listed = key;
-      this.events.replaceChildren(...events.slice(0, 500).map((event) => this.entry(event)));
+      this.events.replaceChildren(...events.slice(0, kMostListed).map((event) => this.entry(event)));
       if (events.length === 0) this.events.append(element("li", { class: "faint" }, "none"));
     }
-    let current: Element | undefined;
-    for (const entry of this.events.children) {
-      const is_past = Number(entry.getAttribute("data-tick")) <= this.session.tick;
-      if (is_past) current = entry;
-      entry.removeAttribute("aria-current");
-    }
+    let past = 0;
+    while (past < events.length && (events[past]?.tick ?? 0) <= this.session.tick) past++;
+    const current = this.events.children[Math.min(past, kMostListed) - 1];
+    if (current?.hasAttribute("aria-current")) return;
+    this.events.querySelector("[aria-current]")?.removeAttribute("aria-current");
     current?.setAttribute("aria-current", "true");
   }
 
