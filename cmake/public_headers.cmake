@@ -10,8 +10,8 @@ set(CLEW_BEHAVIOUR_HEADERS
   core/angle.hpp core/archive.hpp core/fuzzy.hpp core/geometry.hpp core/hash128.hpp core/math.hpp
   core/parameters.hpp core/random.hpp core/result.hpp core/segment.hpp core/yaml_fields.hpp
   core/yaml_reader.hpp
-  domain/infrared_curve.hpp domain/landmark_classes.hpp domain/messages.hpp
-  domain/motion_conversion.hpp domain/picture.hpp domain/setup.hpp domain/topics.hpp
+  domain/infrared_curve.hpp domain/inside.hpp domain/landmark_classes.hpp domain/messages.hpp
+  domain/motion_conversion.hpp domain/picture.hpp domain/setup.hpp domain/topics.hpp domain/words.hpp
   scan/nearest_return.hpp scan/safe_regions.hpp scan/scan_needs.hpp scan/seven_cones.hpp
   map/local_map.hpp map/local_path.hpp world/world.hpp
   sense/range_sensor.hpp classify/classifier.hpp plan/planner.hpp

@@ -192,8 +192,8 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
   return report;
 }
 
-Result<domain::Picture> picture_at(const RunRecording& recording, const runtime::RunPlan& plan,
-                                   const std::string& stage, std::uint64_t tick) {
+Result<domain::Inside> inside_at(const RunRecording& recording, const runtime::RunPlan& plan,
+                                 const std::string& stage, std::uint64_t tick) {
   auto made = fed_node_of(recording, plan, stage);
   if (!made) return made.error();
   FedNode& fed = *made;
@@ -211,7 +211,7 @@ Result<domain::Picture> picture_at(const RunRecording& recording, const runtime:
     last = (*recorded)->tick();
   }
   if (last != tick) return no_tick(recording, tick, last);
-  return fed.node().picture();
+  return fed.inside();
 }
 
 }  // namespace clew::bridge

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/result.hpp"
-#include "domain/picture.hpp"
+#include "domain/inside.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/sample_comparison.hpp"
 #include "runtime/run_plan.hpp"
@@ -64,11 +64,9 @@ core::Result<ReplayReport> replay_component(const RunRecording& recording,
                                             const runtime::RunPlan& plan, const std::string& stage,
                                             const ReplayRange& range = {});
 
-/// What the component of a stage of `plan` shows of a tick, having been fed all that was recorded
-/// for it up to there; an empty picture from those that show nothing. Refused: as above, and a tick
-/// that the recording does not have.
-core::Result<domain::Picture> picture_at(const RunRecording& recording,
-                                         const runtime::RunPlan& plan, const std::string& stage,
-                                         std::uint64_t tick);
+/// What the component of a stage of `plan` tells of its inside at a tick, having been fed all that
+/// was recorded for it up to there. Refused: as above, and a tick that the recording does not have.
+core::Result<domain::Inside> inside_at(const RunRecording& recording, const runtime::RunPlan& plan,
+                                       const std::string& stage, std::uint64_t tick);
 
 }  // namespace clew::bridge

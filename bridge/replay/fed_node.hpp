@@ -52,6 +52,8 @@ class FedNode {
 
   /// The outputs of the last step, and its inputs as far as they were present.
   const domain::Messages& messages() const { return messages_; }
+  /// What the component tells of the last step.
+  domain::Inside inside() const { return node_.inside(next_tick_ - 1, present_, messages_); }
   /// False of a component that is new where it begins.
   bool has_past() const { return has_past_; }
   /// Whether the last tick that was fed was stepped.

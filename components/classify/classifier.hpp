@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/archive.hpp"
+#include "domain/inside.hpp"
 #include "domain/messages.hpp"
 
 namespace clew::classify {
@@ -14,6 +15,9 @@ class Classifier {
   /// Fills all of `landmark` but its stamp. Called once a tick.
   virtual void step(const domain::Odometry& odometry, const domain::Scan& scan,
                     domain::Landmark& landmark) = 0;
+
+  /// Tells what it made of the scan of the last step.
+  virtual void tell(const domain::Odometry&, const domain::Scan&, domain::Inside&) const {}
 
   virtual void save(core::StateWriter& writer) const = 0;
   virtual void load(core::StateReader& reader) = 0;

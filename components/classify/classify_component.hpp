@@ -19,6 +19,7 @@ class ClassifyComponent final : public runtime::Component {
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
   void save(core::StateWriter& writer) const override { classifier_->save(writer); }
   void load(core::StateReader& reader) override { classifier_->load(reader); }
+  void tell(const runtime::TickInputs& samples, domain::Inside& inside) const override;
 
  private:
   std::unique_ptr<Classifier> classifier_;

@@ -86,8 +86,13 @@ class KrishnaKalra final : public Classifier {
             domain::Landmark& landmark) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
+  void tell(const domain::Odometry& odometry, const domain::Scan& scan,
+            domain::Inside& inside) const override;
 
  private:
+  void tell_networks(std::uint64_t tick, domain::Inside& inside) const;
+  void tell_som(domain::Inside& inside) const;
+  void tell_art(std::uint64_t tick, domain::Inside& inside) const;
   std::optional<std::uint32_t> som_winner(const Triple& classes, const RunLengths& lengths) const;
   void present(std::uint64_t tick, domain::Landmark& landmark);
 

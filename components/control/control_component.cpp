@@ -29,7 +29,7 @@ ControlComponent::ControlComponent(std::unique_ptr<Controller> controller,
 void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto& odometry = inputs.get<domain::Odometry>();
   const auto* guidance = inputs.find<domain::Guidance>();
-  steering_ = false;
+  decider_ = Decider::kNobody;
   domain::Motion& motion = outputs.get<domain::Command>().motion;
   if (guidance != nullptr && guidance->mode == domain::GuidanceMode::kUnreachable) {
     motion.kind = domain::CommandKind::kGiveUp;
@@ -41,7 +41,9 @@ void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
     overlay_virtual_obstacles(*guidance, odometry.pose_odom_robot, radius_m_, seen_);
   }
   if (guidance != nullptr && guidance->has_override) {
-    motion = guard_.limit(guidance->override_motion, odometry, seen_);
+    decider_ = Decider::kRecovery;
+    wanted_ = guidance->override_motion;
+    motion = guard_.limit(wanted_, odometry, seen_);
     return;
   }
   const core::Vec2 target_odom = guidance != nullptr
@@ -57,22 +59,20 @@ domain::Motion ControlComponent::steer(const domain::Odometry& odometry,
   if (guidance == nullptr || !guidance->target_is_virtual) {
     if (const auto straight = approach_.step(odometry, seen_, target_odom)) {
       const auto cut = guard_.cut_step(*straight, odometry, seen_, approach_.needs());
+      decider_ = Decider::kApproach;
+      wanted_ = *straight;
       if (cut) return *cut;
       approach_.hold(odometry);
     }
   }
-  steering_ = true;
-  return guard_.limit(controller_->step(odometry, seen_, target_odom), odometry, seen_);
+  decider_ = Decider::kController;
+  wanted_ = controller_->step(odometry, seen_, target_odom);
+  return guard_.limit(wanted_, odometry, seen_);
 }
 
 void ControlComponent::save(core::StateWriter& writer) const {
   writer(guard_.state(), approach_.state());
   controller_->save(writer);
-}
-
-/// Nothing where recovery steered: what the controller has to show is of another tick.
-domain::Picture ControlComponent::picture() const {
-  return steering_ ? controller_->picture() : domain::Picture{};
 }
 
 void ControlComponent::load(core::StateReader& reader) {

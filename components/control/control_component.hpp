@@ -37,9 +37,17 @@ class ControlComponent final : public runtime::Component {
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
-  domain::Picture picture() const override;
+  void tell(const runtime::TickInputs& samples, domain::Inside& inside) const override;
 
  private:
+  /// Whose motion was taken.
+  enum class Decider : std::uint8_t { kNobody, kRecovery, kApproach, kController };
+
+  void tell_sight(const domain::Odometry& odometry, const domain::Scan& scan,
+                  domain::Inside& inside) const;
+  void tell_decision(const domain::Odometry& odometry, const core::Vec2& target_odom,
+                     domain::Inside& inside) const;
+  void tell_guard(const domain::Motion& motion, domain::Inside& inside) const;
   domain::Motion steer(const domain::Odometry& odometry, const domain::Guidance* guidance,
                        const core::Vec2& target_odom);
 
@@ -47,8 +55,10 @@ class ControlComponent final : public runtime::Component {
   FinalApproach approach_;
   StepGuard guard_;
   double radius_m_;
-  domain::Scan seen_;      // scratch: the scan with virtual obstacles in it
-  bool steering_ = false;  // scratch: whether the controller was asked in the last step
+  // Scratch, of the last step.
+  domain::Scan seen_;      // the scan with virtual obstacles in it
+  domain::Motion wanted_;  // before the guard
+  Decider decider_ = Decider::kNobody;
 };
 
 }  // namespace clew::control

@@ -3,8 +3,8 @@
 
 #include "core/archive.hpp"
 #include "core/geometry.hpp"
+#include "domain/inside.hpp"
 #include "domain/messages.hpp"
-#include "domain/picture.hpp"
 
 namespace clew::control {
 
@@ -23,8 +23,9 @@ class Controller {
   virtual void save(core::StateWriter& writer) const = 0;
   virtual void load(core::StateReader& reader) = 0;
 
-  /// What it shows of its inside as it was in the last step; most show nothing.
-  virtual domain::Picture picture() const { return {}; }
+  /// Tells what led to the motion of the last step, which had these arguments.
+  virtual void tell(const domain::Odometry&, const domain::Scan&, const core::Vec2&,
+                    domain::Inside&) const {}
 };
 
 }  // namespace clew::control

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a behaviour may show of its inside, for people who look at a tick: `clew plot --tick`. It
-/// is no sample: nothing is sent, recorded or decided by it.
+/// The part of a behaviour's inside (inside.hpp) that is drawn over the map.
 #pragma once
 
 #include <array>

@@ -45,9 +45,8 @@ void DriveComponent::step(const runtime::TickInputs& inputs, runtime::TickOutput
 void DriveComponent::move(const domain::Motion& motion, std::uint64_t tick) {
   const Body::State before = body_.state();
   // The safety layer has brought it to rest.
-  const double speed_mps = before.blocked ? 0.0 : before.speed_mps;
-  body_.move(*world_, model_->legs(motion, {speed_mps, before.turn_rate_radps}),
-             static_cast<double>(tick) * model_->tick_s());
+  before_ = {before.blocked ? 0.0 : before.speed_mps, before.turn_rate_radps};
+  body_.move(*world_, model_->legs(motion, before_), static_cast<double>(tick) * model_->tick_s());
   if (!drifts_) return;
   const Body::State& after = body_.state();
   reckoning_.count(

@@ -37,9 +37,12 @@ class DriveComponent final : public runtime::Component {
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
+  void tell(const runtime::TickInputs& samples, domain::Inside& inside) const override;
 
  private:
   void move(const domain::Motion& motion, std::uint64_t tick);
+  void tell_motion(const domain::Motion& motion, domain::Inside& inside) const;
+  void tell_belief(domain::Inside& inside) const;
   void write_state(domain::State& state) const;
   void write_odometry(domain::Odometry& odometry) const;
 
@@ -51,6 +54,7 @@ class DriveComponent final : public runtime::Component {
   Referee referee_;
   Body body_;
   DeadReckoning reckoning_;  // in use if it drifts
+  Velocities before_;        // scratch: how it moved when the last motion began
 };
 
 }  // namespace clew::drive

@@ -52,10 +52,12 @@ class NeuralMapPlanner final : public Planner {
       const Parameters& parameters, const domain::BehaviourSetup& setup);
 
   Subgoal step(const Situation& situation) override;
+  void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
 
  private:
+  void tell_landscape(const core::Vec2& robot, domain::Inside& inside) const;
   NeuralMapPlanner(const Parameters& parameters, map::NeuralMap landscape,
                    const domain::BehaviourSetup& setup)
       : parameters_(parameters),

@@ -23,8 +23,11 @@ class PlanComponent final : public runtime::Component {
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
+  void tell(const runtime::TickInputs& samples, domain::Inside& inside) const override;
 
  private:
+  void tell_room(const core::Vec2& robot, domain::Inside& inside) const;
+
   std::unique_ptr<Planner> planner_;
   std::unique_ptr<MapSource> map_;
   core::Vec2 target_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/archive.hpp"
+#include "domain/inside.hpp"
 #include "domain/messages.hpp"
 #include "plan/map_source.hpp"
 
@@ -32,6 +33,9 @@ class Planner {
 
   /// Called once a tick. The mission's target itself if it knows no way.
   virtual Subgoal step(const Situation& situation) = 0;
+
+  /// Tells what led to the subgoal of the last step, which was given this situation.
+  virtual void tell(const Situation&, domain::Inside&) const {}
 
   virtual void save(core::StateWriter& writer) const = 0;
   virtual void load(core::StateReader& reader) = 0;

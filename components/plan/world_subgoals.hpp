@@ -28,6 +28,7 @@ class WorldSubgoals final : public Planner {
   }
 
   Subgoal step(const Situation& situation) override;
+  void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override { reader(state_); }
 

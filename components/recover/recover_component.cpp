@@ -89,6 +89,7 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
                             state_.virtual_target_odom.value_or(target_odom),
                             target.radius_m,
                             parts_.local_map ? &*parts_.local_map : nullptr};
+  pursued_odom_ = situation.pursued_odom;
   auto& guidance = outputs.get<Guidance>();
   auto& event = outputs.get<Event>();
   seek(situation, guidance);

@@ -69,8 +69,12 @@ class RecoverComponent final : public runtime::Component {
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
+  void tell(const runtime::TickInputs& samples, domain::Inside& inside) const override;
 
  private:
+  void tell_detectors(const Situation& situation, domain::Inside& inside) const;
+  void tell_escape(const Situation& situation, const domain::Guidance& guidance,
+                   domain::Inside& inside) const;
   void take_evidence(const Situation& situation, domain::Event& event);
   void watch_shadows(const Situation& situation, domain::Event& event);
   void begin_escape(std::uint32_t index, const Situation& situation, domain::Event& event);
@@ -82,6 +86,7 @@ class RecoverComponent final : public runtime::Component {
 
   Parts parts_;
   State state_;
+  core::Vec2 pursued_odom_ = core::Vec2::Zero();  // scratch: of the last step
 };
 
 template <typename Visitor>

@@ -8,7 +8,7 @@
 
 #include "core/archive.hpp"
 #include "core/check.hpp"
-#include "domain/picture.hpp"
+#include "domain/inside.hpp"
 #include "domain/topics.hpp"
 
 namespace clew::runtime {
@@ -136,8 +136,12 @@ class Component {
   /// Takes up a saved state; the caller checks reader.complete().
   virtual void load(core::StateReader& reader) = 0;
 
-  /// What it shows of its inside as it was in the last step; most show nothing.
-  virtual domain::Picture picture() const { return {}; }
+  /// Tells its inside as it is after the last step. `samples` are the inputs and the outputs of
+  /// that step. Changes nothing: asked or not, the next step and the saved state are the same.
+  virtual void tell(const TickInputs& samples, domain::Inside& inside) const {
+    static_cast<void>(samples);
+    static_cast<void>(inside);
+  }
 };
 
 }  // namespace clew::runtime

@@ -46,6 +46,15 @@ void Node::step(std::uint64_t tick, const TopicSet& present, domain::Messages& m
   component_->step(inputs, outputs);
 }
 
+domain::Inside Node::inside(std::uint64_t tick, const TopicSet& present,
+                            const domain::Messages& messages) const {
+  domain::Inside inside;
+  const TickInputs samples(messages, ports_.declared_inputs | ports_.outputs,
+                           present | ports_.outputs, tick);
+  component_->tell(samples, inside);
+  return inside;
+}
+
 std::string Node::save() const {
   core::StateWriter writer;
   writer(next_sequence_);

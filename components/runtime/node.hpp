@@ -46,8 +46,9 @@ class Node {
   /// were written by another.
   void begin_at(std::uint64_t tick) { next_sequence_.fill(tick); }
 
-  /// What the component shows of its last step.
-  domain::Picture picture() const { return component_->picture(); }
+  /// What the component tells of its last step, which was that of `tick` with these samples.
+  domain::Inside inside(std::uint64_t tick, const TopicSet& present,
+                        const domain::Messages& messages) const;
 
   /// The component's state and the counts of its outputs, as bytes.
   std::string save() const;

@@ -62,7 +62,11 @@ class NodeSuccession {
 
   /// Node::begin_at.
   void begin_at(std::uint64_t tick) { current_.begin_at(tick); }
-  domain::Picture picture() const { return current_.picture(); }
+  /// Node::inside of the node whose turn it was.
+  domain::Inside inside(std::uint64_t tick, const TopicSet& present,
+                        const domain::Messages& messages) const {
+    return current_.inside(tick, present, messages);
+  }
 
  private:
   void promote();

@@ -47,6 +47,7 @@ class Cones final : public RangeSensor {
   domain::ScanLayout layout() const override;
   void measure(const world::World& world, const core::Pose2& pose_world_robot, double sim_time_s,
                const core::Random& random, domain::Scan& scan) const override;
+  void tell(const Sweep& sweep, domain::Inside& inside) const override;
 
  private:
   double echo_m(const world::World& world, const core::Pose2& pose_world_robot,

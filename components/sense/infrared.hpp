@@ -53,6 +53,7 @@ class Infrared final : public RangeSensor {
   domain::ScanLayout layout() const override;
   void measure(const world::World& world, const core::Pose2& pose_world_robot, double sim_time_s,
                const core::Random& random, domain::Scan& scan) const override;
+  void tell(const Sweep& sweep, domain::Inside& inside) const override;
 
   /// The distance that a reading stands for, in [range_min_m, range_m].
   double distance_m(double reading) const;

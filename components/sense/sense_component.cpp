@@ -18,9 +18,12 @@ SenseComponent::SenseComponent(std::unique_ptr<RangeSensor> sensor, const runtim
 
 void SenseComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto& state = inputs.get<domain::State>();
-  const core::Random random({seed_, robot_index_, kRandomComponent, inputs.tick()});
-  sensor_->measure(*world_, state.pose_world_robot, state.stamp.sim_time_s, random,
-                   outputs.get<domain::Scan>());
+  sensor_->measure(*world_, state.pose_world_robot, state.stamp.sim_time_s,
+                   random_of(inputs.tick()), outputs.get<domain::Scan>());
+}
+
+core::Random SenseComponent::random_of(std::uint64_t tick) const {
+  return core::Random({seed_, robot_index_, kRandomComponent, tick});
 }
 
 }  // namespace clew::sense

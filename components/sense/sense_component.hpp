@@ -24,8 +24,11 @@ class SenseComponent final : public runtime::Component {
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
   void save(core::StateWriter&) const override {}
   void load(core::StateReader&) override {}
+  void tell(const runtime::TickInputs& samples, domain::Inside& inside) const override;
 
  private:
+  core::Random random_of(std::uint64_t tick) const;
+
   std::unique_ptr<RangeSensor> sensor_;
   std::shared_ptr<const world::World> world_;
   std::uint64_t seed_;

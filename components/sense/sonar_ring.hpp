@@ -44,6 +44,7 @@ class SonarRing final : public RangeSensor {
   domain::ScanLayout layout() const override;
   void measure(const world::World& world, const core::Pose2& pose_world_robot, double sim_time_s,
                const core::Random& random, domain::Scan& scan) const override;
+  void tell(const Sweep& sweep, domain::Inside& inside) const override;
 
  private:
   double bearing_step_rad() const { return -2.0 * core::kPi / static_cast<double>(cones_.size()); }

@@ -73,6 +73,14 @@ TEST_P(EveryBehaviour, WorksOrIsRefusedAtBothEndsOfEachRange) {
   EXPECT_EQ(wrong(contract::check_parameter_ranges), "");
 }
 
+TEST_P(EveryBehaviour, TellsOfItsInsideWithoutBeingChanged) {
+  EXPECT_EQ(wrong(contract::check_insides), "");
+}
+
+TEST_P(EveryBehaviour, TellsOfItsInsideWheneverItIsAtWork) {
+  EXPECT_EQ(wrong(contract::check_tells), "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Registry, EveryBehaviour, ::testing::ValuesIn(all_variants()), test_name);
 
 TEST(Stages, StandInTheOrderOfTheFlow) {

@@ -100,15 +100,23 @@ class Inside(unittest.TestCase):
             self.assertIn(f">{text}", pictures[0])
         self.assertEqual(pictures[0], pictures[1])
 
+    def test_shows_what_any_controller_went_by(self):
+        recording = self.recorded("reactive", 20)
+
+        done = Run(["plot", recording, "--tick", 5, "-o", self.folder / "any.svg"])
+
+        self.assertEqual(done.status, 0, done.err)
+        picture = (self.folder / "any.svg").read_text(encoding="utf-8")
+        for text in ("active target", "returns of this scan"):
+            self.assertIn(f">{text}", picture)
+
     def test_refuses_what_it_cannot_show(self):
         recording = self.recorded(GRAPH, 20)
-        silent = self.recorded("reactive", 20)
         out = self.folder / "out.svg"
         for arguments, sentence in (
                 ([recording, "--tick", 99], "has no tick 99; its last one is 20"),
                 ([recording, recording, "--tick", 5],
-                 "--tick looks into one recording; found 2"),
-                ([silent, "--tick", 5], "no behaviour of this run shows its inside at tick 5")):
+                 "--tick looks into one recording; found 2")):
             done = Run(["plot", *arguments, "-o", out])
             self.assertEqual(done.status, 2, arguments)
             self.assertIn(sentence, done.err)

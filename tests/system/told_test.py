@@ -69,6 +69,65 @@ class Events(Told):
         self.assertIn("no recover", run.err)
 
 
+class Explain(Told):
+    def test_an_object_a_stage_that_agrees_with_the_recording(self):
+        trap = next(event for event in self.lines("events", self.recording, "--json")
+                    if event["kind"] == "trap")
+
+        told = self.lines("explain", self.recording, "--tick", trap["tick"], "--json")
+
+        self.assertEqual([each["stage"] for each in told],
+                         ["drive", "sense", "classify", "recover", "control"])
+        self.assertEqual(list(told[0])[:5], ["stage", "behaviour", "tick", "text", "inside"])
+        by_stage = {each["stage"]: each for each in told}
+        recover = by_stage["recover"]
+        self.assertEqual(recover["behaviour"], "landmark_revisit, obstacle_following")
+        self.assertIn("it says trap: " + trap["text"], recover["text"])
+        self.assertEqual(recover["inside"]["escape"]["name"], "obstacle_following")
+        self.assertEqual(by_stage["classify"]["inside"]["classifier"]["som"]["distances_classes"]
+                         ["rows"], 7)
+        readings = self.lines("echo", self.recording, "scan", "--jsonl")[trap["tick"]]["ranges_m"]
+        self.assertEqual(by_stage["sense"]["inside"]["readings_m"], readings)
+
+    def test_people_read_a_paragraph_a_stage(self):
+        run = Run(["explain", self.recording, "--tick", 0])
+
+        self.assertEqual(run.status, 0, run.err)
+        self.assertRegex(run.out, r"(?m)^drive \(turn_then_step\): The robot stands at its start\.")
+        self.assertEqual(run.out.count("\n\n"), 4)
+        self.assertLessEqual(max(map(len, run.out.splitlines())), 88)
+
+    def test_one_component_alone(self):
+        told = self.lines("explain", self.recording, "--tick", 7, "--component", "control",
+                          "--json")
+
+        command = self.lines("echo", self.recording, "command", "--jsonl")[7]
+        self.assertEqual([each["stage"] for each in told], ["control"])
+        inside = told[0]["inside"]
+        self.assertEqual(inside["decided"], "controller")
+        modules = (inside["controller"]["target_module"], inside["controller"]["obstacle_module"])
+        turn = -sum(module[weight] * module["turn_clockwise_rad"]
+                    for module, weight in zip(modules, ("strength_w1", "strength_w2")))
+        if not inside["step_guard"]["changed_the_motion"]:
+            self.assertAlmostEqual(turn, command["motion"]["turn_rad"])
+
+    def test_bad_questions_are_refused(self):
+        self.refused(["explain", self.recording, "--tick", 100000],
+                     f"has no tick 100000; its last one is {self.report['ticks']}")
+        self.refused(["explain", self.recording, "--tick", 5, "--component", "contro"], "control")
+        self.refused(["explain", self.recording, "--tick", -1], "--tick")
+        self.refused(["explain", self.recording], "--tick")
+        self.refused(["explain", self.folder / "none.mcap", "--tick", 1], "none.mcap")
+
+    def test_a_cut_recording_is_explained_as_far_as_it_goes(self):
+        cut = self.folder / "cut.mcap"
+        whole = pathlib.Path(self.recording).read_bytes()
+        cut.write_bytes(whole[:len(whole) // 2])
+
+        self.assertIn("straight ahead", Run(["explain", cut, "--tick", 0]).out)
+        self.refused(["explain", cut, "--tick", self.report["ticks"]], "has no tick")
+
+
 class Echo(Told):
     def test_a_line_a_sample_with_all_fields(self):
         states = self.lines("echo", self.recording, "state", "--jsonl")

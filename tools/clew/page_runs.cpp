@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "clew/page_runs.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -59,6 +60,19 @@ ordered_json last_object(const std::string& out) {
   return parsed.is_object() ? parsed : ordered_json(nullptr);
 }
 
+/// The objects that the program printed, one a line; null if that is not what it printed.
+ordered_json all_objects(const std::string& out) {
+  ordered_json objects = ordered_json::array();
+  for (std::size_t begin = 0; begin < out.size();) {
+    const std::size_t end = std::min(out.find('\n', begin), out.size());
+    auto parsed = ordered_json::parse(out.substr(begin, end - begin), nullptr, false);
+    if (!parsed.is_object()) return nullptr;
+    objects.push_back(std::move(parsed));
+    begin = end + 1;
+  }
+  return objects;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<PageRuns>> PageRuns::create(bridge::ViewContent& content,
@@ -94,6 +108,9 @@ void PageRuns::serve_with(bridge::WebServer& server) {
   content_.on_post("/branch", [this](const std::string& body, Answer answer) {
     branch(body, std::move(answer));
   });
+  content_.on_post("/explain", [this](const std::string& body, Answer answer) {
+    explain(body, std::move(answer));
+  });
   content_.on_post(
       "/run", [this](const std::string& body, Answer answer) { run(body, std::move(answer)); });
 }
@@ -103,7 +120,22 @@ void PageRuns::branch(const std::string& body, Answer answer) {
   if (!command.ok()) return answer(refusal(command.error().message));
   std::vector<std::string> words = {"replay", paths_[command->recording]};
   words.insert(words.end(), command->words.begin(), command->words.end());
-  start(std::move(words), command->what, std::move(answer));
+  record(std::move(words), command->what, std::move(answer));
+}
+
+void PageRuns::explain(const std::string& body, Answer answer) {
+  auto command = view::read_question(body, paths_.size());
+  if (!command.ok()) return answer(refusal(command.error().message));
+  std::vector<std::string> words = {"explain", paths_[command->recording]};
+  words.insert(words.end(), command->words.begin(), command->words.end());
+  const std::string line = typed(words);
+  start(std::move(words), answer, [line, answer](const bridge::ProgramEnd& end) {
+    const ordered_json stages = all_objects(end.out);
+    if (end.status != 0 || !stages.is_array()) {
+      return answer(refusal(end.err.empty() ? "status " + std::to_string(end.status) : end.err));
+    }
+    answer({200, "application/json", json_line({{"command", line}, {"stages", stages}}), {}});
+  });
 }
 
 void PageRuns::run(const std::string& body, Answer answer) {
@@ -118,19 +150,22 @@ void PageRuns::run(const std::string& body, Answer answer) {
   std::vector<std::string> words = {"run", command->graph, "--world",
                                     world, "--layout",     "composed"};
   words.insert(words.end(), command->words.begin(), command->words.end());
-  start(std::move(words), command->what, std::move(answer));
+  record(std::move(words), command->what, std::move(answer));
 }
 
-void PageRuns::start(std::vector<std::string> words, const std::string& what, Answer answer) {
+void PageRuns::record(std::vector<std::string> words, const std::string& what, Answer answer) {
   const std::string file = folder_ + "/run-" + std::to_string(++count_) + ".mcap";
   words.insert(words.end(), {"--record", file, "--json"});
   const std::string line = typed(words);
+  start(std::move(words), answer, [this, line, file, what, answer](const bridge::ProgramEnd& end) {
+    finish(end, line, file, what, answer);
+  });
+}
+
+void PageRuns::start(std::vector<std::string> words, const Answer& answer,
+                     bridge::ProgramRuns::Done done) {
   words.insert(words.begin(), own_program());
-  const auto started =
-      programs_.start(words, std::chrono::steady_clock::now(),
-                      [this, line, file, what, answer](const bridge::ProgramEnd& end) {
-                        finish(end, line, file, what, answer);
-                      });
+  const auto started = programs_.start(words, std::chrono::steady_clock::now(), std::move(done));
   if (!started.ok()) return answer(refusal(started.error().text()));
   if (std::exchange(polls_, true)) return;
   server_->repeat(kPollPeriod,

@@ -13,8 +13,9 @@
 
 namespace clew::tools {
 
-/// Branches and runs that a page asks for. Each is a command of clew, told to the page as a line to
-/// type, and leaves a recording that is served like the others, until this ends.
+/// Branches, runs and insides that a page asks for. Each is a command of clew, told to the page as
+/// a line to type. Branches and runs leave recordings that are served like the others, until this
+/// ends.
 class PageRuns {
  public:
   /// `content` serves `recordings`, in this order, already.
@@ -32,7 +33,9 @@ class PageRuns {
 
   void branch(const std::string& body, Answer answer);
   void run(const std::string& body, Answer answer);
-  void start(std::vector<std::string> words, const std::string& what, Answer answer);
+  void explain(const std::string& body, Answer answer);
+  void record(std::vector<std::string> words, const std::string& what, Answer answer);
+  void start(std::vector<std::string> words, const Answer& answer, bridge::ProgramRuns::Done done);
   void finish(const bridge::ProgramEnd& end, const std::string& line, const std::string& file,
               const std::string& what, const Answer& answer);
 

@@ -5,8 +5,8 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/plugin_options.hpp"
+#include "insides/explanation.hpp"
 #include "plot/plot.hpp"
-#include "replay/component_replay.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"
 
@@ -33,17 +33,15 @@ Result<plot::InsideView> look_inside(const std::string& path, std::uint64_t tick
   if (!plan.ok()) return plan.error();
   plot::InsideView inside;
   inside.tick = tick;
-  for (const auto& stage : plan->graph.stages) {
-    if (!stage.deployment.exec.empty()) continue;
-    auto picture = bridge::picture_at(*recording, *plan, stage.info->name, tick);
-    if (!picture.ok()) return picture.error();
-    if (!picture->empty()) inside.pictures.push_back(std::move(picture).value());
+  auto explanations = insides::explain(*recording, *plan, tick, std::nullopt);
+  if (!explanations.ok()) return explanations.error();
+  for (insides::Explanation& each : *explanations) {
+    domain::Picture& picture = each.inside.picture;
+    if (!picture.empty()) inside.pictures.push_back(std::move(picture));
   }
   if (inside.pictures.empty()) {
-    return Error{fmt::format("no behaviour of this run shows its inside at tick {}; "
-                             "control's polar_neural_map does",
-                             tick),
-                 path, 0, 0};
+    return Error{fmt::format("no component of ours has something to draw at tick {}", tick), path,
+                 0, 0};
   }
   return inside;
 }

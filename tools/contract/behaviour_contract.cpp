@@ -54,11 +54,6 @@ std::vector<std::string> noise(const Subject& subject) {
   return set;
 }
 
-Result<Mission> mission(const Subject& subject) {
-  return Mission::create(*subject.configs, subject.graph, kWorld, {subject.choice()},
-                         noise(subject));
-}
-
 Result<void> check_samples(const Mission& run, int tick) {
   for (const domain::Topic topic : domain::kAllTopics) {
     if (!run.topics()[domain::index_of(topic)]) continue;
@@ -113,6 +108,11 @@ std::string path_of(const Subject& subject, const std::string& parameter) {
 }
 
 }  // namespace
+
+Result<Mission> mission(const Subject& subject) {
+  return Mission::create(*subject.configs, subject.graph, kWorld, {subject.choice()},
+                         noise(subject));
+}
 
 Result<Subject> find_graph(const runtime::BehaviourName& behaviour,
                            const runtime::ConfigPath& configs) {
@@ -234,7 +234,9 @@ const std::vector<Rule>& rules() {
       {"bounds", "all samples keep the rules of their fields", check_bounds},
       {"bad_scans", "also with the scans of a broken sensor", check_bad_scans},
       {"parameter_ranges", "at both ends of each range it works or is refused",
-       check_parameter_ranges}};
+       check_parameter_ranges},
+      {"insides", "what it tells of its inside is sound, and asking changes nothing",
+       check_insides}};
   return all;
 }
 

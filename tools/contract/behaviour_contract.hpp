@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "contract/mission.hpp"
 #include "core/result.hpp"
 #include "runtime/config_source.hpp"
 #include "runtime/plugin_list.hpp"
@@ -29,6 +30,9 @@ struct Subject {
 core::Result<Subject> find_graph(const runtime::BehaviourName& behaviour,
                                  const runtime::ConfigPath& configs);
 
+/// A run of the subject in a world with a trap, with errors of sensor and odometry.
+core::Result<Mission> mission(const Subject& subject);
+
 /// A rule, and what is wrong with a behaviour that breaks it.
 struct Rule {
   std::string name;
@@ -49,7 +53,15 @@ core::Result<void> check_bad_scans(const Subject& subject);
 /// At both ends of the range of each number it works, or is refused.
 core::Result<void> check_parameter_ranges(const Subject& subject);
 
-/// All of them.
+/// What it tells of its inside at any tick is finite, with each name once, is the same after save
+/// and load, and asking for it changes nothing.
+core::Result<void> check_insides(const Subject& subject);
+/// It tells something of its own at each tick at which it was at work, and was at work at some; a
+/// detector tells how near it is to an alarm. That binds our own behaviours; those of plug-ins may
+/// keep silent.
+core::Result<void> check_tells(const Subject& subject);
+
+/// All that bind behaviours of plug-ins, too.
 const std::vector<Rule>& rules();
 
 }  // namespace clew::contract

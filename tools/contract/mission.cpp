@@ -33,12 +33,13 @@ Mission::Mission(runtime::RunPlan plan, std::vector<runtime::Node> nodes)
   for (const runtime::Node& node : nodes_) topics_ |= node.ports().outputs;
 }
 
-void Mission::step(const Disturb& disturb) {
+void Mission::step(const Disturb& disturb, const Listen& listen) {
   constexpr auto kScan = domain::index_of(domain::Topic::kScan);
   for (runtime::Node& node : nodes_) {
     runtime::TopicSet present = node.ports().inputs;
     if (next_tick_ > 0) present |= node.ports().delayed_inputs;
     node.step(next_tick_, present, messages_);
+    if (listen) listen(node.name(), node.inside(next_tick_, present, messages_));
     if (disturb && node.ports().outputs[kScan]) disturb(std::get<kScan>(messages_));
   }
   ++next_tick_;

@@ -30,8 +30,11 @@ class Mission {
   /// The same of a plan that is read already.
   static core::Result<Mission> create(runtime::RunPlan plan);
 
-  /// One tick of all stages.
-  void step(const Disturb& disturb = nullptr);
+  /// Takes what a stage tells of its inside.
+  using Listen = std::function<void(const std::string& stage, const domain::Inside& inside)>;
+
+  /// One tick of all stages; each is asked for its inside if somebody listens.
+  void step(const Disturb& disturb = nullptr, const Listen& listen = nullptr);
   /// Whether the last tick was the run's last.
   bool over() const;
   /// The truth at the start of the last tick.

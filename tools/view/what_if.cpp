@@ -49,6 +49,15 @@ Result<json> parse(std::string_view text) {
   return parsed;
 }
 
+/// The recording and the tick that a request is about.
+Result<std::uint64_t> read_moment(const json& request, std::size_t recordings,
+                                  PageCommand& command) {
+  const auto recording = count_of(request, "recording", SIZE_MAX);
+  if (!recording.ok() || *recording >= recordings) return bad("there is no such recording");
+  command.recording = *recording;
+  return count_of(request, "tick", UINT32_MAX);
+}
+
 /// `recover.detector` and the names to put there, as an option of the command line.
 Result<std::string> read_with(const std::string& place, const json& names,
                               const std::vector<runtime::StageInfo>& stages) {
@@ -200,16 +209,23 @@ Result<PageCommand> read_branch(std::string_view text, std::size_t recordings,
                                 const std::vector<runtime::StageInfo>& stages) {
   const auto request = parse(text);
   if (!request.ok()) return request.error();
-  const auto recording = count_of(*request, "recording", SIZE_MAX);
-  if (!recording.ok() || *recording >= recordings) return bad("there is no such recording");
-  const auto tick = count_of(*request, "tick", UINT32_MAX);
-  if (!tick.ok()) return tick.error();
   PageCommand command;
-  command.recording = *recording;
+  const auto tick = read_moment(*request, recordings, command);
+  if (!tick.ok()) return tick.error();
   command.words.push_back(fmt::format("--branch={}", *tick));
   CLEW_RETURN_IF_ERROR(read_changes(*request, stages, command));
   const std::string changes = changes_text(command.words);
   command.what = fmt::format("branch at {}{}", *tick, changes.empty() ? "" : ": " + changes);
+  return command;
+}
+
+Result<PageCommand> read_question(std::string_view text, std::size_t recordings) {
+  const auto request = parse(text);
+  if (!request.ok()) return request.error();
+  PageCommand command;
+  const auto tick = read_moment(*request, recordings, command);
+  if (!tick.ok()) return tick.error();
+  command.words = {"--tick", std::to_string(*tick), "--json"};
   return command;
 }
 

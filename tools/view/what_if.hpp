@@ -34,6 +34,9 @@ struct KnownNames {
 core::Result<PageCommand> read_branch(std::string_view json, std::size_t recordings,
                                       const std::vector<runtime::StageInfo>& stages);
 
+/// `{"recording": 0, "tick": 100}`: what is told of a tick.
+core::Result<PageCommand> read_question(std::string_view json, std::size_t recordings);
+
 /// `{"graph": "default", "world": "u-trap", "with": ..., "set": ..., "max_ticks": 2000}`; for a
 /// world that was drawn, `{"bounds": [4 numbers], "walls": [[4 numbers], ...], "start": [3],
 /// "target": [2], "target_radius": 0.2}` in its name's place.

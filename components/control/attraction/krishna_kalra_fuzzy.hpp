@@ -66,6 +66,8 @@ class KrishnaKalraFuzzy final : public Controller {
                       const core::Vec2& target_odom) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
+  void tell(const domain::Odometry& odometry, const domain::Scan& scan,
+            const core::Vec2& target_odom, domain::Inside& inside) const override;
 
   // The parts of the law, for tests. Readings and distances as shares of the range; turns in
   // radians, clockwise positive.
@@ -84,6 +86,7 @@ class KrishnaKalraFuzzy final : public Controller {
   double target_weight(const Readings& u) const;
 
  private:
+  void tell_surface(const Readings& u, double difference_angle_rad, domain::Inside& inside) const;
   double keep_side_behind(double difference_angle_rad);
 
   Parameters parameters_;

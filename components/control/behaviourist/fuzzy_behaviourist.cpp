@@ -81,8 +81,8 @@ domain::Motion FuzzyBehaviourist::step(const domain::Odometry& odometry, const d
     }
   }
   const double target_rad = core::bearing_rad(odometry.pose_odom_robot, target_odom);
-  const BehaviouristRules::Response response =
-      rules_.respond({target_rad, front_m, left_m, right_m, left_m - right_m});
+  stimuli_ = {target_rad, front_m, left_m, right_m, left_m - right_m};
+  const BehaviouristRules::Response response = rules_.respond(stimuli_);
   domain::Motion motion;
   motion.kind = domain::CommandKind::kVelocities;
   motion.turn_rate_radps = response.turn_rate_radps;

@@ -42,9 +42,14 @@ class FuzzyBehaviourist final : public Controller {
                       const core::Vec2& target_odom) override;
   void save(core::StateWriter&) const override {}
   void load(core::StateReader&) override {}
+  void tell(const domain::Odometry& odometry, const domain::Scan& scan,
+            const core::Vec2& target_odom, domain::Inside& inside) const override;
 
  private:
+  void tell_surface(domain::Inside& inside) const;
+
   BehaviouristRules rules_;
+  Stimuli stimuli_{};  // scratch: of the last step
 };
 
 }  // namespace clew::control

@@ -70,8 +70,13 @@ class NearestVirtualTarget final : public Controller {
                       const core::Vec2& target_odom) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
+  void tell(const domain::Odometry& odometry, const domain::Scan& scan,
+            const core::Vec2& target_odom, domain::Inside& inside) const override;
 
  private:
+  void tell_gaps(const core::Pose2& pose, const core::Vec2& target_odom,
+                 domain::Inside& inside) const;
+  void tell_rules(double position_rad, double distance_m, domain::Inside& inside) const;
   std::optional<core::Vec2> choose(const core::Pose2& pose, const core::Vec2& target_odom,
                                    double range_m);
   const scan::SafeRegion* kept_gap(const core::Pose2& pose) const;

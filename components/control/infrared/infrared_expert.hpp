@@ -60,6 +60,8 @@ class InfraredExpert final : public Controller {
                       const core::Vec2& target_odom) override;
   void save(core::StateWriter&) const override {}
   void load(core::StateReader&) override {}
+  void tell(const domain::Odometry& odometry, const domain::Scan& scan,
+            const core::Vec2& target_odom, domain::Inside& inside) const override;
 
  private:
   Parameters parameters_;

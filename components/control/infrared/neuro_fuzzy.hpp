@@ -45,6 +45,8 @@ class NeuroFuzzy final : public Controller {
                       const core::Vec2& target_odom) override;
   void save(core::StateWriter&) const override {}
   void load(core::StateReader&) override {}
+  void tell(const domain::Odometry& odometry, const domain::Scan& scan,
+            const core::Vec2& target_odom, domain::Inside& inside) const override;
 
  private:
   NeuroFuzzyNets nets_;

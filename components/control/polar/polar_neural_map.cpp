@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/polar/polar_picture.hpp"
 #include "core/angle.hpp"
 #include "scan/scan_needs.hpp"
 
@@ -155,25 +154,6 @@ void PolarNeuralMap::look_around(const core::Pose2& pose, double cycle_s,
                       core::direction(scan.bearing_rad(i) + end * scan.beam_width_rad));
     }
   }
-}
-
-domain::Picture PolarNeuralMap::picture() const {
-  domain::Picture picture;
-  if (prediction_.state().times_s.empty()) return picture;
-  draw_landscape(landscape_, pose_odom_map_, picture);
-  domain::PictureLayer remembered{
-      "remembered returns", domain::PictureLayer::Kind::kPoints, {}, {}};
-  std::vector<core::Vec2> returns;
-  memory_.returns_seen_from(pose_odom_map_, parameters_.scope_m, returns);
-  for (const core::Vec2& place : returns) {
-    remembered.places_odom.push_back(placed_from(pose_odom_map_, place));
-  }
-  picture.layers.push_back(std::move(remembered));
-  draw_window(window_, pose_odom_robot_, prediction_.cycle_s(), picture);
-  if (landscape_.subgoal()) {
-    picture.layers.push_back({"subgoal", domain::PictureLayer::Kind::kGoal, {}, {subgoal_odom_}});
-  }
-  return picture;
 }
 
 void PolarNeuralMap::save(core::StateWriter& writer) const {

@@ -81,10 +81,11 @@ class PolarNeuralMap final : public Controller {
                       const core::Vec2& target_odom) override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
-  /// The map and the window of the last step; nothing before the first one.
-  domain::Picture picture() const override;
+  void tell(const domain::Odometry& odometry, const domain::Scan& scan,
+            const core::Vec2& target_odom, domain::Inside& inside) const override;
 
  private:
+  void draw(domain::Picture& picture) const;
   core::Pose2 map_pose(const domain::Odometry& odometry, const core::Vec2& target_odom) const;
   void draw_map(const core::Vec2& target_map);
   bool spread_activation(double reach_m, const core::Vec2& target_map);

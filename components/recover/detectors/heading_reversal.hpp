@@ -44,6 +44,7 @@ class HeadingReversal final : public TrapDetector {
 
   std::optional<TrapEvidence> observe(const Situation& situation) override;
   void start_afresh() override { window_.clear(); }
+  void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
 

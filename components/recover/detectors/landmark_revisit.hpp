@@ -62,6 +62,7 @@ class LandmarkRevisit final : public TrapDetector {
 
   std::optional<TrapEvidence> observe(const Situation& situation) override;
   void start_afresh() override { state_.queues.clear(); }
+  void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
 

@@ -57,6 +57,7 @@ class MapDetour final : public TrapDetector {
   std::optional<TrapEvidence> observe(const Situation& situation) override;
   /// What was seen stays known; only the way is sought again.
   void start_afresh() override;
+  void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
 

@@ -54,6 +54,7 @@ class NoProgress final : public TrapDetector {
 
   std::optional<TrapEvidence> observe(const Situation& situation) override;
   void start_afresh() override { state_.begun = false; }
+  void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
 

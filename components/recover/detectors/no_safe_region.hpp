@@ -61,6 +61,7 @@ class NoSafeRegion final : public TrapDetector {
 
   std::optional<TrapEvidence> observe(const Situation& situation) override;
   void start_afresh() override { state_ = {}; }
+  void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
 

@@ -21,6 +21,7 @@ class NoDetector final : public TrapDetector {
 
   std::optional<TrapEvidence> observe(const Situation&) override { return std::nullopt; }
   void start_afresh() override {}
+  void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter&) const override {}
   void load(core::StateReader&) override {}
 };

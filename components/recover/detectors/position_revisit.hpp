@@ -91,6 +91,7 @@ class PositionRevisit final : public TrapDetector {
 
   std::optional<TrapEvidence> observe(const Situation& situation) override;
   void start_afresh() override;
+  void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/archive.hpp"
+#include "domain/inside.hpp"
 #include "recover/situation.hpp"
 
 namespace clew::recover {
@@ -50,6 +51,10 @@ class TrapDetector {
   /// What was remembered so far proves nothing about what comes: an escape has ended, for good or
   /// ill, or has set other targets or obstacles.
   virtual void start_afresh() = 0;
+
+  /// Tells what it goes by after the last step, which was given this situation, and how near it is
+  /// to saying trap: the number `alarm_share`, 1 when it does.
+  virtual void tell(const Situation&, domain::Inside&) const {}
 
   virtual void save(core::StateWriter& writer) const = 0;
   virtual void load(core::StateReader& reader) = 0;

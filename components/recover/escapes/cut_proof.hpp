@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "domain/inside.hpp"
 #include "domain/setup.hpp"
 #include "map/local_map.hpp"
 #include "map/local_path.hpp"
@@ -39,6 +40,7 @@ class CutProof {
   /// The robot must forget what it has seen and look for the last time.
   bool asks_for_last_look(const Situation& situation);
 
+  void tell(const Situation& situation, domain::Inside& inside) const;
   void save(core::StateWriter& writer) const;
   void load(core::StateReader& reader);
 

@@ -40,6 +40,9 @@ class Escape {
   /// `guidance` comes set to the mission's target and mode kRecover.
   virtual EscapeStatus step(const Situation& situation, domain::Guidance& guidance) = 0;
 
+  /// Tells how far it has got, at work in the last step, which was given this situation.
+  virtual void tell(const Situation&, domain::Inside&) const {}
+
   virtual void save(core::StateWriter& writer) const = 0;
   virtual void load(core::StateReader& reader) = 0;
 };

@@ -6,6 +6,7 @@
 
 #include "core/archive.hpp"
 #include "core/bounded_vector.hpp"
+#include "domain/inside.hpp"
 #include "recover/situation.hpp"
 
 namespace clew::recover {
@@ -39,6 +40,9 @@ class GoalStack {
 
   /// Takes a tick of pursuing the top goal, if any, and takes that off if it is reached or dropped.
   Change update(const Situation& situation);
+
+  /// Tells the goals, the newest first.
+  void tell(const Situation& situation, domain::Inside& inside) const;
 
   bool empty() const { return state_.goals.empty(); }
   bool full() const { return state_.goals.full(); }

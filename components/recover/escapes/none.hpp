@@ -21,6 +21,7 @@ class NoEscape final : public Escape {
 
   void begin(const Situation&, const TrapEvidence&) override {}
   EscapeStatus step(const Situation&, domain::Guidance&) override { return EscapeStatus::kEnded; }
+  void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter&) const override {}
   void load(core::StateReader&) override {}
 };

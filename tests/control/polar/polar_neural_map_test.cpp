@@ -130,11 +130,12 @@ TEST(PolarNeuralMap, GoesOnAsBeforeAfterSaveAndLoad) {
 
 TEST(PolarNeuralMap, ShowsMapReturnsWindowAndSubgoalOfItsLastStep) {
   PolarNeuralMap controller({}, setup());
-  EXPECT_TRUE(controller.picture().empty());
   controller.step(odometry_at(0.0, {}), wall_scan(0.6), {6.0, 0.1});
 
-  const domain::Picture picture = controller.picture();
+  domain::Inside inside;
+  controller.tell(odometry_at(0.0, {}), wall_scan(0.6), {6.0, 0.1}, inside);
 
+  const domain::Picture& picture = inside.picture;
   std::vector<std::string> names;
   for (const auto& layer : picture.layers) names.push_back(layer.name);
   EXPECT_EQ(names, (std::vector<std::string>{"activation of the map", "obstructed units",

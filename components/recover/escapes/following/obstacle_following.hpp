@@ -134,10 +134,12 @@ class ObstacleFollowing final : public Escape {
   void watch(const Situation& situation) override { leaving_.watch(as_seen(situation)); }
   void begin(const Situation& situation, const TrapEvidence& evidence) override;
   EscapeStatus step(const Situation& situation, domain::Guidance& guidance) override;
+  void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
 
  private:
+  void tell_circuit(const Situation& situation, domain::Inside& inside) const;
   void enter(Phase phase, const Situation& situation);
   void begin_turning_about(const Situation& situation);
   void begin_following(const Situation& situation);

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "domain/inside.hpp"
 #include "domain/messages.hpp"
 #include "recover/escapes/following/side.hpp"
 #include "recover/escapes/following/wall_rules.hpp"
@@ -30,6 +31,8 @@ class WallFollower {
   /// The motion that keeps the wall on `side`.
   domain::Motion follow(const domain::Scan& scan, Side side) const;
 
+  /// Tells the degrees that made that motion.
+  void tell(const domain::Scan& scan, Side side, domain::Inside& inside) const;
   /// Whether there is no wall on that side: the obstacle has ended or turned away.
   bool at_break(const domain::Scan& scan, Side side) const;
 

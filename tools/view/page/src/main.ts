@@ -6,6 +6,7 @@ import { field_text } from "./cdr_fields";
 import { first_difference } from "./difference";
 import type { Difference } from "./difference";
 import { button, by_id, element } from "./elements";
+import { Insides } from "./insides";
 import { Inspector } from "./inspector";
 import { listen_to_keys } from "./keys";
 import { Lanes } from "./lanes";
@@ -56,6 +57,7 @@ function show_panel(name: string): void {
 
 new Overview(session, add_panel("overview", "Overview"));
 new Inspector(session, plots, add_panel("messages", "Messages"));
+new Insides(session, add_panel("insides", "Insides"), location.protocol.startsWith("http") && embedded().length === 0);
 show_panel("overview");
 
 // ---- runs ----
@@ -213,6 +215,7 @@ listen_to_keys([
   { keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9"], shown: "1 … 9", what: "show or hide a run", act: (e) => toggle_run(Number(e.key) - 1) },
   { keys: ["o"], shown: "o", what: "overview", act: () => show_panel("overview") },
   { keys: ["i"], shown: "i", what: "messages of the tick", act: () => show_panel("messages") },
+  { keys: ["x"], shown: "x", what: "insides of the tick, explained", act: () => show_panel("insides") },
   { keys: ["e"], shown: "e", what: "what if", act: () => show_panel("what-if") },
   { keys: ["b"], shown: "b", what: "branch from this tick", act: () => void what_if?.branch() },
   { keys: ["+", "="], shown: "+", what: "zoom in", act: () => map.zoom(1.3) },

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page asks of the server besides bytes: what there is to choose from, branches and runs.
+// What the page asks of the server besides bytes: what there is to choose from, branches, runs, insides.
+
+import type { Group } from "./inside_values";
 
 export interface Parameter {
   name: string;
@@ -53,14 +55,35 @@ export interface Started {
   report: { outcome: string; ticks: number; hash: string | null; path_length_m: number };
 }
 
+/// What a component told of a tick.
+export interface StageTold {
+  stage: string;
+  behaviour: string;
+  tick: number;
+  text: string;
+  inside: Group;
+}
+export interface Told {
+  command: string;
+  stages: StageTold[];
+}
+
 export async function read_choices(): Promise<Choices> {
   return await (await fetch("choices")).json() as Choices;
 }
 
 /// Throws what the server says is wrong.
-export async function ask_for(what: "branch" | "run", request: object): Promise<Started> {
+async function post<T>(what: string, request: object): Promise<T> {
   const answer = await fetch(what, { method: "POST", body: JSON.stringify(request) });
-  const told = await answer.json() as Started & { error?: string };
+  const told = await answer.json() as T & { error?: string };
   if (!answer.ok) throw new Error(told.error ?? `status ${answer.status}`);
   return told;
+}
+
+export function ask_for(what: "branch" | "run", request: object): Promise<Started> {
+  return post<Started>(what, request);
+}
+
+export function ask_insides(of: { recording: number; tick: number }): Promise<Told> {
+  return post<Told>("explain", of);
 }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "domain/words.hpp"
+#include "map/lattice.hpp"
+#include "plan/neural_map_planner.hpp"
+#include "plan/world_subgoals.hpp"
+
+namespace clew::plan {
+namespace {
+
+// What is told of the landscape: as many neurons on each side of the robot.
+constexpr std::int32_t kReach = 32;
+
+const char* say_room(map::Clearance room) {
+  switch (room) {
+    case map::Clearance::kNone:
+      return "no room";
+    case map::Clearance::kTouching:
+      return "less room than the body needs, as far as is believed";
+    case map::Clearance::kSuspected:
+      return "room only if suspected obstacles are none";
+    case map::Clearance::kNarrow:
+      return "just enough room";
+    case map::Clearance::kOpen:
+      return "room to spare";
+  }
+  return "unknown room";
+}
+
+double length_of(const std::vector<core::Vec2>& path) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) length_m += core::length(path[i] - path[i - 1]);
+  return length_m;
+}
+
+}  // namespace
+
+void WorldSubgoals::tell(const Situation& situation, domain::Inside& inside) const {
+  const std::size_t count = situation.subgoals.size();
+  inside.values.number("next_subgoal", state_.next);
+  inside.values.number("subgoals", static_cast<double>(count));
+  inside.picture.layers.push_back(
+      {"the world's subgoals", domain::PictureLayer::Kind::kPoints, {}, situation.subgoals});
+  inside.say(state_.next < count
+                 ? "It is on the way to subgoal " + std::to_string(state_.next + 1) + " of the " +
+                       std::to_string(count) + " that the world gives."
+                 : "All subgoals that the world gives are reached.");
+}
+
+void NeuralMapPlanner::tell(const Situation& situation, domain::Inside& inside) const {
+  const core::Vec2 robot = situation.odometry.pose_odom_robot.position();
+  const auto age = static_cast<double>(situation.odometry.stamp.tick - state_.planned_tick);
+  const double length_m = length_of(state_.path);
+  inside.values.flag("path_exists", !state_.path.empty());
+  inside.values.number("path_age", age * tick_s_, "s");
+  inside.values.number("path_length", length_m, "m");
+  inside.values.text("room_on_path", say_room(state_.room));
+  inside.values.number("path_points", static_cast<double>(state_.path.size()));
+  inside.values.number("subgoal_index", state_.subgoal);
+  inside.values.flag("astray", state_.astray);
+  // The landscape is no state: that of now is evolved anew, in a copy.
+  NeuralMapPlanner now = *this;
+  now.plan(situation);
+  now.tell_landscape(robot, inside);
+  if (state_.path.empty()) {
+    inside.say("Activation does not reach the robot, so no path is known.");
+    return;
+  }
+  inside.say("The path was made " + domain::say_seconds(age * tick_s_) + " ago, is " +
+             domain::say_metres(length_m) + " long and has " + say_room(state_.room) + ".");
+  if (state_.astray) inside.say("No straight line leads to the subgoal any more.");
+  inside.picture.layers.push_back(
+      {"path of steepest ascent", domain::PictureLayer::Kind::kWay, {}, state_.path});
+}
+
+/// The logarithm of the activation around the robot.
+void NeuralMapPlanner::tell_landscape(const core::Vec2& robot, domain::Inside& inside) const {
+  const auto centre = nearest_unit(robot);
+  if (!centre) return;
+  double least = 0.0;
+  domain::InsideGrid activation{
+      2 * kReach + 1, {}, "neuron, along x", "neuron, y from the top", {}};
+  for (std::int32_t row = centre->row + kReach; row >= centre->row - kReach; --row) {
+    for (std::int32_t column = centre->column - kReach; column <= centre->column + kReach;
+         ++column) {
+      const double log = landscape_.log_activation({column, row});
+      if (std::isfinite(log)) least = std::min(least, log);
+      activation.values.push_back(log);
+    }
+  }
+  // What is not active is drawn as the palest.
+  for (double& value : activation.values) {
+    if (!std::isfinite(value)) value = least - 1.0;
+  }
+  activation.marked = activation.values.size() / 2;
+  inside.values.grid("log_activation", std::move(activation));
+}
+
+}  // namespace clew::plan
