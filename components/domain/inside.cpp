@@ -11,7 +11,7 @@ void InsideGroup::number(std::string name, double value, std::string unit) {
 }
 
 void InsideGroup::bound(std::string name, double value, std::string unit) {
-  if (std::isinf(value)) return text(std::move(name), "none");
+  if (std::isinf(value)) return put({std::move(name), std::move(unit), std::string("none")});
   number(std::move(name), value, std::move(unit));
 }
 

@@ -91,12 +91,12 @@ TEST_F(ReplayOfAnAbortedRun, IsRefusedIfTheRunWasNotAborted) {
             path_ + ": has no sample of 'guidance' of tick 95, which control needs");
 }
 
-TEST_F(ReplayOfAnAbortedRun, ShowsAPictureOfATickThatTheComponentHas) {
+TEST_F(ReplayOfAnAbortedRun, TellsTheInsideOfATickThatTheComponentHas) {
   const RunRecording aborted = recording();
   const auto plan = replay_plan(aborted);
 
-  EXPECT_TRUE(picture_at(aborted, plan, "recover", 90).ok());
-  const auto later = picture_at(aborted, plan, "recover", 91);
+  EXPECT_TRUE(inside_at(aborted, plan, "recover", 90).ok());
+  const auto later = inside_at(aborted, plan, "recover", 91);
   ASSERT_FALSE(later.ok());
   EXPECT_EQ(later.error().text(), path_ + ": has no tick 91; its last one is 90");
 }

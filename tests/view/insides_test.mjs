@@ -31,7 +31,7 @@ test("insides of a tick", async (context) => {
     await page.click("[data-inside=classify] > summary");
     await page.click("[data-inside='classify.classifier.som'] > summary");
     const lattice = page.locator("[data-inside='classify.classifier.som'] canvas[role=img][aria-label*='7 rows by 7 columns']");
-    await lattice.waitFor();
+    await lattice.scrollIntoViewIfNeeded();
     const colours = await lattice.evaluate(async (canvas) => {
       await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
       const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);

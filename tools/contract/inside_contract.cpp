@@ -18,6 +18,7 @@ using core::Result;
 constexpr int kAskedTicks = 500;
 // Asked in every so many ticks, which falls into all phases of a run.
 constexpr int kTicksBetweenQuestions = 23;
+constexpr int kTicksBetweenLooks = 7;
 
 Error unsound(const std::string& what) { return {what, {}, 0, 0}; }
 
@@ -84,8 +85,9 @@ const domain::InsideValue* find(const domain::InsideGroup& group, const std::str
   return nullptr;
 }
 
-/// The group that the subject itself fills in what its stage tells.
-std::string group_of(const runtime::BehaviourName& behaviour) {
+/// The name of what the subject itself fills in what its stage tells.
+std::string name_of_part(const runtime::BehaviourName& behaviour) {
+  if (behaviour.part == "shadow") return "shadows";
   if (behaviour.part != "behaviour") return behaviour.part;
   static const std::map<std::string, std::string> kGroups = {{"sense", "sensor"},
                                                              {"classify", "classifier"},
@@ -94,6 +96,21 @@ std::string group_of(const runtime::BehaviourName& behaviour) {
                                                              {"drive", "motion"}};
   const auto found = kGroups.find(behaviour.stage);
   return found == kGroups.end() ? std::string() : found->second;
+}
+
+/// The group of that name, or the first of several; null if there is none.
+const domain::InsideGroup* find_group(const domain::InsideGroup& all, const std::string& name) {
+  const domain::InsideValue* value = find(all, name);
+  if (value == nullptr) return nullptr;
+  if (const auto* items = std::get_if<domain::InsideValue::Items>(&value->value)) {
+    return &items->front();
+  }
+  return std::get_if<domain::InsideGroup>(&value->value);
+}
+
+/// What a component adds to the group of a part of it.
+std::size_t told_by_component(const domain::InsideGroup& group) {
+  return (find(group, "name") == nullptr ? 0U : 1U) + (find(group, "text") == nullptr ? 0U : 1U);
 }
 
 std::string fault_of_detector(const domain::InsideGroup& group) {
@@ -142,21 +159,22 @@ Result<void> check_insides(const Subject& subject) {
 Result<void> check_tells(const Subject& subject) {
   auto run = mission(subject);
   if (!run.ok()) return run.error();
-  const std::string name = group_of(subject.behaviour);
+  const std::string part = subject.behaviour.part;
+  const std::string name = name_of_part(subject.behaviour);
   // `none` is never at work at the end of a tick.
-  bool worked = subject.behaviour.part == "escape" && subject.behaviour.name == "none";
+  bool worked = part == "escape" && subject.behaviour.name == "none";
   std::string fault;
-  for (int tick = 0; tick < kAskedTicks && !run->over() && fault.empty(); ++tick) {
-    run->step(nullptr, [&](const std::string& stage, const domain::Inside& inside) {
-      if (stage != subject.behaviour.stage) return;
-      const domain::InsideValue* value = find(inside.values, name);
-      if (value == nullptr) return;
-      const auto& group = std::get<domain::InsideGroup>(value->value);
-      const std::size_t by_component = find(group, "name") == nullptr ? 0 : 1;
-      if (group.values().size() <= by_component) fault = "tells nothing of its own";
-      if (fault.empty() && name == "detector") fault = fault_of_detector(group);
-      worked = true;
-    });
+  const auto listen = [&](const std::string& stage, const domain::Inside& inside) {
+    if (stage != subject.behaviour.stage) return;
+    const domain::InsideGroup* group = find_group(inside.values, name);
+    if (group == nullptr) return;
+    worked = true;
+    if (group->values().size() <= told_by_component(*group)) fault = "tells nothing of its own";
+    if (fault.empty() && part != "escape" && stage == "recover") fault = fault_of_detector(*group);
+  };
+  for (int tick = 0; tick < kAskedTicks && !run->over(); ++tick) {
+    const bool asks = tick % kTicksBetweenLooks == 0;
+    run->step(nullptr, asks ? Mission::Listen(listen) : nullptr);
     if (!fault.empty()) return unsound(fmt::format("tick {}: {}", tick, fault));
   }
   if (!worked) return unsound("tells nothing of its own, or was never at work");

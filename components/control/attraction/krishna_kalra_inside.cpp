@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 
 #include "control/attraction/krishna_kalra_fuzzy.hpp"
+#include "core/angle.hpp"
 #include "domain/words.hpp"
 
 namespace clew::control {
@@ -9,6 +11,12 @@ namespace {
 
 // Values along each axis of the control surface.
 constexpr std::size_t kSurface = 21;
+
+/// A turn of the paper, clockwise positive.
+std::string say_clockwise(double turn_rad) {
+  if (core::degrees(std::fabs(turn_rad)) < 0.5) return "no turn";
+  return "turn " + domain::say_bearing(-turn_rad);
+}
 
 }  // namespace
 
@@ -45,10 +53,9 @@ void KrishnaKalraFuzzy::tell(const domain::Odometry& odometry, const domain::Sca
   tell_surface(u, angle_rad, inside);
   inside.say("Obstacles are near to " + domain::say_percent(left) + " on the left, " +
              domain::say_percent(near(u[3])) + " ahead and " + domain::say_percent(right) +
-             " on the right. So reaching the target weighs " + domain::say_percent(w1) + " (turn " +
-             domain::say_bearing(-target_turn_rad(angle_rad)) + ") and avoiding obstacles " +
-             domain::say_percent(1.0 - w1) + " (turn " +
-             domain::say_bearing(-obstacle_turn_rad(u)) + ").");
+             " on the right. So reaching the target weighs " + domain::say_percent(w1) + " (" +
+             say_clockwise(target_turn_rad(angle_rad)) + ") and avoiding obstacles " +
+             domain::say_percent(1.0 - w1) + " (" + say_clockwise(obstacle_turn_rad(u)) + ").");
 }
 
 /// The turn for any reading of the three sensors on the left and on the right, all else as it is.

@@ -12,6 +12,8 @@ import type { Session } from "./session";
 
 /// Asking costs the server a replay: only for a tick that somebody stays at.
 const kPatience_ms = 250;
+/// As many are read faster than seen.
+const kFewNumbers = 4;
 const kUnits: Record<string, string> = {
   m: "m", rad: "rad", s: "s", mps: "m/s", radps: "rad/s", mps2: "m/s²", radps2: "rad/s²", ticks: "ticks",
 };
@@ -121,7 +123,10 @@ export class Insides {
     if (is_grid(value)) return draw_grid(label_of(name), unit_of(name), value);
     if (!Array.isArray(value)) return this.folded(key, label_of(name), value, this.open.has(key) || is_first(key));
     if (value.length === 0) return "none";
-    if (value.every((each) => typeof each === "number")) return draw_list(label_of(name), unit_of(name), value as number[]);
+    if (value.every((each) => typeof each === "number")) {
+      if (value.length <= kFewNumbers) return value.map((each) => short(each as number)).join(", ");
+      return draw_list(label_of(name), unit_of(name), value as number[]);
+    }
     return this.draw_items(key, label_of(name), value as Group[]);
   }
 
@@ -157,7 +162,8 @@ function unit_of(name: string): string {
 }
 
 function unit_text(name: string, value: Value): string {
-  const unit = typeof value === "number" ? unit_of(name) : "";
+  const has_unit = typeof value === "number" || (Array.isArray(value) && value.length > 0);
+  const unit = has_unit ? unit_of(name) : "";
   return unit === "" ? "" : ` ${unit}`;
 }
 
