@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "replay/component_replay.hpp"
 
 namespace clew::insides {
@@ -18,6 +20,15 @@ std::string behaviour_of(const runtime::GraphStage& stage) {
     for (const auto& choice : choices) names += (names.empty() ? "" : ", ") + choice.name;
   }
   return names;
+}
+
+/// What has nothing to draw at this tick has no place in a legend either.
+void drop_empty_layers(domain::Picture& picture) {
+  auto& layers = picture.layers;
+  const auto is_empty = [](const domain::PictureLayer& layer) {
+    return layer.cells.empty() && layer.places_odom.empty();
+  };
+  layers.erase(std::remove_if(layers.begin(), layers.end(), is_empty), layers.end());
 }
 
 Explanation of_someone_else(const runtime::GraphStage& stage) {
@@ -49,6 +60,7 @@ Result<std::vector<Explanation>> explain(const bridge::RunRecording& recording,
     }
     auto inside = bridge::inside_at(recording, plan, each.info->name, tick);
     if (!inside.ok()) return inside.error();
+    drop_empty_layers(inside->picture);
     explanations.push_back({each.info->name, behaviour_of(each), std::move(inside).value()});
   }
   return explanations;
