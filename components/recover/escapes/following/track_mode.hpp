@@ -79,6 +79,7 @@ class TrackMode final : public Escape {
 
   void begin(const Situation& situation, const TrapEvidence& evidence) override;
   EscapeStatus step(const Situation& situation, domain::Guidance& guidance) override;
+  void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
 
