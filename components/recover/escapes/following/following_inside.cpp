@@ -83,7 +83,6 @@ void ObstacleFollowing::tell_circuit(const Situation& situation, domain::Inside&
   circuit.flag("separates_on_one_side", state_.separated);
   const LeavingRules::State& boundary = leaving_.state();
   circuit.bound("nearest_while_following", boundary.followed_m, "m");
-  circuit.flag("crosses_hit_line", boundary.crossed_hit_line);
   inside.picture.layers.push_back({"place to come back to",
                                    domain::PictureLayer::Kind::kPoints,
                                    {},
