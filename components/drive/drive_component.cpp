@@ -16,13 +16,16 @@ std::vector<runtime::PortInfo> DriveComponent::ports() {
 }
 
 DriveComponent::DriveComponent(std::unique_ptr<DriveModel> model, const SafetyParameters& safety,
-                               const DriftParameters& drift, const runtime::RunSetup& setup)
+                               const DriftParameters& drift, const ArrivalParameters& arrival,
+                               const runtime::RunSetup& setup)
     : model_(std::move(model)),
       world_(setup.world),
       seed_(setup.seed),
       robot_index_(setup.robot_index),
       drifts_(drift.any()),
-      referee_({world_->target(), world_->target_radius_m(), setup.max_ticks}),
+      referee_({world_->target(),
+                arrival.arrive_m > 0.0 ? arrival.arrive_m : world_->target_radius_m(),
+                setup.max_ticks}),
       body_(world_->start(), setup.behaviour.robot.radius_m, safety),
       reckoning_(world_->start(), drift) {}
 

@@ -32,7 +32,8 @@ class DriveComponent final : public runtime::Component {
   static std::vector<runtime::PortInfo> ports();
 
   DriveComponent(std::unique_ptr<DriveModel> model, const SafetyParameters& safety,
-                 const DriftParameters& drift, const runtime::RunSetup& setup);
+                 const DriftParameters& drift, const ArrivalParameters& arrival,
+                 const runtime::RunSetup& setup);
 
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
   void save(core::StateWriter& writer) const override;

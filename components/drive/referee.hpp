@@ -4,9 +4,20 @@
 #include <cstdint>
 
 #include "core/geometry.hpp"
+#include "core/parameters.hpp"
 #include "domain/messages.hpp"
 
 namespace clew::drive {
+
+struct ArrivalParameters {
+  double arrive_m = 0.0;
+};
+
+template <typename Visitor>
+void visit_parameters(Visitor& visit, ArrivalParameters& p) {
+  visit.number("arrive_m", p.arrive_m, "m", {0.0, 10.0},
+               "arrival is within this distance of the target; 0: the world's target radius");
+}
 
 /// What a robot is sent out for.
 struct Mission {

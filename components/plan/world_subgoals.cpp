@@ -5,13 +5,13 @@ namespace clew::plan {
 
 Subgoal WorldSubgoals::step(const Situation& situation) {
   const core::Pose2& robot = situation.odometry.pose_odom_robot;
-  const double radius_m = situation.target_radius_m;
   while (state_.next < situation.subgoals.size() &&
-         core::distance_m(robot, situation.subgoals[state_.next]) <= radius_m) {
+         core::distance_m(robot, situation.subgoals[state_.next]) <= parameters_.close_m) {
     ++state_.next;
   }
-  if (state_.next >= situation.subgoals.size()) return {situation.target, radius_m};
-  return {situation.subgoals[state_.next], radius_m};
+  if (state_.next >= situation.subgoals.size())
+    return {situation.target, situation.target_radius_m};
+  return {situation.subgoals[state_.next], parameters_.close_m};
 }
 
 void WorldSubgoals::save(core::StateWriter& writer) const { writer(state_); }

@@ -11,21 +11,32 @@
 
 namespace clew::plan {
 
-/// The subgoals that the world gives, in their order, each until the robot is as near to it as it
-/// must be to the target in the end; then the target. So Lagoudakis & Maida 1999 led their robot
+struct WorldSubgoalsParameters {
+  double close_m = 0.2;
+};
+
+template <typename Visitor>
+void visit_parameters(Visitor& visit, WorldSubgoalsParameters& p) {
+  visit.number("close_m", p.close_m, "m", {0.01, 10.0},
+               "the next subgoal follows when the robot is within this distance of one");
+}
+
+/// The subgoals that the world gives, in their order, each until the robot is within close_m of it;
+/// then the target. So Lagoudakis & Maida 1999 led their robot
 /// through an office (figure 9): by landmarks that a person had placed. Where the world gives none,
 /// it is the mission's target from the start.
 class WorldSubgoals final : public Planner {
  public:
-  using Parameters = core::NoParameters;
+  using Parameters = WorldSubgoalsParameters;
   struct State {
     std::uint32_t next = 0;  ///< of the world's subgoals; those before have been reached
   };
 
-  static core::Result<std::unique_ptr<WorldSubgoals>> create(const Parameters&,
+  static core::Result<std::unique_ptr<WorldSubgoals>> create(const Parameters& parameters,
                                                              const domain::BehaviourSetup&) {
-    return std::make_unique<WorldSubgoals>();
+    return std::make_unique<WorldSubgoals>(parameters);
   }
+  explicit WorldSubgoals(const Parameters& parameters) : parameters_(parameters) {}
 
   Subgoal step(const Situation& situation) override;
   void tell(const Situation& situation, domain::Inside& inside) const override;
@@ -33,6 +44,7 @@ class WorldSubgoals final : public Planner {
   void load(core::StateReader& reader) override { reader(state_); }
 
  private:
+  Parameters parameters_;
   State state_;
 };
 

@@ -13,6 +13,7 @@
 #include "recover/escapes/box_filling.hpp"
 #include "recover/escapes/fixed_sequence.hpp"
 #include "recover/escapes/following/obstacle_following.hpp"
+#include "recover/escapes/following/track_mode.hpp"
 #include "recover/escapes/local_minimum_planner.hpp"
 #include "recover/escapes/map_following.hpp"
 #include "recover/escapes/none.hpp"
@@ -56,6 +57,10 @@ runtime::Registry<Escape>& escapes() {
           "obstacle_following",
           "the four cases of the distant memory's action space (Krishna & Kalra 2000, section "
           "4.3)"),
+      runtime::registration<Escape, TrackMode>(
+          "track_mode",
+          "tracks the obstacle from the alarm on (Huang & Lee 1992, as in Krishna & Kalra 2000, "
+          "section 4.5)"),
       runtime::registration<Escape, LocalMinimumPlanner>(
           "local_minimum_planner", "a stack of virtual targets (Nakhaeinia et al. 2015)"),
       runtime::registration<Escape, BoxFilling>(

@@ -55,6 +55,18 @@ TEST(ShippedSom, KnowsTheLandmarksOfThePaper) {
   }
 }
 
+TEST(ShippedSom, RecallsTheStringsOfThePaper) {
+  const auto map = Som::parse(shipped());
+  ASSERT_TRUE(map.ok()) << map.error().text();
+
+  // Figure 1a, 3 twelve times, 1 twice and 0; figure 1b, 3 six times; and the paper's lower bounds.
+  const auto& bounds = map->neuron(map->recall({3, 1, 0}).neuron).lower_bounds;
+  ASSERT_TRUE(bounds.has_value());
+  for (const std::uint32_t threes : {12u, 6u, 4u}) {
+    EXPECT_TRUE(reaches({threes, 2, 1}, *bounds)) << threes;
+  }
+}
+
 TEST(ShippedSom, DoesNotKnowTheTrapOfFigureFourteen) {
   const auto map = Som::parse(shipped());
   ASSERT_TRUE(map.ok()) << map.error().text();

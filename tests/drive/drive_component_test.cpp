@@ -19,7 +19,8 @@ using domain::Topic;
 class DriveRun {
  public:
   explicit DriveRun(const std::string& obstacles = "", bool safety = true,
-                    std::uint64_t max_ticks = 100, const DriftParameters& drift = {}) {
+                    std::uint64_t max_ticks = 100, const DriftParameters& drift = {},
+                    const ArrivalParameters& arrival = {}) {
     auto world = world::World::parse("format: clew-world/1\nname: test\nbounds: [0, 0, 20, 20]\n" +
                                          obstacles +
                                          "\nstart: [5, 5, 0]\ntarget: [6, 5]\ntarget_radius: 0.2\n",
@@ -29,7 +30,7 @@ class DriveRun {
     setup.world = std::make_shared<const world::World>(std::move(world).value());
     setup.max_ticks = max_ticks;
     component_.emplace(std::make_unique<TurnThenStep>(TurnThenStepParameters{}, 0.3),
-                       SafetyParameters{safety, 0.005}, drift, setup);
+                       SafetyParameters{safety, 0.005}, drift, arrival, setup);
     command_.set(static_cast<std::size_t>(Topic::kCommand));
     for (const Topic topic : {Topic::kState, Topic::kOdometry, Topic::kTarget}) {
       outputs_.set(static_cast<std::size_t>(topic));
@@ -63,6 +64,23 @@ Motion ahead(double step_m) {
   motion.kind = CommandKind::kTurnAndStep;
   motion.step_m = step_m;
   return motion;
+}
+
+TEST(DriveComponent, ArrivesWithinTheWorldsRadiusOrItsOwn) {
+  DriveRun by_world;
+  DriveRun by_inch("", true, 100, {}, {0.0254});
+  by_world.start();
+  by_inch.start();
+
+  // The target is 1 m ahead: at 0.75 m, 0.1 m short of it, and 0.02 m short.
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(by_world.step(ahead(0.15)).outcome, Outcome::kRunning);
+    by_inch.step(ahead(0.15));
+  }
+  EXPECT_EQ(by_world.step(ahead(0.15)).outcome, Outcome::kReached);
+  EXPECT_EQ(by_inch.step(ahead(0.15)).outcome, Outcome::kRunning);
+  EXPECT_EQ(by_inch.step(ahead(0.08)).outcome, Outcome::kReached);
+  EXPECT_EQ(std::get<domain::Target>(by_inch.messages()).radius_m, 0.0254);
 }
 
 TEST(DriveComponent, StartsWhereTheWorldSays) {

@@ -112,11 +112,11 @@ TEST_F(PlanStage, LeadsAlongTheSubgoalsOfTheWorld) {
       "subgoals: [[1, 5.1], [3, 8], [6, 8]]\ntarget: [9, 5]\ntarget_radius: 0.2\n",
       "hall.yaml");
   setup_.world = std::make_shared<const world::World>(std::move(world).value());
-  config_.parts["behaviour"] = {{"world_subgoals", {}}};
+  config_.parts["behaviour"] = {{"world_subgoals", {{"close_m", 0.2}}}};
 
   const domain::Target target = target_of_tick_0();
 
-  // The first lies within the target's radius of the start.
+  // The first lies within close_m of the start.
   EXPECT_EQ(target.position(), core::Vec2(3.0, 8.0));
   EXPECT_EQ(target.radius_m, 0.2);
 }

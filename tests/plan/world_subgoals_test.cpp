@@ -21,7 +21,7 @@ Subgoal step(WorldSubgoals& planner, const Vec2& robot,
 }
 
 TEST(WorldSubgoals, LeadsFromOneToTheNextAndToTheTarget) {
-  WorldSubgoals planner;
+  WorldSubgoals planner{{}};
 
   EXPECT_EQ(step(planner, {0.0, 0.0}).place, kSubgoals[0]);
   EXPECT_EQ(step(planner, {0.81, 0.0}).place, kSubgoals[1]);
@@ -30,8 +30,16 @@ TEST(WorldSubgoals, LeadsFromOneToTheNextAndToTheTarget) {
   EXPECT_EQ(step(planner, {3.0, 1.9}).radius_m, 0.2);
 }
 
+TEST(WorldSubgoals, HasARadiusOfItsOwn) {
+  WorldSubgoals planner{{0.5}};
+
+  EXPECT_EQ(step(planner, {0.49, 0.0}).place, kSubgoals[0]);
+  EXPECT_EQ(step(planner, {0.49, 0.0}).radius_m, 0.5);
+  EXPECT_EQ(step(planner, {0.51, 0.0}).place, kSubgoals[1]);
+}
+
 TEST(WorldSubgoals, LeavesNoneOut) {
-  WorldSubgoals planner;
+  WorldSubgoals planner{{}};
 
   // At the second, which comes only after the first.
   EXPECT_EQ(step(planner, {1.0, 2.0}).place, kSubgoals[0]);
@@ -39,17 +47,17 @@ TEST(WorldSubgoals, LeavesNoneOut) {
 }
 
 TEST(WorldSubgoals, SteersForTheTargetWhereTheWorldGivesNone) {
-  WorldSubgoals planner;
+  WorldSubgoals planner{{}};
 
   EXPECT_EQ(step(planner, {0.0, 0.0}, {}).place, Vec2(5.0, 5.0));
 }
 
 TEST(WorldSubgoals, GoesOnFromASavedState) {
-  WorldSubgoals planner;
+  WorldSubgoals planner{{}};
   step(planner, {1.0, 0.0});
   core::StateWriter writer;
   planner.save(writer);
-  WorldSubgoals restored;
+  WorldSubgoals restored{{}};
   core::StateReader reader(writer.bytes());
 
   restored.load(reader);

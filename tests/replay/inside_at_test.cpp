@@ -13,7 +13,7 @@ using recording_test::ScratchDirectory;
 
 class InsideAt : public testing::Test {
  protected:
-  InsideAt() { record_run(plan_of("lagoudakis_maida", changes({}, {}, 60)), path_); }
+  InsideAt() { record_run(plan_of("lagoudakis_maida", changes({}, {}, 44)), path_); }
 
   const ScratchDirectory scratch_;
   const std::string path_ = scratch_.file("run.mcap");
@@ -49,10 +49,10 @@ TEST_F(InsideAt, TellsADrivesCommandOfTheTickBefore) {
 TEST_F(InsideAt, RefusesATickThatIsNotThere) {
   const RunRecording recording = open_recording(path_);
 
-  const auto inside = inside_at(recording, replay_plan(recording), "control", 61);
+  const auto inside = inside_at(recording, replay_plan(recording), "control", 45);
 
   ASSERT_FALSE(inside.ok());
-  EXPECT_EQ(inside.error().text(), path_ + ": has no tick 61; its last one is 60");
+  EXPECT_EQ(inside.error().text(), path_ + ": has no tick 45; its last one is 44");
 }
 
 }  // namespace

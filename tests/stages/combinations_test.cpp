@@ -62,6 +62,7 @@ const std::map<std::string, std::set<std::string>> kSensorsFor = {
     {"nearest_virtual_target", {"cones", "laser", "sonar_ring"}},
     {"polar_neural_map", {"laser", "sonar_ring"}},
     {"obstacle_following", {"cones", "laser", "sonar_ring"}},
+    {"track_mode", {"cones", "laser", "sonar_ring"}},
     {"no_safe_region", {"cones", "laser", "sonar_ring"}},
     {"no_connecting_path", {"cones", "laser", "sonar_ring"}},
 };

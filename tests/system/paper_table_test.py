@@ -28,7 +28,7 @@ class Figures(unittest.TestCase):
             self.assertEqual(run(world, "reactive")["outcome"], "timeout", world)
 
     def test_the_full_system_notices_and_leaves_the_traps(self):
-        for variant in ("SOM + ART", "SOM + ART, paper's leaving"):
+        for variant in ("SOM + ART", "as the paper"):
             for world in [*TRAPS, MAZE]:
                 report = run(world, variant)
                 self.assertEqual(report["outcome"], "reached", (world, variant))

@@ -54,22 +54,26 @@ class LandmarkSource : public runtime::ConfigSource {
   Resource world_;
 };
 
-Result<train::LandmarkRun> run_past(const std::string& world_name, const Resource& file,
-                                    double scale, const runtime::ConfigPath& path) {
-  const auto world = world::World::parse(file.text, file.file);
+Result<train::ClassesSeen> run_past(const std::string& name, double scale,
+                                    const runtime::ConfigPath& path) {
+  const auto file = path.find("worlds", name);
+  if (!file.ok()) return file.error();
+  const auto world = world::World::parse(file->text, file->file);
   if (!world.ok()) return world.error();
-  const LandmarkSource source(path, {file.file, train::scaled_world_yaml(*world, scale)});
+  const LandmarkSource source(path, {file->file, train::scaled_world_yaml(*world, scale)});
   const auto plan = runtime::prepare_run("training", {}, source, stages::all());
+  // A copy that is too small for the robot is refused as a world.
+  if (!plan.ok() && scale < 1.0) return train::ClassesSeen();
   if (!plan.ok()) return plan.error();
   auto nodes = runtime::make_nodes(*plan);
   if (!nodes.ok()) return nodes.error();
   runtime::ComposedExecutor executor(std::move(nodes).value(), nullptr);
-  train::LandmarkRun run{world_name, scale, {}};
+  train::ClassesSeen classes;
   do {
     executor.step();
-    run.classes.push_back(std::get<domain::Landmark>(executor.messages()).spatial_class);
+    classes.push_back(std::get<domain::Landmark>(executor.messages()).spatial_class);
   } while (std::get<domain::State>(executor.messages()).outcome == domain::Outcome::kRunning);
-  return run;
+  return classes;
 }
 
 Result<std::string> train(const TrainSomOptions& options) {
@@ -78,19 +82,12 @@ Result<std::string> train(const TrainSomOptions& options) {
   if (!file.ok()) return file.error();
   const auto recipe = train::SomRecipe::parse(*file);
   if (!recipe.ok()) return recipe.error();
-  std::vector<train::LandmarkRun> runs;
-  for (const std::string& name : recipe->worlds) {
-    const auto world = path.find("worlds", name);
-    if (!world.ok()) return world.error();
-    for (const double scale : recipe->scales) {
-      auto run = run_past(name, *world, scale, path);
-      if (!run.ok()) return run.error();
-      runs.push_back(std::move(run).value());
-    }
-  }
   std::string command = "clew train som";
   if (options.recipe != kDefaultSomRecipe) command += " --recipe " + options.recipe;
-  return train::train_som(*recipe, runs, command);
+  const auto run = [&path](const std::string& world, double scale) {
+    return run_past(world, scale, path);
+  };
+  return train::train_som(*recipe, run, command);
 }
 
 int train_som_command(const TrainSomOptions& options) {
@@ -109,7 +106,7 @@ int train_som_command(const TrainSomOptions& options) {
 void add_train_som(CLI::App& train, int& status) {
   const auto options = std::make_shared<TrainSomOptions>();
   CLI::App* som = train.add_subcommand("som", "The landmark map of Krishna & Kalra 2000");
-  som->add_option("--recipe", options->recipe, "worlds, scales, iterations and seed")
+  som->add_option("--recipe", options->recipe, "worlds, step of scale, iterations and seed")
       ->capture_default_str();
   som->add_option("-o,--output", options->output, "the file to write (stdout)")
       ->check(file_to_write());

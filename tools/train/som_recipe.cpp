@@ -11,6 +11,7 @@ using core::YamlNode;
 
 constexpr std::int64_t kLeastIterations = 100 * static_cast<std::int64_t>(Som::kNeurons);
 constexpr std::int64_t kMostIterations = 1'000'000'000;
+constexpr core::Range kScaleStep = {0.01, 0.5};
 
 /// A pair [first, last] with 0 < last <= first <= most, a whole number.
 Result<void> read_annealed(const YamlNode& root, const char* key, int most,
@@ -24,22 +25,6 @@ Result<void> read_annealed(const YamlNode& root, const char* key, int most,
   return node->error("expected [first, last] with 0 < last <= first <= " + std::to_string(most));
 }
 
-Result<void> read_scales(const YamlNode& root, std::vector<double>& field) {
-  const auto node = root.at("scales");
-  if (!node.ok()) return node.error();
-  const auto items = node->items();
-  if (!items.ok()) return items.error();
-  for (const YamlNode& item : *items) {
-    const auto scale = item.number();
-    if (!scale.ok()) return scale.error();
-    const bool falls = field.empty() ? *scale == 1.0 : *scale < field.back() && *scale > 0.0;
-    if (!falls) return item.error("scales fall from 1 and stay above 0");
-    field.push_back(*scale);
-  }
-  return field.empty() ? Result<void>(node->error("expected at least the scale 1"))
-                       : Result<void>();
-}
-
 }  // namespace
 
 Result<SomRecipe> SomRecipe::parse(const core::Resource& resource) {
@@ -47,7 +32,7 @@ Result<SomRecipe> SomRecipe::parse(const core::Resource& resource) {
   if (!root.ok()) return root.error();
   CLEW_RETURN_IF_ERROR(
       root->check_keys({"format", "seed", "iterations", "learning_rate", "radius_neurons",
-                        "least_runs_ticks", "scales", "worlds"}));
+                        "least_runs_ticks", "scale_step", "worlds"}));
   CLEW_RETURN_IF_ERROR(core::check_format(*root, "clew-som-training/1"));
   SomRecipe recipe;
   CLEW_RETURN_IF_ERROR(core::read_count(*root, "seed", 0, kMostIterations, recipe.seed));
@@ -56,7 +41,7 @@ Result<SomRecipe> SomRecipe::parse(const core::Resource& resource) {
   CLEW_RETURN_IF_ERROR(read_annealed(*root, "learning_rate", 1, recipe.learning_rate));
   CLEW_RETURN_IF_ERROR(read_annealed(*root, "radius_neurons", 7, recipe.radius_neurons));
   CLEW_RETURN_IF_ERROR(core::read_counts(*root, "least_runs_ticks", recipe.least_runs));
-  CLEW_RETURN_IF_ERROR(read_scales(*root, recipe.scales));
+  CLEW_RETURN_IF_ERROR(core::read_number(*root, "scale_step", kScaleStep, recipe.scale_step));
   CLEW_RETURN_IF_ERROR(core::read_names(*root, "worlds", recipe.worlds));
   return recipe;
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -32,33 +32,32 @@ bool is_landmark(const Triple& classes) {
   return classes[0] != kFree && classes[1] != kFree && classes[0] != classes[2];
 }
 
-/// The landmark vectors of a run, each with its lengths when it is complete.
-std::vector<Sighting> sightings(const LandmarkRun& run, const RunLengths& least_runs) {
-  std::vector<Sighting> found;
-  ClassSequence sequence(true);
-  bool taken = false;
-  for (const std::uint8_t spatial_class : run.classes) {
-    if (sequence.add(spatial_class)) taken = false;
-    if (taken || !sequence.complete() || !reaches(sequence.lengths(), least_runs)) continue;
-    taken = true;
-    if (is_landmark(sequence.classes())) found.emplace_back(sequence.classes(), sequence.lengths());
-  }
-  return found;
-}
-
 Triple mirrored(const Triple& classes) {
   return {train::mirrored(classes[0]), train::mirrored(classes[1]), train::mirrored(classes[2])};
 }
 
-/// Every landmark once, in a fixed order, mirror images included.
-std::vector<Triple> landmarks(const SomRecipe& recipe, const std::vector<LandmarkRun>& runs) {
+/// The landmark vectors of a run and their mirror images, each with its lengths when it is
+/// complete.
+std::vector<Sighting> sightings(const ClassesSeen& classes_seen, const RunLengths& least_runs) {
+  std::vector<Sighting> found;
+  ClassSequence sequence(true);
+  bool taken = false;
+  for (const std::uint8_t spatial_class : classes_seen) {
+    if (sequence.add(spatial_class)) taken = false;
+    if (taken || !sequence.complete() || !reaches(sequence.lengths(), least_runs)) continue;
+    taken = true;
+    if (!is_landmark(sequence.classes())) continue;
+    found.emplace_back(sequence.classes(), sequence.lengths());
+    found.emplace_back(mirrored(sequence.classes()), sequence.lengths());
+  }
+  return found;
+}
+
+/// Every landmark once, in a fixed order.
+std::vector<Triple> landmarks(const SomRecipe& recipe, const std::vector<ClassesSeen>& runs) {
   std::set<Triple> all;
-  for (const LandmarkRun& run : runs) {
-    if (run.scale != recipe.scales.front()) continue;
-    for (const Sighting& sighting : sightings(run, recipe.least_runs)) {
-      all.insert(sighting.first);
-      all.insert(mirrored(sighting.first));
-    }
+  for (const ClassesSeen& run : runs) {
+    for (const Sighting& sighting : sightings(run, recipe.least_runs)) all.insert(sighting.first);
   }
   return {all.begin(), all.end()};
 }
@@ -105,28 +104,37 @@ Som::Lattice train(const SomRecipe& recipe, const std::vector<Triple>& inputs) {
   return lattice;
 }
 
-/// Krishna & Kalra 2000, section 3.2.1: the vector of lower bounds.
-void find_lower_bounds(const SomRecipe& recipe, const std::vector<LandmarkRun>& runs,
-                       Som::Lattice& lattice) {
+/// The shortest runs, each of the three for itself, of every neuron that recalls a landmark of a
+/// run.
+using Bounds = std::map<std::uint32_t, RunLengths>;
+Bounds recalled(const Som& map, const ClassesSeen& run, const RunLengths& least_runs) {
+  Bounds bounds;
+  for (const Sighting& sighting : sightings(run, least_runs)) {
+    const Som::Recall recall = map.recall(sighting.first);
+    if (recall.distance > kToleranceClasses) continue;
+    RunLengths& least = bounds.try_emplace(recall.neuron, sighting.second).first->second;
+    for (std::size_t k = 0; k < 3; ++k) least[k] = std::min(least[k], sighting.second[k]);
+  }
+  return bounds;
+}
+
+/// Krishna & Kalra 2000, section 3.2.1: what the copies of one world tell of the lower bounds.
+core::Result<void> find_lower_bounds(const SomRecipe& recipe, const std::string& world,
+                                     const RunPast& run_past, Som::Lattice& lattice) {
   const Som map(lattice);
-  std::array<double, Som::kNeurons> smallest{};
-  smallest.fill(std::numeric_limits<double>::max());
-  const auto see = [&](double scale, const Triple& classes, const RunLengths& lengths) {
-    const Som::Recall recall = map.recall(classes);
-    if (recall.distance > kToleranceClasses || scale > smallest[recall.neuron]) return;
-    auto& bounds = lattice[recall.neuron].lower_bounds;
-    if (scale < smallest[recall.neuron]) {
-      smallest[recall.neuron] = scale;
-      bounds = lengths;
-    }
-    for (std::size_t k = 0; k < 3; ++k) (*bounds)[k] = std::min((*bounds)[k], lengths[k]);
-  };
-  for (const LandmarkRun& run : runs) {
-    for (const Sighting& sighting : sightings(run, recipe.least_runs)) {
-      see(run.scale, sighting.first, sighting.second);
-      see(run.scale, mirrored(sighting.first), sighting.second);
+  for (int copy = 0;; ++copy) {
+    const double scale = 1.0 - copy * recipe.scale_step;
+    if (scale < recipe.scale_step) break;
+    const auto run = run_past(world, scale);
+    if (!run.ok()) return run.error();
+    if (run->empty()) break;
+    for (const auto& [neuron, lengths] : recalled(map, *run, recipe.least_runs)) {
+      auto& bounds = lattice[neuron].lower_bounds;
+      if (!bounds) bounds = lengths;
+      for (std::size_t k = 0; k < 3; ++k) (*bounds)[k] = std::min((*bounds)[k], lengths[k]);
     }
   }
+  return {};
 }
 
 std::string describe(const Triple& classes) {
@@ -171,8 +179,14 @@ std::uint8_t mirrored(std::uint8_t spatial_class) {
   return static_cast<std::uint8_t>(1 + ((row & 1) << 2) + (row & 2) + ((row & 4) >> 2));
 }
 
-core::Result<std::string> train_som(const SomRecipe& recipe, const std::vector<LandmarkRun>& runs,
+core::Result<std::string> train_som(const SomRecipe& recipe, const RunPast& run_past,
                                     const std::string& command) {
+  std::vector<ClassesSeen> runs;
+  for (const std::string& world : recipe.worlds) {
+    auto run = run_past(world, 1.0);
+    if (!run.ok()) return run.error();
+    runs.push_back(std::move(run).value());
+  }
   const std::vector<Triple> inputs = landmarks(recipe, runs);
   if (inputs.empty()) return core::Error{"the runs show no landmark", {}, 0, 0};
   Som::Lattice lattice = train(recipe, inputs);
@@ -187,7 +201,9 @@ core::Result<std::string> train_som(const SomRecipe& recipe, const std::vector<L
                          0};
     }
   }
-  find_lower_bounds(recipe, runs, lattice);
+  for (const std::string& world : recipe.worlds) {
+    CLEW_RETURN_IF_ERROR(find_lower_bounds(recipe, world, run_past, lattice));
+  }
   return to_text(recipe, command, lattice);
 }
 

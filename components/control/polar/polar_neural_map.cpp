@@ -36,6 +36,11 @@ core::Vec2 placed_from(const core::Pose2& pose, const core::Vec2& seen) {
                                       ahead.y() * seen.x() + ahead.x() * seen.y());
 }
 
+/// How many scans the memory holds, the present one included.
+std::size_t scans_of(const PolarNeuralMapParameters& p, double tick_s) {
+  return static_cast<std::size_t>(std::max(1L, std::lround(p.memory_s / tick_s)));
+}
+
 PolarLattice lattice_of(const PolarNeuralMapParameters& p) {
   return {static_cast<std::size_t>(p.rings), static_cast<std::size_t>(p.sectors), p.scope_m};
 }
@@ -52,11 +57,10 @@ PolarNeuralMap::PolarNeuralMap(const Parameters& parameters, const domain::Behav
     : parameters_(parameters),
       radius_m_(setup.robot.radius_m),
       prediction_(setup.tick_s),
-      memory_(static_cast<std::size_t>(parameters.memory_scans), setup.scan.beam_count,
-              setup.robot.radius_m),
+      memory_(scans_of(parameters, setup.tick_s), setup.scan.beam_count, setup.robot.radius_m),
       landscape_(lattice_of(parameters), parameters.gain_ratio),
       window_(parameters.window, setup.limits, setup.robot.radius_m) {
-  returns_.reserve(setup.scan.beam_count * static_cast<std::size_t>(parameters.memory_scans));
+  returns_.reserve(setup.scan.beam_count * scans_of(parameters, setup.tick_s));
   seen_.reserve(setup.scan.beam_count * 3);
 }
 

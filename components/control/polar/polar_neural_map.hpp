@@ -22,7 +22,7 @@ struct PolarNeuralMapParameters {
   double scope_m = 2.54;
   double gain_ratio = 0.7;
   std::int64_t most_patterns = 8;
-  std::int64_t memory_scans = 10;
+  double memory_s = 2.5;
   bool predict = true;
   double clearance_m = 0.07;
   DynamicWindowParameters window;
@@ -38,8 +38,8 @@ void visit_parameters(Visitor& visit, PolarNeuralMapParameters& p) {
                "beta times the greatest eigenvalue of the connectivity; stable below 1");
   visit.integer("most_patterns", p.most_patterns, "1", {1, 1000},
                 "greatest number of update patterns in a tick; fewer if the subgoal is stable");
-  visit.integer("memory_scans", p.memory_scans, "1", {1, 100},
-                "number of scans in the short-term memory, with the present one");
+  visit.number("memory_s", p.memory_s, "s", {0.0, 10.0},
+               "time that the short-term memory covers, to whole scans; 0: the present scan alone");
   visit.flag("predict", p.predict,
              "whether the map is centred where the robot will be after a cycle");
   visit.number("clearance_m", p.clearance_m, "m", {0.0, 1.0},

@@ -91,6 +91,23 @@ TEST(PolarNeuralMap, RemembersWhatItDoesNotSeeAnyMore) {
   EXPECT_EQ(without.turn_rate_radps, 0.0);
 }
 
+TEST(PolarNeuralMap, ForgetsAfterItsTime) {
+  PolarNeuralMapParameters parameters;
+  parameters.memory_s = 0.3;
+  PolarNeuralMap controller(parameters, setup());
+  controller.step(odometry_at(0.0, {}), wall_scan(0.6), {6.0, 0.1});
+
+  // Three scans of 0.1 s, the present one included.
+  controller.step(odometry_at(0.1, {}), free_scan(), {6.0, 0.0});
+  const double second =
+      controller.step(odometry_at(0.2, {}), free_scan(), {6.0, 0.0}).turn_rate_radps;
+  const double third =
+      controller.step(odometry_at(0.3, {}), free_scan(), {6.0, 0.0}).turn_rate_radps;
+
+  EXPECT_GT(std::fabs(second), 0.1);
+  EXPECT_EQ(third, 0.0);
+}
+
 TEST(PolarNeuralMap, ForgetsWhileOthersSteer) {
   PolarNeuralMap controller({}, setup());
   controller.step(odometry_at(0.0, {}), wall_scan(0.6), {6.0, 0.1});

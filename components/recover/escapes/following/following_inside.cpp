@@ -5,6 +5,7 @@
 #include "core/fuzzy.hpp"
 #include "domain/words.hpp"
 #include "recover/escapes/following/obstacle_following.hpp"
+#include "recover/escapes/following/track_mode.hpp"
 
 namespace clew::recover {
 namespace {
@@ -82,7 +83,6 @@ void ObstacleFollowing::tell_circuit(const Situation& situation, domain::Inside&
   circuit.flag("separates_on_one_side", state_.separated);
   const LeavingRules::State& boundary = leaving_.state();
   circuit.bound("nearest_while_following", boundary.followed_m, "m");
-  circuit.flag("crosses_hit_line", boundary.crossed_hit_line);
   inside.picture.layers.push_back({"place to come back to",
                                    domain::PictureLayer::Kind::kPoints,
                                    {},
@@ -92,6 +92,31 @@ void ObstacleFollowing::tell_circuit(const Situation& situation, domain::Inside&
   if (state_.separated) {
     inside.say("A circuit on the other side has shown that the obstacle cuts the target off.");
   }
+}
+
+void TrackMode::tell(const Situation& situation, domain::Inside& inside) const {
+  const core::Vec2 way = situation.target_odom - state_.begun_odom;
+  const double off_m = state_.off_line / std::max(core::length(way), 1e-9);
+  inside.values.text("wall", say_side(state_.wall));
+  inside.values.flag("at_wall", state_.at_wall);
+  inside.values.place("tracked_from", state_.begun_odom);
+  inside.values.number("off_line_to_target", off_m, "m");
+  inside.values.flag("target_was_off", state_.target_was_off);
+  if (!state_.at_wall) {
+    inside.say("It is in T mode and turns to the obstacle on the " +
+               std::string(say_side(state_.wall)) + ", which it is not beside yet.");
+  } else if (parameters_.leave == TrackLeaving::kCollinear) {
+    inside.say("It is in T mode and tracks the obstacle on the " +
+               std::string(say_side(state_.wall)) +
+               " until it crosses the line from where that began to the target, which is " +
+               domain::say_metres(std::fabs(off_m)) + " away.");
+  } else {
+    inside.say("It is in T mode and tracks the obstacle on the " +
+               std::string(say_side(state_.wall)) +
+               " until that ends where the target has come back to its side.");
+  }
+  scan::SevenCones eyes = eyes_;
+  follower_.tell(eyes.see(situation.scan), state_.wall, inside);
 }
 
 }  // namespace clew::recover

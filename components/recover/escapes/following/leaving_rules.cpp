@@ -60,17 +60,12 @@ void LeavingRules::watch(const Situation& situation) {
   state_.least_m = std::min(state_.least_m, situation.target_distance_m());
   state_.followed_m = std::min(state_.followed_m, boundary_m(situation));
   const double start_side = side_of_line(state_.start_odom, state_.target_odom, position);
-  const double hit_side = side_of_line(state_.hit_odom, state_.target_odom, position);
   state_.crossed_start_line = crosses(state_.start_side, start_side);
-  state_.crossed_hit_line = crosses(state_.hit_side, hit_side);
   state_.start_side = start_side;
-  state_.hit_side = hit_side;
 }
 
 void LeavingRules::hit(const Situation& situation) {
   state_.hit_odom = situation.pose().position();
-  state_.hit_side = 0.0;
-  state_.crossed_hit_line = false;
   state_.least_m = situation.target_distance_m();
 }
 
@@ -79,11 +74,6 @@ bool LeavingRules::may_leave(LeavingRule rule, const Situation& situation, doubl
   const double distance_m = situation.target_distance_m();
   const double hit_distance_m = core::length(state_.target_odom - state_.hit_odom);
   switch (rule) {
-    case LeavingRule::kCollinear: {
-      const core::Vec2 way = state_.target_odom - state_.hit_odom;
-      const double along = (situation.pose().position() - state_.hit_odom).dot(way);
-      return state_.crossed_hit_line && along > 0.0 && along < way.dot(way);
-    }
     case LeavingRule::kBug2:
       return state_.crossed_start_line && distance_m < hit_distance_m && clear;
     case LeavingRule::kDistBug:

@@ -9,13 +9,11 @@
 namespace clew::recover {
 
 /// When a robot that follows a boundary may leave it. The first two are Krishna & Kalra's and ours.
-enum class LeavingRule : std::uint8_t { kNearer, kPaper, kCollinear, kBug2, kDistBug, kTangentBug };
+enum class LeavingRule : std::uint8_t { kNearer, kPaper, kBug2, kDistBug, kTangentBug };
 
 /// What the rules of the Bug family remember of a boundary. T is the target, x the robot, H where
 /// following began, S where the robot was when it got this target.
 ///
-/// - *collinear* (Huang & Lee 1992, as Krishna & Kalra 2000, section 4.5 tell it): x is on the line
-///   from H to T, between the two.
 /// - *bug2* (Lumelsky & Stepanov 1987): x is on the line from S to T, nearer to T than H, and can
 ///   go toward T.
 /// - *distbug* (Kamon & Rivlin 1997): d(x, T) - F <= d_min - STEP or F >= d(x, T), where F is free
@@ -36,10 +34,8 @@ class LeavingRules {
     core::Vec2 start_odom = core::Vec2::Zero();  ///< S
     core::Vec2 hit_odom = core::Vec2::Zero();    ///< H
     double start_side = 0.0;                     ///< of the line S T that x is on: left > 0
-    double hit_side = 0.0;                       ///< of the line H T
     bool crossed_start_line = false;             ///< in this tick
-    bool crossed_hit_line = false;
-    double least_m = 0.0;                                         ///< d_min
+    double least_m = 0.0;                        ///< d_min
     double followed_m = std::numeric_limits<double>::infinity();  ///< d_followed
   };
 
@@ -64,8 +60,8 @@ class LeavingRules {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, LeavingRules::State& s) {
-  visit(s.begun, s.target_odom, s.start_odom, s.hit_odom, s.start_side, s.hit_side,
-        s.crossed_start_line, s.crossed_hit_line, s.least_m, s.followed_m);
+  visit(s.begun, s.target_odom, s.start_odom, s.hit_odom, s.start_side, s.crossed_start_line,
+        s.least_m, s.followed_m);
 }
 
 }  // namespace clew::recover

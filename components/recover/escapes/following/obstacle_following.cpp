@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recover/escapes/following/flanks.hpp"
 #include "scan/certain_block.hpp"
 #include "scan/nearest_return.hpp"
 
@@ -12,13 +13,6 @@ namespace {
 
 // A bearing beyond this is behind the robot.
 constexpr double kBehind_rad = core::radians(90.0);
-
-/// The side of the nearest obstacle; one straight ahead is taken to be on the target's side.
-Side obstacle_side(const Situation& situation) {
-  const double bearing_rad = scan::nearest_return(situation.scan).bearing_rad;
-  const bool ahead = std::fabs(bearing_rad) < 0.5 * situation.scan.beam_width_rad;
-  return side_of(ahead ? situation.target_bearing_rad() : bearing_rad);
-}
 
 }  // namespace
 
@@ -60,7 +54,9 @@ void ObstacleFollowing::begin(const Situation& all, const TrapEvidence&) {
   if (same_side || !follower_.sees_obstacle(situation.scan)) {
     enter(Phase::kSeek, situation);  // cases i and ii
   } else {
-    begin_turning_about(situation);  // cases iii and iv
+    const double obstacle_rad = scan::nearest_return(situation.scan).bearing_rad;
+    begin_turning(turn_about_rad(obstacle_rad, situation.target_bearing_rad()),
+                  situation);  // cases iii and iv
   }
 }
 
@@ -79,11 +75,9 @@ void ObstacleFollowing::enter(Phase phase, const Situation& situation) {
   state_.phase_travel_m = situation.odometry.travel_m;
 }
 
-/// Turns toward the obstacle, until it is abeam on the other side.
-void ObstacleFollowing::begin_turning_about(const Situation& situation) {
-  const double off_ahead_rad =
-      std::max(0.0, sign(state_.wall) * scan::nearest_return(situation.scan).bearing_rad);
-  state_.turn_left_rad = sign(state_.wall) * (0.5 * core::kPi + off_ahead_rad);
+/// Turns about; then the obstacle is on the other side.
+void ObstacleFollowing::begin_turning(double turn_rad, const Situation& situation) {
+  state_.turn_left_rad = turn_rad;
   state_.wall = opposite(state_.wall);
   enter(Phase::kTurnAbout, situation);
 }
@@ -164,6 +158,12 @@ EscapeStatus ObstacleFollowing::follow(const Situation& situation, domain::Guida
   return EscapeStatus::kActive;
 }
 
+/// The turn toward the wall that is followed, until it is abeam on the other side.
+double ObstacleFollowing::turn_back_rad(const Situation& situation) const {
+  const double bearing_rad = scan::nearest_return(situation.scan).bearing_rad;
+  return sign(state_.wall) * (0.5 * core::kPi + std::max(0.0, sign(state_.wall) * bearing_rad));
+}
+
 /// A circuit has closed.
 EscapeStatus ObstacleFollowing::come_round(LoopResult result, const Situation& situation,
                                            domain::Guidance& guidance) {
@@ -179,7 +179,7 @@ EscapeStatus ObstacleFollowing::come_round(LoopResult result, const Situation& s
     }
     state_.separated = true;
     state_.separated_tick = situation.tick;
-    begin_turning_about(situation);
+    begin_turning(turn_back_rad(situation), situation);
     return EscapeStatus::kActive;
   }
   if (state_.came_round || !std::isfinite(loop_.nearest_clear_m())) {

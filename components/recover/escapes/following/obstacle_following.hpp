@@ -39,7 +39,6 @@ void visit_parameters(Visitor& visit, ObstacleFollowingParameters& p) {
   visit.choice("leave", p.leave,
                {{"nearer", LeavingRule::kNearer},
                 {"paper", LeavingRule::kPaper},
-                {"collinear", LeavingRule::kCollinear},
                 {"bug2", LeavingRule::kBug2},
                 {"distbug", LeavingRule::kDistBug},
                 {"tangentbug", LeavingRule::kTangentBug}},
@@ -81,8 +80,9 @@ void visit_parameters(Visitor& visit, ObstacleFollowingParameters& p) {
 ///  4. until the leaving rule lets it go back to step 1.
 ///
 /// Case ii is the mirror image. With the two on different sides (cases iii and iv) the robot first
-/// turns about, toward the obstacle, which changes both sides, and follows at once. Back in step 1,
-/// target and obstacle may both have changed sides: then the mirrored case goes on.
+/// turns about, toward the obstacle, until both have changed sides (turn_about_rad), and follows at
+/// once. Back in step 1, target and obstacle may both have changed sides: then the mirrored case
+/// goes on.
 ///
 /// Readings of ours, where the paper is open: the target *comes on the right* behind the robot,
 /// since ahead it does so whenever the robot points at it. Step 1 lasts at most first_seek_m the
@@ -141,13 +141,14 @@ class ObstacleFollowing final : public Escape {
  private:
   void tell_circuit(const Situation& situation, domain::Inside& inside) const;
   void enter(Phase phase, const Situation& situation);
-  void begin_turning_about(const Situation& situation);
+  void begin_turning(double turn_rad, const Situation& situation);
   void begin_following(const Situation& situation);
 
   Situation as_seen(const Situation& situation);
   EscapeStatus seek(const Situation& situation);
   void turn_about(const Situation& situation, domain::Guidance& guidance);
   EscapeStatus follow(const Situation& situation, domain::Guidance& guidance);
+  double turn_back_rad(const Situation& situation) const;
   EscapeStatus come_round(LoopResult result, const Situation& situation,
                           domain::Guidance& guidance);
 

@@ -30,18 +30,6 @@ class BoundaryMemoryTest : public ::testing::Test {
   LeavingRules memory_;
 };
 
-// The line from the hit point to the target passes (7, 0.5).
-TEST_F(BoundaryMemoryTest, CollinearLeavesBetweenTheHitPointAndTheTarget) {
-  EXPECT_FALSE(leaves(LeavingRule::kCollinear, scene(7, 2)));
-  EXPECT_TRUE(leaves(LeavingRule::kCollinear, scene(7, 0.4)));
-  EXPECT_FALSE(leaves(LeavingRule::kCollinear, scene(7, 0.3)));
-}
-
-TEST_F(BoundaryMemoryTest, CollinearStaysBehindTheHitPoint) {
-  EXPECT_FALSE(leaves(LeavingRule::kCollinear, scene(2, 2)));
-  EXPECT_FALSE(leaves(LeavingRule::kCollinear, scene(2, 1)));
-}
-
 TEST_F(BoundaryMemoryTest, Bug2LeavesOnTheLineFromTheStartNearerToTheTarget) {
   EXPECT_FALSE(leaves(LeavingRule::kBug2, scene(6, 0.5), 0.0, true));
   EXPECT_TRUE(leaves(LeavingRule::kBug2, scene(6, -0.1), 0.0, true));

@@ -131,6 +131,16 @@ TEST(CaseFour, TurnsAboutTheOtherWay) {
   EXPECT_EQ(answer.guidance.why, "wall on right");
 }
 
+TEST(CaseThree, TurnsOnUntilTheTargetIsOnTheRight) {
+  ObstacleFollowing escape = make();
+
+  // 135 degrees would leave the target, 14 degrees on the left, on the left.
+  const auto [turned_rad, answer] = turn_about(escape, scene(kWallOnRight, 4, 1));
+
+  EXPECT_NEAR(turned_rad, radians(-171.0), radians(0.1));
+  EXPECT_EQ(answer.guidance.why, "wall on left");
+}
+
 TEST(CaseFour, TurnsOnTheSpotInSmallTurns) {
   ObstacleFollowing escape = make();
 

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the papers say of their figures, and what of it can be measured: the rows of
+`tools/paper-table trap_scenes`. A row holds if it does so from where the world starts, and from at
+least 14 of 16 starts and targets that were moved a little."""
+import math
+import random
+import re
+import typing
+
+MOVED_STARTS = 16
+LEAST_SHARE = 14
+MOVE_M = 0.1
+TURN_RAD = 0.2
+NUMBER = r"-?[\d.]+"
+START = re.compile(rf"^start: \[({NUMBER}), ({NUMBER}), ({NUMBER})\]$", re.M)
+TARGET = re.compile(rf"^target: \[({NUMBER}), ({NUMBER})\]$", re.M)
+WALL = re.compile(rf"\[({NUMBER}), ({NUMBER}), ({NUMBER}), ({NUMBER})\]")
+
+
+def moved_starts(text):
+    """The world and, after it, the same with start and target moved by up to 0.1 m in both axes,
+    and the heading by 0.2 rad; always the same ones."""
+    draw = random.Random(1)
+    yield text
+    for _ in range(MOVED_STARTS):
+        def shifted(match):
+            place = [float(number) for number in match.groups()]
+            limits = [MOVE_M, MOVE_M, TURN_RAD][:len(place)]
+            return [round(number + draw.uniform(-limit, limit), 4)
+                    for number, limit in zip(place, limits)]
+        moved, starts = START.subn(lambda match: f"start: {shifted(match)}", text)
+        moved, targets = TARGET.subn(lambda match: f"target: {shifted(match)}", moved)
+        assert starts == targets == 1, text
+        yield moved
+
+
+def mirrored(text):
+    """The mirror image of a world of walls, left and right."""
+    left, _, right, _ = map(float, WALL.search(text).groups())
+    assert "circles:" not in text and "polygons:" not in text, text
+    bounds, rest = text.split("\n", 4)[:4], text.split("\n", 4)[4]
+
+    def across(x_m):
+        return round(left + right - float(x_m), 4)
+    rest = WALL.sub(lambda wall: str([across(wall[1]), float(wall[2]), across(wall[3]),
+                                      float(wall[4])]), rest)
+    rest = START.sub(lambda start: f"start: {[across(start[1]), float(start[2])]}"[:-1]
+                     + f", {round(math.pi - float(start[3]), 4)}]", rest)
+    rest = TARGET.sub(lambda target: f"target: {[across(target[1]), float(target[2])]}", rest)
+    return "\n".join([*bounds, rest])
+
+
+class Scene(typing.NamedTuple):
+    """A figure, what its text claims, and whether the reports of some runs bear that out."""
+    figure: str
+    claim: str
+    measured: str
+    world: str
+    runs: dict
+    holds: typing.Callable
+    change: typing.Callable = str  # of the world's text
+
+
+NO_DETECTOR = ["--with", "recover.detector=none"]
+KK = ["krishna_kalra_2000"]
+KK_REACTIVE = [*KK, *NO_DETECTOR, "--set", "recover.immediate_memory=false", "--set",
+               "classify.networks=[art]"]
+NO_IMAS = [*KK, "--set", "recover.immediate_memory=false"]
+# Huang & Lee's robot has the same controller, and no landmarks.
+HUANG_LEE = [*NO_IMAS, "--with", "recover.detector=heading_reversal", "--with",
+             "recover.escape=track_mode"]
+SWAPPED = [*HUANG_LEE, "--set", "recover.escape.leave=swapped"]
+NVT = {"NVT alone": ["nakhaeinia", *NO_DETECTOR], "with LMP": ["nakhaeinia"]}
+WHOLE_RANGE = ["nakhaeinia", "--set", "control.depth_ratio=1"]
+PATHS = {"NVT alone": [*WHOLE_RANGE, *NO_DETECTOR],
+         "with LMP": [*WHOLE_RANGE, "--with", "recover.detector=no_connecting_path"]}
+BOXES = ["--with", "recover.detector=position_revisit", "--with", "recover.escape=virtual_obstacle"]
+LONG = ["--max-ticks", "20000"]
+
+
+def reached(report, least=0, most=math.inf):
+    """Whether a run reached its target, by that many virtual targets."""
+    return report["outcome"] == "reached" and least <= report["virtual_targets"] <= most
+
+
+def trapped(report):
+    """Whether a run went on to its end."""
+    return report["outcome"] == "timeout"
+
+
+def quiet(report):
+    """Whether a run reached its target and no trap was noticed."""
+    return reached(report) and report["traps_detected"] == 0
+
+
+def led_out(report):
+    """Whether a run noticed a trap and reached its target."""
+    return reached(report) and report["traps_detected"] > 0
+
+
+def shorter(report, other, by_m=0.0):
+    """Whether both runs reached their target, and the first on a path that much shorter."""
+    return (reached(report) and reached(other)
+            and report["path_length_m"] + by_m < other["path_length_m"])
+
+
+def trap_of(figure, world):
+    """A trap of Krishna & Kalra: without memory the robot goes round in it, with it it gets out."""
+    return Scene(f"Krishna & Kalra {figure}", "an infinite loop, out of which the DMAS leads",
+                 "reactive: no end; whole: a trap noticed, reached", world,
+                 {"reactive": KK_REACTIVE, "whole": KK},
+                 lambda reactive, whole: trapped(reactive) and led_out(whole))
+
+
+CORNER = ("the corner draws the robot in without IMAS; with it the path is shorter",
+          "both reached, with IMAS by 0.5 m shorter: a robot's diameter is 0.3 m",
+          "kk-fig08-right-angle-corner", {"no IMAS": NO_IMAS, "IMAS": KK},
+          lambda without, with_imas: shorter(with_imas, without, 0.5))
+LEAVING = {"theirs": HUANG_LEE, "ours in its place": SWAPPED}
+
+SCENES = [
+    Scene("Krishna & Kalra 7", "fuzzy control alone passes clutter", "reached", "kk-fig07-clutter",
+          {"reactive": KK_REACTIVE}, reached),
+    Scene("Krishna & Kalra 8, 9", *CORNER),
+    Scene("Krishna & Kalra 8, 9, mirrored", *CORNER, mirrored),
+    trap_of("10", "kk-fig10-bends-and-kinks"),
+    Scene("Krishna & Kalra 10c", "ART detects the trap earlier than the SOM: a shorter path",
+          "both reached, by ART shorter", "kk-fig10-bends-and-kinks",
+          {"SOM": [*KK, "--set", "classify.networks=[som]"],
+           "ART": [*KK, "--set", "classify.networks=[art]"]},
+          lambda som, art: led_out(som) and led_out(art) and shorter(art, som)),
+    trap_of("11a", "kk-fig11a-oscillation"),
+    trap_of("11c", "kk-fig11c-double-wall"),
+    trap_of("12", "kk-fig12-hooks"),
+    Scene("Krishna & Kalra 12c", "ART detects the trap earlier than the SOM: a shorter path",
+          "both reached, by ART shorter", "kk-fig12-hooks",
+          {"SOM": [*KK, "--set", "classify.networks=[som]"],
+           "ART": [*KK, "--set", "classify.networks=[art]"]},
+          lambda som, art: led_out(som) and led_out(art) and shorter(art, som)),
+    Scene("Krishna & Kalra 13b", "IMAS leads out of the maze, without DMAS",
+          "reached without recovery", "kk-fig13-maze-four-loops", {"IMAS": [*KK, *NO_DETECTOR]},
+          reached),
+    Scene("Krishna & Kalra 13c", "ART alone leads out of the maze",
+          "reactive: no end; ART: a trap noticed, reached", "kk-fig13-maze-four-loops",
+          {"reactive": KK_REACTIVE, "ART": [*KK, "--set", "classify.networks=[art]"]},
+          lambda reactive, art: trapped(reactive) and led_out(art)),
+    Scene("Krishna & Kalra 14", "the SOM does not detect the trap, ART does",
+          "SOM alone: no end, no trap noticed; ART: a trap noticed, reached",
+          "kk-fig14-som-cannot-detect",
+          {"SOM": [*KK, "--set", "classify.networks=[som]"],
+           "ART": [*KK, "--set", "classify.networks=[art]"]},
+          lambda som, art: trapped(som) and som["traps_detected"] == 0 and led_out(art)),
+    Scene("Krishna & Kalra 15", "the 160-degree rule misfires, and its path is the longer one",
+          "theirs: an alarm, reached; ours: none, reached, shorter", "kk-fig15-not-trapped",
+          {"theirs": HUANG_LEE, "ours": KK},
+          lambda theirs, ours: led_out(theirs) and quiet(ours) and shorter(ours, theirs)),
+    trap_of("16a", "kk-fig16a-concave-obstacle"),
+    trap_of("16c", "kk-fig16c-concave-obstacle-mirrored"),
+    Scene("Krishna & Kalra 16a, b", "T mode that ends by their criterion gives the shorter path",
+          "after the same alarm: both reached, shorter", "kk-fig16a-concave-obstacle", LEAVING,
+          lambda theirs, ours: shorter(ours, theirs)),
+    Scene("Krishna & Kalra 16c, d", "the same, mirrored", "the same",
+          "kk-fig16c-concave-obstacle-mirrored", LEAVING,
+          lambda theirs, ours: shorter(ours, theirs)),
+    Scene("Krishna & Kalra 4.6", "similar scenes at other places are not confused",
+          "reached, no trap noticed", "kk-text-similar-scenes", {"whole": KK}, quiet),
+    Scene("Pin & Bender 4", "a limit cycle without memory", "no end", "pb-fig04-dead-end-chamber",
+          {"no memory": ["pin_bender", *NO_DETECTOR]}, trapped),
+    Scene("Pin & Bender 5", "virtual obstacles fill the chamber, then the goal is reached",
+          "reached by two of them or more, with either controller", "pb-fig04-dead-end-chamber",
+          {"pin_bender": ["pin_bender"], "krishna_kalra": ["krishna_kalra", *BOXES]},
+          lambda theirs, other: reached(theirs, 2) and reached(other, 2)),
+    Scene("Pin & Bender, off the axis", "the same in a variant of ours, in 20000 ticks",
+          "the same", "pb-fig04-chamber-off-axis",
+          {"pin_bender": ["pin_bender", *LONG], "krishna_kalra": ["krishna_kalra", *BOXES]},
+          lambda theirs, other: reached(theirs, 2) and reached(other, 2)),
+    Scene("Nakhaeinia 2", "NVT alone finds its way through clutter",
+          "alone: reached; with LMP: reached, no trap noticed", "n-fig02-nvt-cluttered", NVT,
+          lambda alone, both: reached(alone) and quiet(both)),
+    Scene("Nakhaeinia 3", "NVT alone leaves a visible minimum",
+          "alone: reached; with LMP: reached, no trap noticed", "n-fig03-visible-minimum", NVT,
+          lambda alone, both: reached(alone) and quiet(both)),
+    Scene("Nakhaeinia 4", "an invisible minimum traps NVT; one virtual target leads out",
+          "alone: no end; with LMP: reached by one", "n-fig04-invisible-minimum", NVT,
+          lambda alone, both: trapped(alone) and reached(both, 1, 1)),
+    Scene("Nakhaeinia 9", "one virtual target leads out",
+          "alone: no end; with LMP: reached by one", "n-fig09-local-minimum", NVT,
+          lambda alone, both: trapped(alone) and reached(both, 1, 1)),
+    # Both are set at a trap, and the first one comes in force again: three changes.
+    Scene("Nakhaeinia 10", "two virtual targets lead out, the second popped before the first",
+          "alone: no end; with LMP: reached by two traps and three changes of the target",
+          "n-fig10-recursive-u", NVT,
+          lambda alone, both: (trapped(alone) and reached(both, 3, 3)
+                               and both["traps_detected"] == 2)),
+    Scene("Nakhaeinia 10, by paths", "the same", "the same, with `no_connecting_path`",
+          "n-fig10-recursive-u", PATHS,
+          lambda alone, both: (trapped(alone) and reached(both, 3, 3)
+                               and both["traps_detected"] == 2)),
+    Scene("Nakhaeinia 11", "one virtual target leads along the discontinued wall",
+          "alone: no end; with LMP: reached by one or two", "n-fig11-discontinued-wall", NVT,
+          lambda alone, both: trapped(alone) and reached(both, 1, 2)),
+    Scene("Nakhaeinia 12", "surrounded: one virtual target leads out",
+          "alone: no end; with LMP: reached by one", "n-fig12-surrounded", NVT,
+          lambda alone, both: trapped(alone) and reached(both, 1, 1)),
+    Scene("Nakhaeinia 13a", "complicated: the LMP leads out",
+          "alone: no end; with LMP: a trap noticed, reached", "n-fig13a-complicated", NVT,
+          lambda alone, both: trapped(alone) and led_out(both)),
+    Scene("Nakhaeinia 13b", "complicated: the LMP leads out",
+          "alone: no end; with LMP: a trap noticed, reached", "n-fig13b-complicated", NVT,
+          lambda alone, both: trapped(alone) and led_out(both)),
+    Scene("Nakhaeinia 13c", "complicated: the LMP leads out",
+          "alone: no end; with LMP: a trap noticed, reached", "n-fig13c-complicated", NVT,
+          lambda alone, both: trapped(alone) and led_out(both)),
+]
