@@ -58,6 +58,16 @@ void sum_up(const Rows& rows, const RowLinks& links, std::int32_t column_step, s
   }
 }
 
+/// Of a row of activations of one depth, which stay of it. A lane beyond the row is of the border,
+/// and zero.
+void keep_higher(const double* fresh, std::size_t length, double* own) {
+  for (std::size_t i = 0; i < length; i += kLanes) {
+    const Lanes before = load(own + i);
+    const Lanes offered = load(fresh + i);
+    store_lanes(offered > before ? offered : before, own + i);
+  }
+}
+
 }  // namespace
 
 bool NeuralMap::update(std::int32_t row, std::int32_t chunk, std::int32_t column_step) {
@@ -139,6 +149,7 @@ bool NeuralMap::update_flat(const Span& span, const Rows& rows, std::int32_t col
   Lanes lowest = {HUGE_VAL, HUGE_VAL};
   auto grown = highest > lowest;  // none
   auto noticed = grown;
+  auto roused = grown;  // counts from zero down
   for (std::size_t i = 0; i < span.length; i += kLanes) {
     const Lanes before = load(rows.own + i);
     const Lanes offered = load(fresh.data() + i);
@@ -146,16 +157,28 @@ bool NeuralMap::update_flat(const Span& span, const Rows& rows, std::int32_t col
     const auto higher = offered > before;
     const Lanes now = higher ? offered : before;
     grown |= higher;
+    roused += higher & (before == 0.0);
     noticed |= offered > before * change_;
     highest = now > highest ? now : highest;
     lowest = (now > 0.0) & (now < lowest) ? now : lowest;
   }
-  if ((grown[0] | grown[1]) != 0) take_over(span, rows, fresh.data(), depth);
   const double most = std::max(highest[0], highest[1]);
+  const double least = std::min(lowest[0], lowest[1]);
+  if ((grown[0] | grown[1]) != 0) {
+    double* own = mantissas_.data() + span.begin;
+    if (rows.own == own && least > kBand) {
+      const auto count = static_cast<std::size_t>(-(roused[0] + roused[1]));
+      active_cells_ += count;
+      if (count > 0) std::fill_n(depths_.data() + span.begin, span.length, depth);
+      keep_higher(fresh.data(), span.length, own);
+    } else {
+      take_over(span, rows, fresh.data(), depth);
+    }
+  }
   if (most > 0.0) {
     Chunk& chunk = chunk_at(span.row, span.chunk);
     chunk.least_depth = depth + bands_below(most);
-    chunk.greatest_depth = depth + bands_below(std::min(lowest[0], lowest[1]));
+    chunk.greatest_depth = depth + bands_below(least);
     chunk.fall_bits = std::int64_t{depth} * kBandBits - std::ilogb(most);
   }
   return (noticed[0] | noticed[1]) != 0;
