@@ -33,6 +33,7 @@ struct RunOptions {
   std::vector<std::string> plugins;  ///< names or paths
   bool json = false;
   bool no_hash = false;
+  std::string profile;      ///< a trace of where the time went, in this file; empty: none
   std::optional<int> view;  ///< a page of the run, at this port; 0: any free one
 };
 
