@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstring>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -61,6 +62,23 @@ class Bookkeeper : public runtime::SampleObserver {
   std::string failure_;
 };
 
+/// Tells a profile when samples come and go, besides.
+class ProfiledObserver : public runtime::SampleObserver {
+ public:
+  ProfiledObserver(runtime::SampleObserver& observer, RunProfile& profile)
+      : observer_(observer), profile_(profile) {}
+
+  void on_output(runtime::Topic topic, const domain::Messages& messages) override {
+    profile_.begin_sample(topic, Clock::now());
+    observer_.on_output(topic, messages);
+    profile_.end_sample(Clock::now());
+  }
+
+ private:
+  runtime::SampleObserver& observer_;
+  RunProfile& profile_;
+};
+
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -76,7 +94,8 @@ class ComposedLoop {
         started_at_(start.started_at),
         first_tick_(start.next_tick),
         bookkeeper_(std::move(start.account), recording),
-        executor_(std::move(start.nodes), &bookkeeper_, start.next_tick, std::move(start.messages)),
+        profiled_(profiled(bookkeeper_, layout.profile)),
+        executor_(std::move(start.nodes), observer(), start.next_tick, std::move(start.messages)),
         clock_(layout.pace, layout.pace_factor, plan.graph.tick_s) {
     clock_.start(displayed_at_, start.next_tick);
   }
@@ -107,10 +126,22 @@ class ComposedLoop {
     return !statistics().truth || statistics().truth->outcome == domain::Outcome::kRunning;
   }
 
+  static std::optional<ProfiledObserver> profiled(Bookkeeper& bookkeeper, RunProfile* profile) {
+    if (profile == nullptr) return std::nullopt;
+    return ProfiledObserver(bookkeeper, *profile);
+  }
+  runtime::SampleObserver* observer() {
+    return profiled_ ? static_cast<runtime::SampleObserver*>(&*profiled_) : &bookkeeper_;
+  }
+
   void step() {
     if (!clock_.is_free()) std::this_thread::sleep_until(clock_.due(executor_.next_tick()));
     bookkeeper_.checkpoint(executor_.nodes(), executor_.next_tick());
+    if (layout_.profile != nullptr) {
+      layout_.profile->begin_tick(executor_.next_tick(), Clock::now());
+    }
     executor_.step();
+    if (layout_.profile != nullptr) layout_.profile->end_tick(Clock::now());
     if (executor_.next_tick() == first_tick_ + 1) rate_.note(executor_.next_tick(), Clock::now());
     if (orders_ != nullptr) {
       orders_->note(executor_.next_tick() - 1, executor_.nodes(), executor_.messages());
@@ -148,6 +179,7 @@ class ComposedLoop {
   const Clock::time_point started_at_;
   const std::uint64_t first_tick_;
   Bookkeeper bookkeeper_;
+  std::optional<ProfiledObserver> profiled_;
   runtime::ComposedExecutor executor_;
   Clock::time_point displayed_at_ = Clock::now();
   TickClock clock_;
@@ -158,6 +190,14 @@ class ComposedLoop {
 };
 
 }  // namespace
+
+RunProfile profile_of(const runtime::RunPlan& plan) {
+  std::vector<RunProfile::Writer> writers;
+  for (const runtime::GraphStage& stage : plan.graph.stages) {
+    writers.push_back({stage.info->name, stage.ports.output_order});
+  }
+  return RunProfile(writers);
+}
 
 core::Result<RunReport> run_composed(const runtime::RunPlan& plan, const ComposedLayout& layout,
                                      SampleSink* recording, const ProgressDisplay& display,

@@ -8,6 +8,7 @@
 
 #include "core/result.hpp"
 #include "run/pace.hpp"
+#include "run/run_profile.hpp"
 #include "run/run_report.hpp"
 #include "run/sample_account.hpp"
 #include "run/sample_sink.hpp"
@@ -21,7 +22,11 @@ struct ComposedLayout {
   double pace_factor = 1.0;
   bool hash = true;
   OnRecordError on_record_error = OnRecordError::kStop;
+  RunProfile* profile = nullptr;  ///< told where the time goes; null: nobody asks
 };
+
+/// Of the components of a plan, in the order of their steps.
+RunProfile profile_of(const runtime::RunPlan& plan);
 
 /// A run that is under way: what has been is not run again.
 struct ComposedStart {

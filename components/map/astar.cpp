@@ -32,14 +32,16 @@ void AStar::begin(const Costmap& costs) {
   way_.clear();
 }
 
-void AStar::offer(std::uint32_t cell, std::uint32_t before, float cost_m, float estimate_m) {
-  Node& node = nodes_[cell];
-  if (node.search == search_ && (node.closed || node.cost_m <= cost_m)) return;
-  node = {cost_m, before, search_, false};
+/// Whether a way here of that cost is better than all before.
+bool AStar::is_better(std::uint32_t cell, float cost_m) const {
+  const Node& node = nodes_[cell];
+  return node.search != search_ || !(node.closed || node.cost_m <= cost_m);
+}
+
+void AStar::open(std::uint32_t cell, std::uint32_t before, float cost_m, float estimate_m) {
+  nodes_[cell] = {cost_m, before, search_, false};
   open_.push_back({estimate_m, cell});
-  std::push_heap(open_.begin(), open_.end(), [](const Open& a, const Open& b) {
-    return a.estimate_m != b.estimate_m ? a.estimate_m > b.estimate_m : a.cell > b.cell;
-  });
+  std::push_heap(open_.begin(), open_.end(), IsLater{});
 }
 
 const std::vector<Vec2>& AStar::find(const Costmap& costs, const Vec2& from, const Vec2& to,
@@ -60,12 +62,12 @@ const std::vector<Vec2>& AStar::find(const Costmap& costs, const Vec2& from, con
     return std::max(0.0F, cell_m * std::sqrt(x * x + y * y) - radius_m);
   };
   const auto first = static_cast<std::uint32_t>(grid.index(*start));
-  offer(first, first, 0.0F, still_m(*start));
+  open(first, first, 0.0F, still_m(*start));
+  std::array<float, kSteps.size()> share_m;  // of a step's length for each of its cells
+  for (std::size_t i = 0; i < kSteps.size(); ++i) share_m[i] = 0.5F * cell_m * kSteps[i].length;
   while (!open_.empty()) {
     const std::uint32_t here = open_.front().cell;
-    std::pop_heap(open_.begin(), open_.end(), [](const Open& a, const Open& b) {
-      return a.estimate_m != b.estimate_m ? a.estimate_m > b.estimate_m : a.cell > b.cell;
-    });
+    std::pop_heap(open_.begin(), open_.end(), IsLater{});
     open_.pop_back();
     Node& node = nodes_[here];
     if (node.closed) continue;
@@ -76,14 +78,13 @@ const std::vector<Vec2>& AStar::find(const Costmap& costs, const Vec2& from, con
       break;
     }
     const float cost_m = node.cost_m;
-    for (const Step& step : kSteps) {
-      const Cell next{cell.column + step.columns, cell.row + step.rows};
+    for (std::size_t i = 0; i < kSteps.size(); ++i) {
+      const Cell next{cell.column + kSteps[i].columns, cell.row + kSteps[i].rows};
       if (!grid.contains(next)) continue;
       const auto index = static_cast<std::uint32_t>(grid.index(next));
       if (costs.cost[index] == Costmap::kBlocked) continue;
-      const float way_m =
-          cost_m + 0.5F * cell_m * step.length * (costs.cost[here] + costs.cost[index]);
-      offer(index, here, way_m, way_m + still_m(next));
+      const float way_m = cost_m + share_m[i] * (costs.cost[here] + costs.cost[index]);
+      if (is_better(index, way_m)) open(index, here, way_m, way_m + still_m(next));
     }
   }
   return way_;

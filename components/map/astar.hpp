@@ -21,6 +21,12 @@ class AStar final : public PathSearch {
     float estimate_m = 0.0F;  // of the whole way
     std::uint32_t cell = 0;
   };
+  /// The cell of the least estimate comes first, and among equals that of the least index.
+  struct IsLater {
+    bool operator()(const Open& a, const Open& b) const {
+      return a.estimate_m != b.estimate_m ? a.estimate_m > b.estimate_m : a.cell > b.cell;
+    }
+  };
   struct Node {
     float cost_m = 0.0F;  // of the best way here so far
     std::uint32_t before = 0;
@@ -29,7 +35,8 @@ class AStar final : public PathSearch {
   };
 
   void begin(const Costmap& costs);
-  void offer(std::uint32_t cell, std::uint32_t before, float cost_m, float estimate_m);
+  bool is_better(std::uint32_t cell, float cost_m) const;
+  void open(std::uint32_t cell, std::uint32_t before, float cost_m, float estimate_m);
   void trace(const Grid& grid, std::uint32_t last);
 
   std::uint32_t search_ = 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "map/grid.hpp"
+#include "map/nearest_marks.hpp"
 #include "map/seen_map.hpp"
 
 namespace clew::map {
@@ -50,40 +51,37 @@ inline constexpr double kTouching_m = 0.01;
 Inflation inflation_of(double radius_m, double hit_spread_m, double seen_cell_m);
 
 /// Tells of each cell of a grid what it costs to have the robot's centre there, as far as is known:
-/// unknown counts as free.
+/// unknown counts as free. Costs are repaired where what was seen has changed, and are those that
+/// a new builder would compute.
 class CostmapBuilder {
  public:
   /// Planning cells have twice the side of the map's.
   CostmapBuilder(const Inflation& inflation, double seen_cell_m);
 
-  /// Computes the costs over all that was seen within `reach_m` of `from`, and `margin_m` around it
-  /// and around both places.
-  Costmap& update(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m,
-                  double reach_m = std::numeric_limits<double>::infinity());
+  /// The costs over all that was seen within `reach_m` of `from`, and `margin_m` around it and
+  /// around both places.
+  const Costmap& update(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m,
+                        double reach_m = std::numeric_limits<double>::infinity());
+  /// Until the next update, a cell costs this, whatever was seen.
+  void overrule(std::size_t index, float cost, Clearance clearance);
 
  private:
-  struct Offset {
-    std::int32_t columns = 0;
-    std::int32_t rows = 0;
-    std::uint8_t steps = 0;
-  };
-  using Offsets = std::vector<Offset>;
-
-  void charge_for_seen_free(const SeenMap& seen);
-  void lay_grid(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m,
-                double reach_m);
+  Grid grid_over(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m,
+                 double reach_m) const;
+  void charge(std::size_t index);
 
   double cell_m_;
   float seen_free_cost_;
   std::uint8_t impossible_steps_;
   std::uint8_t touching_steps_;
   std::uint8_t narrow_steps_;
-  std::array<Offsets, 4> around_;  // of the four quarters of a cell
-  std::array<float, 256> hit_cost_{};
+  std::array<float, 256> hit_cost_{};  // by steps
   std::array<float, 256> suspected_cost_{};
-  std::vector<std::uint8_t> hit_steps_;
-  std::vector<std::uint8_t> suspected_steps_;
+  NearestMarks nearest_;
   Costmap costs_;
+  std::vector<std::size_t> overruled_;
+  std::vector<float> spare_costs_;
+  std::vector<Clearance> spare_clearances_;
 };
 
 }  // namespace clew::map

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/geometry.hpp"
 
@@ -49,7 +52,38 @@ struct Grid {
   Vec2 centre(const Cell& c) const { return corner + cell_m * Vec2(c.column + 0.5, c.row + 0.5); }
   /// The cell that a place lies in; none outside the grid. A place on a border belongs to the cell
   /// of greater x or y.
-  std::optional<Cell> cell_at(const Vec2& place) const;
+  std::optional<Cell> cell_at(const Vec2& place) const {
+    const double x = (place.x() - corner.x()) / cell_m;
+    const double y = (place.y() - corner.y()) / cell_m;
+    if (!(x >= 0.0 && y >= 0.0 && x < columns && y < rows)) return std::nullopt;
+    // Truncation is the floor of what is not negative.
+    return Cell{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+  }
 };
+
+inline bool operator==(const Grid& a, const Grid& b) {
+  return a.corner == b.corner && a.cell_m == b.cell_m && a.columns == b.columns && a.rows == b.rows;
+}
+inline bool operator!=(const Grid& a, const Grid& b) { return !(a == b); }
+
+/// Lays the values of the cells of one grid out for another one, whose cells lie a whole number of
+/// cells beside. Cells that only the new grid has get `fresh`. `spare` is memory to work in.
+template <typename Value>
+void lay_out_anew(const Grid& before, const Grid& now, const Value& fresh,
+                  std::vector<Value>& values, std::vector<Value>& spare) {
+  spare.assign(now.size(), fresh);
+  const Vec2 shift = (now.corner - before.corner) / now.cell_m;
+  const auto right = static_cast<std::int64_t>(std::llround(shift.x()));
+  const auto up = static_cast<std::int64_t>(std::llround(shift.y()));
+  const std::int64_t first = std::max<std::int64_t>(0, right);
+  const std::int64_t end = std::min<std::int64_t>(before.columns, now.columns + right);
+  const std::int64_t end_row = std::min<std::int64_t>(before.rows, now.rows + up);
+  for (std::int64_t row = std::max<std::int64_t>(0, up); first < end && row < end_row; ++row) {
+    const auto from = values.begin() + (row * before.columns + first);
+    std::copy(from, from + (end - first),
+              spare.begin() + ((row - up) * now.columns + (first - right)));
+  }
+  values.swap(spare);
+}
 
 }  // namespace clew::map

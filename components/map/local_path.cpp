@@ -35,17 +35,21 @@ Inflation inflation_for(const LocalPathParameters& p, const LocalMap& map, doubl
   return inflation;
 }
 
-/// What going straight costs; infinite through what is blocked, except where the way begins.
-double straight_cost_m(const Costmap& costs, const Vec2& from, const Vec2& to) {
-  const double length_m = core::length(to - from);
-  const auto pieces = static_cast<int>(std::ceil(length_m / (0.5 * costs.grid.cell_m)));
+/// What going straight costs; infinite through what is blocked, except where the way begins, and
+/// where it is more than `most_m` for certain: costs only add up.
+double straight_cost_m(const Costmap& costs, const Vec2& from, const Vec2& to, double most_m) {
+  const Grid& grid = costs.grid;
+  const Vec2 along = to - from;
+  const double length_m = core::length(along);
+  const auto pieces = static_cast<int>(std::ceil(length_m / (0.5 * grid.cell_m)));
+  const double most = most_m * pieces / length_m * kSameCost_ratio;
   double sum = 0.0;
   for (int i = 0; i < pieces; ++i) {
-    const Vec2 place = from + (i + 0.5) / pieces * (to - from);
-    const auto cell = costs.grid.cell_at(place);
-    const float cost = cell ? costs.cost[costs.grid.index(*cell)] : Costmap::kBlocked;
+    const auto cell = grid.cell_at(from + (i + 0.5) / pieces * along);
+    const float cost = cell ? costs.cost[grid.index(*cell)] : Costmap::kBlocked;
     if (cost == Costmap::kBlocked) return HUGE_VAL;
     sum += cost;
+    if (sum > most) return HUGE_VAL;
   }
   return pieces == 0 ? 0.0 : sum * length_m / pieces;
 }
@@ -101,9 +105,9 @@ void LocalPath::plan(const PathRequest& request) {
 
 /// Seeks a path to a place over what was seen within reach.
 void LocalPath::seek(const PathRequest& request, const Vec2& goal) {
-  Costmap& costs = costmap_builder_->update(request.map.seen(), request.from, goal,
-                                            LocalMap::kAround_m, kReach_m);
-  close_refused(costs);
+  const Costmap& costs = costmap_builder_->update(request.map.seen(), request.from, goal,
+                                                  LocalMap::kAround_m, kReach_m);
+  close_refused(costs.grid);
   open_own_place(costs, request.from);
   const auto* path =
       &search_->find(costs, request.from, goal, kArrivesWithin_ratio * request.target_radius_m);
@@ -153,8 +157,7 @@ void LocalPath::refuse(const Vec2& place_odom) {
   if (state_.refused_odom.size() < kMostRefused) state_.refused_odom.push_back(place_odom);
 }
 
-void LocalPath::close_refused(Costmap& costs) const {
-  const Grid& grid = costs.grid;
+void LocalPath::close_refused(const Grid& grid) {
   const auto reach = static_cast<std::int32_t>(std::ceil(kRefused_m / grid.cell_m));
   for (const Vec2& place : state_.refused_odom) {
     const auto middle = grid.cell_at(place);
@@ -163,19 +166,18 @@ void LocalPath::close_refused(Costmap& costs) const {
       for (std::int32_t columns = -reach; columns <= reach; ++columns) {
         const Cell cell{middle->column + columns, middle->row + rows};
         if (!grid.contains(cell) || core::length(grid.centre(cell) - place) > kRefused_m) continue;
-        costs.cost[grid.index(cell)] = Costmap::kBlocked;
-        costs.clearance[grid.index(cell)] = Clearance::kNone;
+        costmap_builder_->overrule(grid.index(cell), Costmap::kBlocked, Clearance::kNone);
       }
     }
   }
 }
 
 /// Where the robot stands it can be, whatever is believed.
-void LocalPath::open_own_place(Costmap& costs, const Vec2& place) {
+void LocalPath::open_own_place(const Costmap& costs, const Vec2& place) {
   const auto cell = costs.grid.cell_at(place);
   if (!cell || costs.clearance[costs.grid.index(*cell)] != Clearance::kNone) return;
-  costs.clearance[costs.grid.index(*cell)] = Clearance::kTouching;
-  costs.cost[costs.grid.index(*cell)] = static_cast<float>(inflation_.touching_cost);
+  costmap_builder_->overrule(costs.grid.index(*cell), static_cast<float>(inflation_.touching_cost),
+                             Clearance::kTouching);
 }
 
 /// Keeps of a path from cell to cell the corners between which going straight costs no more.
@@ -186,9 +188,10 @@ void LocalPath::pull_tight(const Costmap& costs, const std::vector<Vec2>& path, 
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Vec2 before = i == 1 ? from : path[i - 1];
     // A diagonal may brush a cell that is blocked: the search has allowed it.
-    const double step_m = std::min(straight_cost_m(costs, before, path[i]),
-                                   inflation_.touching_cost * core::length(path[i] - before));
-    if (i > 1 && straight_cost_m(costs, corner, path[i]) > kSameCost_ratio * (along_m + step_m)) {
+    const double most_m = inflation_.touching_cost * core::length(path[i] - before);
+    const double step_m = std::min(straight_cost_m(costs, before, path[i], most_m), most_m);
+    const double allowed_m = kSameCost_ratio * (along_m + step_m);
+    if (i > 1 && straight_cost_m(costs, corner, path[i], allowed_m) > allowed_m) {
       corner = path[i - 1];
       state_.corners_odom.push_back(corner);
       along_m = 0.0;

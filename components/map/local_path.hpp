@@ -104,8 +104,8 @@ class LocalPath {
 
  private:
   void make_costmap_builder(const LocalMap& map);
-  void close_refused(Costmap& costs) const;
-  void open_own_place(Costmap& costs, const Vec2& place);
+  void close_refused(const Grid& grid);
+  void open_own_place(const Costmap& costs, const Vec2& place);
   bool is_cut(const PathRequest& request) const;
   bool is_open(const PathRequest& request) const;
   void seek(const PathRequest& request, const Vec2& goal);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "core/math.hpp"
@@ -27,19 +28,43 @@ std::int32_t bands_below(double value) {
 
 double phi(double x) { return x < kLinearBelow ? x : core::tanh(x); }
 
+/// Cells that are worked on at once. Each lane is plain arithmetic, so any processor gives its
+/// bits.
+using Lanes [[gnu::vector_size(2 * sizeof(double))]] = double;
+constexpr std::size_t kLanes = 2;
+
+Lanes load(const double* from) {
+  Lanes lanes;
+  std::memcpy(&lanes, from, sizeof(lanes));
+  return lanes;
+}
+
+void store_lanes(const Lanes& lanes, double* to) { std::memcpy(to, &lanes, sizeof(lanes)); }
+
 /// Of each cell of a row, the weighted sum of all neighbours but the one that the raster comes
 /// from.
 template <typename Rows>
 void sum_up(const Rows& rows, const RowLinks& links, std::int32_t column_step, std::size_t length,
-            std::array<double, kChunk>& sums) {
-  std::array<double, kChunk + 2> columns;  // above and below a column, from the one on the left
-  for (std::size_t i = 0; i < length + 2; ++i) {
-    columns[i] = (rows.above - 1)[i] + (rows.below - 1)[i];
+            double* sums) {
+  const Lanes left = {links.left, links.left};
+  const Lanes right = {links.right, links.right};
+  for (std::size_t i = 0; i < length; i += kLanes) {
+    const double* above = rows.above + i;
+    const double* below = rows.below + i;
+    const Lanes column = load(above) + load(below);
+    const Lanes sides =
+        left * (load(above - 1) + load(below - 1)) + right * (load(above + 1) + load(below + 1));
+    store_lanes((column + sides) + load(rows.own + i + column_step), sums + i);
   }
-  const double* ahead = rows.own + column_step;
-  for (std::size_t i = 0; i < length; ++i) {
-    sums[i] =
-        (columns[i + 1] + (links.left * columns[i] + links.right * columns[i + 2])) + ahead[i];
+}
+
+/// Of a row of activations of one depth, which stay of it. A lane beyond the row is of the border,
+/// and zero.
+void keep_higher(const double* fresh, std::size_t length, double* own) {
+  for (std::size_t i = 0; i < length; i += kLanes) {
+    const Lanes before = load(own + i);
+    const Lanes offered = load(fresh + i);
+    store_lanes(offered > before ? offered : before, own + i);
   }
 }
 
@@ -55,7 +80,7 @@ bool NeuralMap::update(std::int32_t row, std::int32_t chunk, std::int32_t column
     return depths.least <= 0 ? update_flat<true>(span, rows, column_step, 0)
                              : update_flat<false>(span, rows, column_step, depths.least);
   }
-  std::array<double, 3 * (kChunk + 2)> values;
+  std::array<double, 3 * (kChunk + 2)> values{};
   const Rows rows = {values.data() + 1, values.data() + 1 + (kChunk + 2),
                      values.data() + 1 + 2 * (kChunk + 2)};
   copy_scaled(span, depths.least, values.data());
@@ -114,40 +139,79 @@ NeuralMap::DepthRange NeuralMap::depths_of(const Span& span) const {
 template <bool kNearTarget>
 bool NeuralMap::update_flat(const Span& span, const Rows& rows, std::int32_t column_step,
                             std::int32_t depth) {
-  std::array<double, kChunk> sums;
-  sum_up(rows, row_links(parameters_.lattice, span.row), column_step, span.length, sums);
+  std::array<double, kChunk> fresh;
+  sum_up(rows, row_links(parameters_.lattice, span.row), column_step, span.length, fresh.data());
+  activate<kNearTarget>(span, (column_step > 0 ? rows.own[-1] : rows.own[span.length]), column_step,
+                        fresh.data());
+  // The border beside an odd chunk's end is blocked.
+  if (span.length % kLanes != 0) fresh[span.length] = 0.0;
+  Lanes highest = {0.0, 0.0};
+  Lanes lowest = {HUGE_VAL, HUGE_VAL};
+  auto grown = highest > lowest;  // none
+  auto noticed = grown;
+  auto roused = grown;  // counts from zero down
+  for (std::size_t i = 0; i < span.length; i += kLanes) {
+    const Lanes before = load(rows.own + i);
+    const Lanes offered = load(fresh.data() + i);
+    // What is rounded differently by another raster must not make it fall again.
+    const auto higher = offered > before;
+    const Lanes now = higher ? offered : before;
+    grown |= higher;
+    roused += higher & (before == 0.0);
+    noticed |= offered > before * change_;
+    highest = now > highest ? now : highest;
+    lowest = (now > 0.0) & (now < lowest) ? now : lowest;
+  }
+  const double most = std::max(highest[0], highest[1]);
+  const double least = std::min(lowest[0], lowest[1]);
+  if ((grown[0] | grown[1]) != 0) {
+    double* own = mantissas_.data() + span.begin;
+    if (rows.own == own && least > kBand) {
+      const auto count = static_cast<std::size_t>(-(roused[0] + roused[1]));
+      active_cells_ += count;
+      if (count > 0) std::fill_n(depths_.data() + span.begin, span.length, depth);
+      keep_higher(fresh.data(), span.length, own);
+    } else {
+      take_over(span, rows, fresh.data(), depth);
+    }
+  }
+  if (most > 0.0) {
+    Chunk& chunk = chunk_at(span.row, span.chunk);
+    chunk.least_depth = depth + bands_below(most);
+    chunk.greatest_depth = depth + bands_below(least);
+    chunk.fall_bits = std::int64_t{depth} * kBandBits - std::ilogb(most);
+  }
+  return (noticed[0] | noticed[1]) != 0;
+}
+
+/// Turns the sums of a chunk's cells into activations, along the raster, which comes from a
+/// neighbour with the activation `fresh`.
+template <bool kNearTarget>
+void NeuralMap::activate(const Span& span, double fresh, std::int32_t column_step,
+                         double* sums) const {
   const std::array<double, 4> gains = {0.0, parameters_.gain, kLeastGain, 0.0};  // by Kind
+  const Kind* kinds = kinds_.data() + span.begin;
   std::size_t i = column_step > 0 ? 0 : span.length - 1;
   const auto step = static_cast<std::size_t>(column_step);  // wraps around, as i does
-  const Kind* kinds = kinds_.data() + span.begin;
-  double fresh = (rows.own + i)[-column_step];
-  double highest = 0.0;
-  double lowest = HUGE_VAL;
-  bool changed = false;
   for (; i < span.length; i += step) {
     fresh = (sums[i] + fresh) * gains[static_cast<std::size_t>(kinds[i])];
     if (kNearTarget) {
       fresh = phi(fresh);
       if (kinds[i] == Kind::kTarget) fresh = 1.0;
     }
+    sums[i] = fresh;
+  }
+}
+
+/// Stores the activations of a chunk's cells that have grown.
+void NeuralMap::take_over(const Span& span, const Rows& rows, const double* fresh,
+                          std::int32_t depth) {
+  for (std::size_t i = 0; i < span.length; ++i) {
     const double before = rows.own[i];
-    // What is rounded differently by another raster must not make it fall again.
-    if (fresh > before) {
-      if (before == 0.0) ++active_cells_;
-      changed = changed || fresh > before * change_;
-      store(span.begin + i, fresh, depth);
-    }
-    const double now = std::max(fresh, before);
-    highest = std::max(highest, now);
-    if (now > 0.0) lowest = std::min(lowest, now);
+    if (!(fresh[i] > before)) continue;
+    if (before == 0.0) ++active_cells_;
+    store(span.begin + i, fresh[i], depth);
   }
-  if (highest > 0.0) {
-    Chunk& chunk = chunk_at(span.row, span.chunk);
-    chunk.least_depth = depth + bands_below(highest);
-    chunk.greatest_depth = depth + bands_below(lowest);
-    chunk.fall_bits = std::int64_t{depth} * kBandBits - std::ilogb(highest);
-  }
-  return changed;
 }
 
 /// Sets an activation that is given as a plain double of a depth.

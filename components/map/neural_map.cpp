@@ -110,7 +110,8 @@ void NeuralMap::clear(const Grid& grid, const std::vector<std::uint8_t>& passabl
                       const std::vector<Cell>& targets) {
   grid_ = grid;
   stride_ = static_cast<std::size_t>(grid.columns) + 2;
-  const std::size_t size = stride_ * (static_cast<std::size_t>(grid.rows) + 2);
+  // One more, since cells are worked on in pairs.
+  const std::size_t size = stride_ * (static_cast<std::size_t>(grid.rows) + 2) + 1;
   mantissas_.assign(size, 0.0);
   depths_.assign(size, 0);
   kinds_.assign(size, Kind::kBlocked);

@@ -140,6 +140,9 @@ class NeuralMap {
   template <bool kNearTarget>
   bool update_flat(const Span& span, const Rows& rows, std::int32_t column_step,
                    std::int32_t depth);
+  template <bool kNearTarget>
+  void activate(const Span& span, double fresh, std::int32_t column_step, double* sums) const;
+  void take_over(const Span& span, const Rows& rows, const double* fresh, std::int32_t depth);
   void store(std::size_t at, double value, std::int32_t depth);
   bool update_stepped(const Span& span, std::int32_t column_step);
   Activation fresh_activation(const Span& span, std::size_t at) const;

@@ -2,6 +2,7 @@
 #include "map/seen_map.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace clew::map {
@@ -21,6 +22,23 @@ double within_reach(double tiles) {
 }
 
 std::size_t index(Mark mark) { return static_cast<std::size_t>(mark); }
+
+/// Marks the cells of a tile's row that lie wholly between two places, measured from
+/// the tile.
+void mark_row_free(SeenMap::Tile& tile, std::size_t row, double cell_m, double from_m,
+                   double to_m) {
+  const double from = std::max(0.0, from_m / cell_m);
+  const double to = std::min<double>(SeenMap::kTileCells, to_m / cell_m);
+  if (!(from <= SeenMap::kTileCells - 1.0) || !(to >= 1.0)) return;
+  const auto whole = static_cast<std::int32_t>(from);
+  const std::int32_t first = whole < from ? whole + 1 : whole;
+  const std::int32_t last = static_cast<std::int32_t>(to) - 1;
+  if (first > last) return;
+  const std::uint64_t bits = bits_between(first, last);
+  tile.rows[index(Mark::kFree)][row] |= bits;
+  tile.rows[index(Mark::kHit)][row] &= ~bits;
+  tile.rows[index(Mark::kSuspected)][row] &= ~bits;
+}
 
 }  // namespace
 
@@ -54,30 +72,26 @@ SeenMap::Tile* SeenMap::tile_at(const TileKey& key) {
 void SeenMap::mark_free(const Sector& sector) {
   const core::Vec2 least = sector.least();
   const core::Vec2 most = sector.most();
+  // Where the lower sides of a row of tiles' rows cut the sector, and the upper side of the last.
+  std::array<Interval, kTileCells + 1> cuts;
   for (std::int32_t y = tile_number(least.y()); y <= tile_number(most.y()); ++y) {
+    const double bottom_m = y * tile_m();
+    const auto first_row =
+        static_cast<std::size_t>(std::max(0.0, std::floor((least.y() - bottom_m) / cell_m_)));
+    const auto end_row = std::min<double>(kTileCells, (most.y() - bottom_m) / cell_m_);
+    std::size_t end = first_row;
+    while (static_cast<double>(end) < end_row) ++end;
+    for (std::size_t row = first_row; row <= end && row < cuts.size(); ++row) {
+      cuts[row] = sector.at_y(bottom_m + static_cast<double>(row) * cell_m_);
+    }
     for (std::int32_t x = tile_number(least.x()); x <= tile_number(most.x()); ++x) {
       Tile* tile = tile_at({x, y});
       if (tile == nullptr) continue;
       const double left_m = x * tile_m();
-      const double bottom_m = y * tile_m();
-      const auto first_row = std::max(0.0, std::floor((least.y() - bottom_m) / cell_m_));
-      const auto end_row = std::min<double>(kTileCells, (most.y() - bottom_m) / cell_m_);
-      Interval below = sector.at_y(bottom_m + first_row * cell_m_);
-      for (auto row = static_cast<std::int32_t>(first_row); row < end_row; ++row) {
-        const Interval above = sector.at_y(bottom_m + (row + 1) * cell_m_);
+      for (std::size_t row = first_row; row < end; ++row) {
         // A convex set holds a cell if it holds the cell's lower and upper side.
-        const double from = std::ceil((std::max(below.from, above.from) - left_m) / cell_m_);
-        const double to = std::floor((std::min(below.to, above.to) - left_m) / cell_m_) - 1.0;
-        below = above;
-        const double first = std::max(0.0, from);
-        const double last = std::min(kTileCells - 1.0, to);
-        if (!(first <= last)) continue;
-        const std::uint64_t bits =
-            bits_between(static_cast<std::int32_t>(first), static_cast<std::int32_t>(last));
-        const auto r = static_cast<std::size_t>(row);
-        tile->rows[index(Mark::kFree)][r] |= bits;
-        tile->rows[index(Mark::kHit)][r] &= ~bits;
-        tile->rows[index(Mark::kSuspected)][r] &= ~bits;
+        mark_row_free(*tile, row, cell_m_, std::max(cuts[row].from, cuts[row + 1].from) - left_m,
+                      std::min(cuts[row].to, cuts[row + 1].to) - left_m);
       }
     }
   }

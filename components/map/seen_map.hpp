@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -63,6 +65,10 @@ class SeenMap {
   template <typename Visit>
   void for_each(Mark mark, const Vec2& least, const Vec2& most, Visit&& visit) const;
 
+  /// Calls `is_it(place)` in that order until it is true, and tells whether it ever was.
+  template <typename Predicate>
+  bool find(Mark mark, const Vec2& least, const Vec2& most, Predicate&& is_it) const;
+
   /// From a place to the nearest point of a tile; 0 within it.
   double distance_m(const TileKey& key, const Vec2& place) const;
 
@@ -78,6 +84,9 @@ class SeenMap {
   Place place_of(const Vec2& point) const;
   std::int32_t tile_number(double coordinate_m) const;
   Tile* tile_at(const TileKey& key);
+  template <typename Predicate>
+  bool find_in(const TileKey& key, const Tile& tile, Mark mark, const Vec2& least, const Vec2& most,
+               Predicate&& is_it) const;
   void mark_obstacle(const Vec2& place, Mark mark);
 
   double cell_m_;
@@ -96,25 +105,55 @@ void visit_fields(Visitor& visit, SeenMap::State& s) {
 
 template <typename Visit>
 void SeenMap::for_each(Mark mark, const Vec2& least, const Vec2& most, Visit&& visit) const {
-  for (const auto& [key, tile] : state_.tiles) {
-    const Vec2 corner(key.first * tile_m(), key.second * tile_m());
-    if (corner.x() > most.x() || corner.y() > most.y() || corner.x() + tile_m() < least.x() ||
-        corner.y() + tile_m() < least.y()) {
-      continue;
-    }
-    const auto& rows = tile.rows[static_cast<std::size_t>(mark)];
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-      for (std::uint64_t bits = rows[row]; bits != 0; bits &= bits - 1) {
-        const Vec2 place =
-            corner + cell_m_ * Vec2(__builtin_ctzll(bits) + 0.5, static_cast<double>(row) + 0.5);
-        if (place.x() < least.x() || place.y() < least.y() || place.x() > most.x() ||
-            place.y() > most.y()) {
-          continue;
-        }
-        visit(place);
-      }
+  find(mark, least, most, [&](const Vec2& place) {
+    visit(place);
+    return false;
+  });
+}
+
+template <typename Predicate>
+bool SeenMap::find(Mark mark, const Vec2& least, const Vec2& most, Predicate&& is_it) const {
+  const TileKey first(tile_number(least.x()) - 1, tile_number(least.y()) - 1);
+  const TileKey last(tile_number(most.x()) + 1, tile_number(most.y()) + 1);
+  auto at = state_.tiles.lower_bound(first);
+  while (at != state_.tiles.end() && at->first.first <= last.first) {
+    const auto& [key, tile] = *at;
+    if (key.second < first.second) {
+      at = state_.tiles.lower_bound({key.first, first.second});
+    } else if (key.second > last.second) {
+      at = state_.tiles.lower_bound({key.first + 1, first.second});
+    } else {
+      if (find_in(key, tile, mark, least, most, is_it)) return true;
+      ++at;
     }
   }
+  return false;
+}
+
+template <typename Predicate>
+bool SeenMap::find_in(const TileKey& key, const Tile& tile, Mark mark, const Vec2& least,
+                      const Vec2& most, Predicate&& is_it) const {
+  const Vec2 corner(key.first * tile_m(), key.second * tile_m());
+  const auto& rows = tile.rows[static_cast<std::size_t>(mark)];
+  // A row more to each side: whether a place is inside is for its own coordinates to say.
+  const auto row_at = [&](double y_m) {
+    return std::clamp(std::floor((y_m - corner.y()) / cell_m_), -2.0, kTileCells + 2.0);
+  };
+  const auto first = static_cast<std::size_t>(std::max(0.0, row_at(least.y()) - 1.0));
+  const auto end = static_cast<std::size_t>(
+      std::clamp(row_at(most.y()) + 2.0, 0.0, static_cast<double>(kTileCells)));
+  for (std::size_t row = first; row < end; ++row) {
+    for (std::uint64_t bits = rows[row]; bits != 0; bits &= bits - 1) {
+      const Vec2 place =
+          corner + cell_m_ * Vec2(__builtin_ctzll(bits) + 0.5, static_cast<double>(row) + 0.5);
+      if (place.x() < least.x() || place.y() < least.y() || place.x() > most.x() ||
+          place.y() > most.y()) {
+        continue;
+      }
+      if (is_it(place)) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace clew::map

@@ -149,6 +149,7 @@ class Options(BadInput):
                 (["--domain", "100"], "0 to 99"),
                 (["--external", "contrl"], "did you mean 'control'?"),
                 (["--prefix", "control"], "STAGE='command'"),
+                (["--profile", "trace.json"], "--profile needs --layout composed"),
                 (["--middleware", "fastdds", "--middleware", "cyclonedds"],
                  "--middleware: is given twice"),
                 (["--middleware", "sense=fastdds", "--middleware", "sense=cyclonedds"],

@@ -30,6 +30,10 @@ void add_ways(CLI::App& app, RunOptions& options) {
   app.add_option("--external", options.external, "wait for a STAGE that you start yourself")
       ->allow_extra_args(false)
       ->group("Debugging");
+  app.add_option("--profile", options.profile,
+                 "tell where the time of a composed run goes, and write a Chrome trace to a file")
+      ->check(file_to_write())
+      ->group("Debugging");
   app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it under a command")
       ->allow_extra_args(false)
       ->group("Debugging");

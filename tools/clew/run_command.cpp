@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
@@ -18,6 +19,7 @@
 #include "clew/run_output.hpp"
 #include "clew/watched_run.hpp"
 #include "core/nearest_name.hpp"
+#include "files/whole_file.hpp"
 #include "recorder/recorder_process.hpp"
 #include "recorder/recording_sink.hpp"
 #include "run/composed_run.hpp"
@@ -85,6 +87,9 @@ Result<void> check_options(const RunOptions& options) {
         {},
         0,
         0};
+  }
+  if (!composed && !options.profile.empty()) {
+    return Error{"--profile needs --layout composed", {}, 0, 0};
   }
   return {};
 }
@@ -176,7 +181,8 @@ Result<bridge::ComposedStart> composed_start(Job& job, const bridge::RunControl&
 /// A composed run is one process with its recorder: it dies with it. So is one that has ended, and
 /// whose recording only lacks its end.
 Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& layout,
-                                       bridge::RunControl& control, bridge::LiveFeed* feed) {
+                                       bridge::RunControl& control, bridge::LiveFeed* feed,
+                                       bridge::RunProfile* profile) {
   std::optional<bridge::RunName> name;
   if (!layout.name.empty()) {
     auto taken = bridge::RunName::take(layout.name);
@@ -190,7 +196,7 @@ Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& la
     sink = std::move(opened).value();
   }
   const bridge::ComposedLayout composed{layout.pace, layout.pace_factor, layout.hash,
-                                        layout.on_record_error};
+                                        layout.on_record_error, profile};
   const auto display = terminal_display(job.plan);
   bridge::ComposedControl orders(control, name ? &*name : nullptr);
   auto start = composed_start(job, control, layout.hash);
@@ -220,10 +226,11 @@ bridge::WatchSamples watch_of(bridge::LiveFeed* feed) {
 }
 
 Result<bridge::RunReport> run_job(Job& job, const bridge::ProcessLayout& layout, bool composed,
-                                  bridge::RunControl& control, bridge::LiveFeed* feed) {
+                                  bridge::RunControl& control, bridge::LiveFeed* feed,
+                                  bridge::RunProfile* profile) {
   const bool has_ended = job.resumption && job.resumption->has_ended;
   auto report = composed || has_ended
-                    ? run_composed(job, layout, control, feed)
+                    ? run_composed(job, layout, control, feed, profile)
                     : bridge::run_processes(
                           job.plan, layout, job.recording, terminal_display(job.plan),
                           job.resumption ? job.resumption->processes : bridge::ProcessStart{},
@@ -246,6 +253,24 @@ void judge_recording(const bridge::ProcessLayout& layout, bridge::RunReport& rep
   } else {
     std::fprintf(stderr, "clew: %s\n", what.c_str());
   }
+}
+
+void print_result(const RunOptions& options, const bridge::RunReport& report,
+                  const runtime::RunPlan& plan, const RunFacts& facts) {
+  if (!options.json) {
+    for (const std::string& note : notes_on(report, plan)) {
+      std::fprintf(stderr, "clew: %s\n", note.c_str());
+    }
+  }
+  fmt::print("{}\n", options.json ? report_json(report, plan, facts) : report_line(report, plan));
+}
+
+/// Says where the time went, if anybody asked, and writes the trace of it to a file.
+Result<void> tell_profile(const std::optional<bridge::RunProfile>& profile,
+                          const std::string& file) {
+  if (!profile) return {};
+  std::fputs(profile->table().c_str(), stderr);
+  return files::write_file(file, profile->trace());
 }
 
 int run_command(const RunOptions& options) {
@@ -274,7 +299,10 @@ int run_command(const RunOptions& options) {
   if (!claimed.ok()) return complain(claimed.error());
 
   const bool composed = options.layout == "composed";
-  auto report = run_job(*job, *layout, composed, control, feed->get());
+  std::optional<bridge::RunProfile> profile;
+  if (!options.profile.empty()) profile.emplace(bridge::profile_of(job->plan));
+  auto report =
+      run_job(*job, *layout, composed, control, feed->get(), profile ? &*profile : nullptr);
   clear_display();
   if (!report.ok()) return complain(report.error());
   judge_recording(*layout, *report);
@@ -286,15 +314,10 @@ int run_command(const RunOptions& options) {
   const RunFacts facts{options.layout,
                        composed ? "inprocess" : middleware_text(job->plan.graph, *layout),
                        wrote ? job->recording->path : ""};
-  if (!options.json) {
-    for (const std::string& note : notes_on(*report, job->plan)) {
-      std::fprintf(stderr, "clew: %s\n", note.c_str());
-    }
-  }
-  fmt::print("{}\n", options.json ? report_json(*report, job->plan, facts)
-                                  : report_line(*report, job->plan));
+  print_result(options, *report, job->plan, facts);
   if (*feed) end_view(**feed, *report, signals);
-  return exit_status(*report);
+  const auto told = tell_profile(profile, options.profile);
+  return told.ok() ? exit_status(*report) : complain(told.error());
 }
 
 }  // namespace

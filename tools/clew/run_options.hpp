@@ -21,7 +21,7 @@ struct RunOptions {
   std::vector<std::string> at;  ///< `TICK:CHANGE`
   std::optional<int> realtime_priority;
   std::string record;
-  std::string resume;  ///< a recording to go on with, in the graph's place
+  std::string resume;             ///< a recording to go on with, in the graph's place
   std::vector<std::string> exec;  ///< with resume, the programs that it may start
   bool force = false;
   std::string record_on;                ///< `trap`: a black box
@@ -33,6 +33,7 @@ struct RunOptions {
   std::vector<std::string> plugins;  ///< names or paths
   bool json = false;
   bool no_hash = false;
+  std::string profile;      ///< a trace of where the time went, in this file; empty: none
   std::optional<int> view;  ///< a page of the run, at this port; 0: any free one
 };
 

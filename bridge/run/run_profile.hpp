@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "domain/topics.hpp"
+
+namespace clew::bridge {
+
+/// How durations are spread. Their number, sum and greatest are exact; a quantile is that of its
+/// bucket, at most 1/32 too short.
+class Durations {
+ public:
+  void add(std::chrono::nanoseconds duration);
+  std::uint64_t count() const { return count_; }
+  double sum_us() const { return static_cast<double>(sum_ns_) * 1e-3; }
+  double mean_us() const { return count_ == 0 ? 0.0 : sum_us() / static_cast<double>(count_); }
+  double greatest_us() const { return static_cast<double>(greatest_ns_) * 1e-3; }
+  /// The least duration that `share` of all do not exceed; 0 without any.
+  double quantile_us(double share) const;
+
+ private:
+  static constexpr int kBitsOfOctave = 5;
+  static constexpr std::size_t kOctave = std::size_t{1} << kBitsOfOctave;
+  static std::size_t bucket_of(std::uint64_t ns);
+  static std::uint64_t least_ns(std::size_t bucket);
+
+  std::uint64_t count_ = 0;
+  std::uint64_t sum_ns_ = 0;
+  std::uint64_t greatest_ns_ = 0;
+  std::array<std::uint64_t, 64 * kOctave> buckets_{};
+};
+
+/// Where the time of a composed run goes: into the steps of each component, into what is done with
+/// the samples (hash, recording), and into whole ticks. Wall-clock time, which no result depends
+/// on.
+class RunProfile {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// A component, and what it writes.
+  struct Writer {
+    std::string name;
+    std::vector<domain::Topic> topics;
+  };
+
+  /// In the order of their steps; each topic has one writer at most.
+  explicit RunProfile(const std::vector<Writer>& writers);
+
+  void begin_tick(std::uint64_t tick, Clock::time_point now);
+  /// A component has written to `topic`: what has passed since the last call was its step.
+  void begin_sample(domain::Topic topic, Clock::time_point now);
+  /// The sample is hashed, and handed to whoever records it.
+  void end_sample(Clock::time_point now);
+  void end_tick(Clock::time_point now);
+
+  /// A row each for components, samples and ticks: mean, median, 99th percentile, greatest, share.
+  std::string table() const;
+  /// The trace of the first ticks in Chrome's format, for chrome://tracing or Perfetto.
+  std::string trace() const;
+
+ private:
+  struct Row {
+    std::string name;
+    Durations durations;                  // of its share of a tick
+    std::chrono::nanoseconds in_tick{0};  // of the tick that has begun
+  };
+  struct Span {
+    std::uint32_t row = 0;
+    std::uint64_t tick = 0;
+    std::chrono::nanoseconds from{0};  // since the first tick began
+    std::chrono::nanoseconds length{0};
+  };
+  static constexpr std::size_t kMostSpans = 200000;
+
+  void spend(std::size_t row, Clock::time_point until);
+
+  std::vector<Row> rows_;                                  // components, samples, ticks
+  std::array<std::size_t, domain::kTopicCount> writer_{};  // row by topic
+  std::vector<Span> spans_;
+  std::uint64_t tick_ = 0;
+  std::uint64_t ticks_ = 0;
+  Clock::time_point began_;
+  Clock::time_point tick_began_;
+  Clock::time_point last_;
+};
+
+}  // namespace clew::bridge

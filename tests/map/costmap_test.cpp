@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Costs that are repaired are those that a new builder computes, to the bit.
+#include "map/costmap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace clew::map {
+namespace {
+
+constexpr double kCell_m = 0.025;
+constexpr double kMargin_m = 1.0;
+
+Inflation inflation() {
+  Inflation inflation = inflation_of(0.15, 0.1, kCell_m);
+  inflation.seen_free_cost = 2.0;
+  inflation.suspected_cost = 20.0;
+  return inflation;
+}
+
+/// What a robot might see next, at random.
+class RandomSights {
+ public:
+  explicit RandomSights(std::uint64_t seed) : random_(seed) {}
+
+  double within(double least, double most) {
+    return std::uniform_real_distribution<double>(least, most)(random_);
+  }
+  Vec2 place_near(const Vec2& middle, double reach_m) {
+    return middle + Vec2(within(-reach_m, reach_m), within(-reach_m, reach_m));
+  }
+  void look(const Vec2& from, SeenMap& seen) {
+    for (int i = 0; i < 3; ++i) {
+      seen.mark_free(Sector(from, within(0.2, 2.0), within(-3.0, 3.0), within(0.1, 3.0)));
+    }
+    for (int i = 0; i < 20; ++i) seen.mark_hit(place_near(from, 2.5));
+    for (int i = 0; i < 40; ++i) seen.mark_suspected(place_near(from, 2.5));
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+void expect_same(const Costmap& found, const Costmap& expected, int step) {
+  ASSERT_EQ(found.grid.corner, expected.grid.corner) << step;
+  ASSERT_EQ(found.grid.columns, expected.grid.columns) << step;
+  ASSERT_EQ(found.grid.rows, expected.grid.rows) << step;
+  ASSERT_EQ(found.cost, expected.cost) << step;
+  ASSERT_EQ(found.clearance, expected.clearance) << step;
+}
+
+/// A robot that wanders, and a target that is elsewhere now and then. With a short reach, the grid
+/// does not hold all that was seen, and its borders cut tiles.
+void wander(std::uint64_t seed, double reach_m) {
+  RandomSights sights(seed);
+  SeenMap seen(kCell_m, 400);
+  CostmapBuilder repaired(inflation(), kCell_m);
+  Vec2 robot(0.0, 0.0);
+  Vec2 target(4.0, 1.0);
+  for (int step = 0; step < 60; ++step) {
+    if (step % 20 == 19) target = sights.place_near(robot, 6.0);
+    if (step == 40) seen.state() = {};
+    robot = sights.place_near(robot, 0.6);
+    sights.look(robot, seen);
+
+    const Costmap& found = repaired.update(seen, robot, target, kMargin_m, reach_m);
+
+    CostmapBuilder anew(inflation(), kCell_m);
+    expect_same(found, anew.update(seen, robot, target, kMargin_m, reach_m), step);
+    repaired.overrule(found.grid.index(*found.grid.cell_at(robot)), 7.0F, Clearance::kTouching);
+  }
+}
+
+TEST(CostmapBuilder, RepairsToWhatANewOneComputes) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) wander(seed, 40.0);
+}
+
+TEST(CostmapBuilder, RepairsWhereTheGridCutsWhatWasSeen) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) wander(seed, 1.0);
+}
+
+TEST(CostmapBuilder, TakesInAnotherMapThatItIsGiven) {
+  RandomSights sights(7);
+  SeenMap first(kCell_m, 400);
+  SeenMap second(kCell_m, 400);
+  sights.look({0.0, 0.0}, first);
+  sights.look({0.3, 0.2}, second);
+  CostmapBuilder repaired(inflation(), kCell_m);
+  repaired.update(first, {0.0, 0.0}, {2.0, 0.0}, kMargin_m);
+
+  const Costmap& found = repaired.update(second, {0.3, 0.2}, {2.0, 0.0}, kMargin_m);
+
+  CostmapBuilder anew(inflation(), kCell_m);
+  expect_same(found, anew.update(second, {0.3, 0.2}, {2.0, 0.0}, kMargin_m), 0);
+}
+
+/// Every hit within reach, looked at one by one.
+TEST(CostmapBuilder, KeepsTheDistanceToTheNearestHit) {
+  RandomSights sights(3);
+  SeenMap seen(kCell_m, 400);
+  CostmapBuilder repaired(inflation(), kCell_m);
+  for (int step = 0; step < 10; ++step) {
+    sights.look({0.1 * step, 0.0}, seen);
+    repaired.update(seen, {0.1 * step, 0.0}, {2.0, 1.0}, kMargin_m);
+  }
+
+  const Costmap& costs = repaired.update(seen, {0.9, 0.0}, {2.0, 1.0}, kMargin_m);
+
+  for (std::size_t i = 0; i < costs.grid.size(); ++i) {
+    const Vec2 middle = costs.grid.centre(costs.grid.cell(i));
+    double nearest_m = HUGE_VAL;
+    seen.for_each(
+        Mark::kHit, middle - Vec2(1.0, 1.0), middle + Vec2(1.0, 1.0),
+        [&](const Vec2& hit) { nearest_m = std::min(nearest_m, core::length(hit - middle)); });
+    // Distances are kept in steps of 2.5 mm.
+    if (nearest_m < inflation().impossible_m - 0.0025) {
+      EXPECT_EQ(costs.clearance[i], Clearance::kNone) << middle.transpose();
+    } else if (nearest_m > inflation().impossible_m + 0.0025) {
+      EXPECT_NE(costs.clearance[i], Clearance::kNone) << middle.transpose();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace clew::map
