@@ -13,9 +13,9 @@ namespace {
 // What rounds to nothing is none.
 constexpr double kNone_rad = core::radians(0.5);
 
-std::string say_turn(double turn_rad, const char* unit) {
-  return fmt::format("{:.0f} {} {}", std::fabs(core::degrees(turn_rad)), unit,
-                     turn_rad < 0.0 ? "right" : "left");
+/// `15 degrees left`, or `15 degrees/s left` with the unit's end `/s`.
+std::string say_turn(double turn_rad, const char* per) {
+  return fmt::format("{}{} {}", say_degrees(turn_rad), per, turn_rad < 0.0 ? "right" : "left");
 }
 
 }  // namespace
@@ -23,14 +23,15 @@ std::string say_turn(double turn_rad, const char* unit) {
 std::string say_metres(double value_m) { return fmt::format("{:.2f} m", value_m); }
 
 std::string say_degrees(double angle_rad) {
-  return fmt::format("{:.0f} degrees", std::fabs(core::degrees(angle_rad)));
+  const std::string degrees = fmt::format("{:.0f}", std::fabs(core::degrees(angle_rad)));
+  return degrees + (degrees == "1" ? " degree" : " degrees");
 }
 
 std::string say_bearing(double bearing_rad) {
   const double wrapped_rad = core::wrap_angle_rad(bearing_rad);
   if (std::fabs(wrapped_rad) < kNone_rad) return "straight ahead";
   if (std::fabs(wrapped_rad) > core::kPi - kNone_rad) return "straight behind";
-  return say_turn(wrapped_rad, "degrees");
+  return say_turn(wrapped_rad, "");
 }
 
 std::string say_percent(double ratio) { return fmt::format("{:.0f} %", 100.0 * ratio); }
@@ -55,7 +56,7 @@ std::string say_motion(const Motion& motion) {
       return "give up";
     case CommandKind::kTurnAndStep: {
       const bool turns = std::fabs(motion.turn_rad) >= kNone_rad;
-      const std::string turn = turns ? "turn " + say_turn(motion.turn_rad, "degrees") : "";
+      const std::string turn = turns ? "turn " + say_turn(motion.turn_rad, "") : "";
       if (motion.step_m == 0.0) return turns ? turn + " on the spot" : "stay";
       return (turns ? turn + " and step " : "step ") + say_metres(motion.step_m) +
              (turns ? "" : " straight ahead");
@@ -63,7 +64,7 @@ std::string say_motion(const Motion& motion) {
     case CommandKind::kVelocities: {
       const std::string speed = fmt::format("drive at {:.2f} m/s", motion.speed_mps);
       if (std::fabs(motion.turn_rate_radps) < kNone_rad) return speed;
-      return speed + ", turning " + say_turn(motion.turn_rate_radps, "degrees/s");
+      return speed + ", turning " + say_turn(motion.turn_rate_radps, "/s");
     }
     case CommandKind::kWheelSpeeds:
       return fmt::format("run the left wheel at {:.2f} m/s and the right one at {:.2f} m/s",

@@ -118,9 +118,9 @@ class Inside(unittest.TestCase):
         self.assertEqual(pictures[0], pictures[1])
 
     def test_shows_what_any_controller_went_by(self):
-        recording = self.recorded("reactive", 20)
+        recording = self.recorded("reactive", 60)
 
-        done = Run(["plot", recording, "--tick", 5, "-o", self.folder / "any.svg"])
+        done = Run(["plot", recording, "--tick", 50, "-o", self.folder / "any.svg"])
 
         self.assertEqual(done.status, 0, done.err)
         picture = (self.folder / "any.svg").read_text(encoding="utf-8")

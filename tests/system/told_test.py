@@ -124,7 +124,7 @@ class Explain(Told):
         whole = pathlib.Path(self.recording).read_bytes()
         cut.write_bytes(whole[:len(whole) // 2])
 
-        self.assertIn("straight ahead", Run(["explain", cut, "--tick", 0]).out)
+        self.assertIn("The robot stands at its start.", Run(["explain", cut, "--tick", 0]).out)
         self.refused(["explain", cut, "--tick", self.report["ticks"]], "has no tick")
 
 
