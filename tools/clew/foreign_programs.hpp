@@ -14,9 +14,9 @@ namespace clew::tools {
 core::Result<void> check_programs(const runtime::Graph& graph,
                                   const std::vector<std::string>& external);
 
-/// A recording may come from a stranger. Refused: a program that it would start, unless the user has
-/// named it, too: `named` holds command lines, their words joined by blanks. Of all stages, or of
-/// `component` alone.
+/// A recording may come from a stranger. Refused: a program that it would start, unless the user
+/// has named it, too: `named` holds command lines, their words joined by blanks. Of all stages, or
+/// of `component` alone.
 core::Result<void> check_programs_are_named(const runtime::Graph& graph,
                                             const std::vector<std::string>& named,
                                             const std::string& component = {});

@@ -57,8 +57,8 @@ int print_report(const ReplayOptions& options, const bridge::RunReport& report,
 int branch_processes(const ReplayOptions& options, const bridge::RunRecording& recording,
                      const runtime::RunPlan& recorded, runtime::RunPlan plan) {
   const std::uint64_t tick = *options.branch_tick;
-  for (const auto& checked : {check_programs_are_named(plan.graph, options.exec),
-                              check_programs(plan.graph, {})}) {
+  for (const auto& checked :
+       {check_programs_are_named(plan.graph, options.exec), check_programs(plan.graph, {})}) {
     if (!checked.ok()) return complain(checked.error());
   }
   const auto start = bridge::branch_off_processes(recording, recorded, plan, tick);

@@ -204,9 +204,10 @@ void add_replay(CLI::App& main, int& status) {
       ->check(number_between(bridge::Playback::kLowestRate, bridge::Playback::kHighestRate));
   app->add_option("--branch", options->branch_tick, "continue the run from this tick")
       ->check(whole_number());
-  app->add_option("--exec", options->exec,
-                  "with --branch, or --publish --start: a COMMAND of a component of someone else's, "
-                  "as the recording has it, else nothing is run; may be repeated")
+  app->add_option(
+         "--exec", options->exec,
+         "with --branch, or --publish --start: a COMMAND of a component of someone else's, "
+         "as the recording has it, else nothing is run; may be repeated")
       ->allow_extra_args(false);
   app->add_option("--record", options->record, "write a recording of the branch (MCAP)")
       ->check(file_to_write());
