@@ -56,7 +56,7 @@ enum class FrameType : std::uint8_t {
 };
 
 struct Hello {
-  std::string stage;
+  std::string stage;  ///< or the group of stages that the process is
   std::int64_t process_id = 0;
   std::string idl_fingerprint;
 };
@@ -89,6 +89,7 @@ struct Checkpoint {
 /// All that a component process needs to take its place in a run.
 struct Assignment {
   std::string run_id;
+  std::vector<std::string> stages;  ///< that this process is
   runtime::Bundle bundle;
   std::string middleware;
   std::int32_t domain = 0;
@@ -107,9 +108,9 @@ struct Assignment {
   bool resumes = false;  ///< the run is under way: go on from `checkpoint`, or else from tick 0
   std::optional<Checkpoint> checkpoint;
   std::vector<domain::Intervention> interventions;  ///< that took effect, and that will
-  /// The file in which the process keeps the inputs of late, and finds those of the one before it;
-  /// empty: none.
-  std::string input_history;
+  /// The file in which each stage keeps its inputs of late, and finds those of the process before
+  /// this one; none: they are not kept.
+  std::map<std::string, std::string> input_histories;
 };
 
 /// What somebody wants of a run while it goes on.
@@ -149,6 +150,7 @@ struct Progress {
   std::uint64_t ticks = 0;  ///< stepped so far
   RunStatistics statistics;
   std::uint64_t refused_samples = 0;
+  std::uint64_t most_ticks = 0;  ///< of several stages: what the one has stepped that is ahead
 };
 
 struct Finished {
@@ -185,9 +187,9 @@ void visit_fields(V& v, Checkpoint& m) {
 }
 template <typename V>
 void visit_fields(V& v, Assignment& m) {
-  v(m.run_id, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor,
+  v(m.run_id, m.stages, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor,
     m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected, m.waits_for_go,
-    m.peers, m.resumes, m.checkpoint, m.interventions, m.input_history);
+    m.peers, m.resumes, m.checkpoint, m.interventions, m.input_histories);
 }
 template <typename V>
 void visit_fields(V& v, RunCommand& m) {
@@ -211,7 +213,7 @@ void visit_fields(V& v, Alive& m) {
 }
 template <typename V>
 void visit_fields(V& v, Progress& m) {
-  v(m.ticks, m.statistics, m.refused_samples);
+  v(m.ticks, m.statistics, m.refused_samples, m.most_ticks);
 }
 template <typename V>
 void visit_fields(V& v, Finished& m) {

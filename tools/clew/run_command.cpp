@@ -61,7 +61,7 @@ Result<void> check_options(const RunOptions& options) {
   if (!options.exec.empty() && options.resume.empty()) {
     return Error{"needs --resume: a graph names its programs itself", "--exec", 0, 0};
   }
-  if (options.layout != "processes" && options.layout != "composed") {
+  if (!options.layout.empty() && options.layout != "processes" && options.layout != "composed") {
     return Error{core::unknown_name("layout", options.layout, {"processes", "composed"}),
                  "--layout", 0, 0};
   }
@@ -76,7 +76,10 @@ Result<void> check_options(const RunOptions& options) {
     return Error{core::unknown_name("choice", options.on_record_error, kOnRecordError),
                  "--on-record-error", 0, 0};
   }
-  const bool composed = options.layout == "composed";
+  return {};
+}
+
+Result<void> check_ways(const RunOptions& options, bool composed) {
   if (composed && (!options.external.empty() || !options.prefix.empty() || options.domain ||
                    options.realtime_priority || !options.middleware.empty())) {
     return Error{
@@ -256,6 +259,9 @@ int run_command(const RunOptions& options) {
   if (!speed.ok()) return complain(speed.error());
   auto job = options.resume.empty() ? new_job(options) : resumed_job(options);
   if (!job.ok()) return complain(job.error());
+  const std::string& layout_name = options.layout.empty() ? job->plan.graph.layout : options.layout;
+  const bool composed = layout_name == "composed";
+  if (const auto ways = check_ways(options, composed); !ways.ok()) return complain(ways.error());
   const auto layout = read_layout(options, job->plan.graph, *speed);
   if (!layout.ok()) return complain(layout.error());
   const auto paced = check_pace(job->plan.graph, speed->pace);
@@ -273,7 +279,6 @@ int run_command(const RunOptions& options) {
   const auto claimed = claim_recording(options, *job);
   if (!claimed.ok()) return complain(claimed.error());
 
-  const bool composed = options.layout == "composed";
   auto report = run_job(*job, *layout, composed, control, feed->get());
   clear_display();
   if (!report.ok()) return complain(report.error());
@@ -283,7 +288,7 @@ int run_command(const RunOptions& options) {
   if (job->recording && !wrote) {
     std::fputs("clew: nothing happened that the black box writes for: no recording\n", stderr);
   }
-  const RunFacts facts{options.layout,
+  const RunFacts facts{layout_name,
                        composed ? "inprocess" : middleware_text(job->plan.graph, *layout),
                        wrote ? job->recording->path : ""};
   if (!options.json) {

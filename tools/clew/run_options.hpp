@@ -13,7 +13,7 @@ namespace clew::tools {
 struct RunOptions {
   std::string graph;
   runtime::GraphOverrides overrides;
-  std::string layout = "processes";
+  std::string layout;                   ///< empty: as the graph says
   std::vector<std::string> middleware;  ///< `VENDOR` or `STAGE=VENDOR`
   std::string pace = "lockstep";
   std::optional<int> domain;
@@ -21,7 +21,7 @@ struct RunOptions {
   std::vector<std::string> at;  ///< `TICK:CHANGE`
   std::optional<int> realtime_priority;
   std::string record;
-  std::string resume;  ///< a recording to go on with, in the graph's place
+  std::string resume;             ///< a recording to go on with, in the graph's place
   std::vector<std::string> exec;  ///< with resume, the programs that it may start
   bool force = false;
   std::string record_on;                ///< `trap`: a black box
