@@ -19,6 +19,7 @@
 #include "component/group_participant.hpp"
 #include "component/json_lines.hpp"
 #include "component/process_host.hpp"
+#include "component/sealed_participant.hpp"
 #include "component/start_barrier.hpp"
 #include "component/succession_worker.hpp"
 #include "line/heartbeat.hpp"
@@ -249,15 +250,15 @@ Result<std::unique_ptr<Participant>> join(const Assignment& assignment, const st
 }
 
 /// Takes the process's place on the wire, where the run begins or is.
-Result<void> open_stages(ProcessHost& host, const Assignment& assignment,
-                         GroupParticipant& participant, const StartBarrier& barrier) {
+Result<void> open_stages(ProcessHost& host, const Assignment& assignment, Participant& participant,
+                         GroupParticipant& inside, const StartBarrier& barrier) {
   host.keep_inputs(assignment.input_histories);
   if (assignment.checkpoint) CLEW_RETURN_IF_ERROR(host.restore(*assignment.checkpoint));
   CLEW_RETURN_IF_ERROR(host.open(participant, barrier));
   if (assignment.checkpoint) {
     CLEW_RETURN_IF_ERROR(host.repeat_last_outputs(*assignment.checkpoint));
   }
-  participant.start();
+  inside.start();
   if (assignment.resumes) host.go(Clock::now());
   return {};
 }
@@ -284,12 +285,15 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
   StartBarrier barrier(name, assignment.expected,
                        {[&] { report_missing(barrier); }, say(link, FrameType::kNotice),
                         say(link, FrameType::kFatal)});
+  barrier.demand_seals(RunKey(assignment.run_key));
   auto wire = join(assignment, name, barrier);
   if (!wire.ok()) return wire.error();
-  GroupParticipant participant(std::move(wire).value(), assignment.stages, assignment.expected,
-                               barrier);
+  auto group = std::make_unique<GroupParticipant>(std::move(wire).value(), assignment.stages,
+                                                  assignment.expected, barrier);
+  GroupParticipant& inside = *group;
+  SealedParticipant participant(std::move(group), RunKey(assignment.run_key));
   ProcessHost host(std::move(prepared->nodes), assignment, prepared->plan, handlers_for(link));
-  CLEW_RETURN_IF_ERROR(open_stages(host, assignment, participant, barrier));
+  CLEW_RETURN_IF_ERROR(open_stages(host, assignment, participant, inside, barrier));
   SuccessionWorker succession(host.stages(), prepared->reader, prepared->last, stages,
                               say(link, FrameType::kFatal));
   alive.emplace(

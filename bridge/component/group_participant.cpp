@@ -82,7 +82,7 @@ core::Result<std::unique_ptr<SampleWriter>> GroupParticipant::create_writer(
     on_wire = std::move(created).value();
   }
   RemoteEndpoint& writer = channel->second.writer;
-  writer = {true, spec.topic, spec.type, spec.user_data, "writer of " + spec.topic, ::getpid()};
+  writer = {true, spec.topic, spec.type, spec.user_data, inner_guid("writer", spec), ::getpid()};
   discovery_.on_matched(writer);
   return std::unique_ptr<SampleWriter>(
       std::make_unique<Writer>(*this, channel->second, std::move(on_wire)));
@@ -96,10 +96,15 @@ core::Result<std::unique_ptr<SampleReader>> GroupParticipant::create_reader(
     const std::lock_guard lock(delivering_);
     channel->second.listeners.push_back(&listener);
   }
-  const std::string guid = "reader of " + spec.topic + ' ' + spec.user_data;
+  const std::string guid = inner_guid("reader", spec);
   discovery_.on_matched({false, spec.topic, spec.type, spec.user_data, guid, ::getpid()});
   return std::unique_ptr<SampleReader>(
       std::make_unique<Reader>(*this, channel->second, listener, guid));
+}
+
+// It begins as that of an endpoint on the wire would, since the seal is of that part.
+std::string GroupParticipant::inner_guid(const char* what, const EndpointSpec& spec) const {
+  return wire_->guid().substr(0, 24) + ' ' + what + " of " + spec.topic + ' ' + spec.user_data;
 }
 
 void GroupParticipant::push(Channel& channel, std::string_view cdr) {

@@ -53,6 +53,8 @@ class GroupParticipant : public Participant {
     std::string cdr;
   };
 
+  /// What stands for the GUID of an endpoint that is not on the wire.
+  std::string inner_guid(const char* what, const EndpointSpec& spec) const;
   void push(Channel& channel, std::string_view cdr);
   void deliver();
   void remove(Channel& channel, const SampleListener& listener);

@@ -129,6 +129,7 @@ class NodeHost {
   const bool lockstep_;
   const bool spools_states_;
   const bool waits_for_go_;
+  const bool has_lead_;
   Handlers handlers_;
   runtime::InputBuffer buffer_;
   domain::Messages messages_;

@@ -89,6 +89,7 @@ struct Checkpoint {
 /// All that a component process needs to take its place in a run.
 struct Assignment {
   std::string run_id;
+  std::string run_key;              ///< the secret of RunKey
   std::vector<std::string> stages;  ///< that this process is
   runtime::Bundle bundle;
   std::string middleware;
@@ -103,6 +104,9 @@ struct Assignment {
   std::uint64_t lead = 1;  ///< ticks that may be started before the first credit
   std::vector<ExpectedEndpoint> expected;
   bool waits_for_go = false;  ///< with its first step, as the stage that starts ticks always does
+  /// Whether no component gets further ahead of another than histories hold. Then a writer does not
+  /// wait for its readers: what they lack is in its history, and a stranger's hold nothing up.
+  bool has_lead = false;
   /// The names of the participants of ours among them, which meet before they create endpoints.
   std::vector<std::string> peers;
   bool resumes = false;  ///< the run is under way: go on from `checkpoint`, or else from tick 0
@@ -187,9 +191,10 @@ void visit_fields(V& v, Checkpoint& m) {
 }
 template <typename V>
 void visit_fields(V& v, Assignment& m) {
-  v(m.run_id, m.stages, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor,
-    m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected, m.waits_for_go,
-    m.peers, m.resumes, m.checkpoint, m.interventions, m.input_histories);
+  v(m.run_id, m.run_key, m.stages, m.bundle, m.middleware, m.domain, m.lease_s, m.pace,
+    m.pace_factor, m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected,
+    m.waits_for_go, m.has_lead, m.peers, m.resumes, m.checkpoint, m.interventions,
+    m.input_histories);
 }
 template <typename V>
 void visit_fields(V& v, RunCommand& m) {

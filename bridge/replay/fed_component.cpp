@@ -72,6 +72,7 @@ Result<void> FedComponent::start(bool by_us, const std::string& prefix) {
 Assignment FedComponent::assignment() const {
   Assignment assignment;
   assignment.run_id = settings_.run_id;
+  assignment.run_key = settings_.run_key.secret();
   assignment.stages = {stage()};
   assignment.bundle = bundle_for(plan_, stage_);
   assignment.middleware = middleware_of(stage_, layout_of(settings_));

@@ -93,6 +93,8 @@ void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
   // Nobody tells a third-party drive when all are there.
   const GraphStage* robot = plan.graph.writer_of(Topic::kState);
   assignment.waits_for_go = robot != nullptr && is_third_party(*robot);
+  // Such a drive starts ticks when it likes. In real time, who is that late is killed.
+  assignment.has_lead = !assignment.waits_for_go;
 }
 
 std::string middleware_of(const GraphStage& stage, const ProcessLayout& layout) {
@@ -153,6 +155,7 @@ Launcher::Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, in
       spooling_(spooling),
       start_(std::move(start)),
       run_id_(std::to_string(::getpid()) + '-' + std::to_string(domain)),
+      run_key_(RunKey::make()),
       environment_(domain, kLease_s, run_id_) {}
 
 core::Result<void> Launcher::start(Member& member) const {
@@ -195,6 +198,7 @@ Assignment Launcher::assignment_for(const std::vector<std::string>& stages,
                                     const std::string& middleware) const {
   Assignment assignment;
   assignment.run_id = run_id_;
+  assignment.run_key = run_key_.secret();
   assignment.middleware = middleware;
   assignment.domain = domain_;
   if (patient()) assignment.lease_s = kPatientLease_s;

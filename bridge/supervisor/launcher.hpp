@@ -9,6 +9,7 @@
 
 #include "core/result.hpp"
 #include "line/frames.hpp"
+#include "line/run_key.hpp"
 #include "runtime/run_plan.hpp"
 #include "supervisor/member.hpp"
 #include "supervisor/process_layout.hpp"
@@ -74,6 +75,7 @@ class Launcher {
   Spooling spooling_;
   StartProcess start_;
   std::string run_id_;
+  RunKey run_key_;
   ThirdPartyEnvironment environment_;
 };
 

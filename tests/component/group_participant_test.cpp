@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "component/sealed_participant.hpp"
 #include "component/start_barrier.hpp"
 #include "fake_participant.hpp"
 #include "line/user_data.hpp"
@@ -103,6 +104,24 @@ TEST_F(Group, DeliversWithinTheProcessInOrderAndWritesForTheOthers) {
   EXPECT_EQ(wire_->writers().size(), 1u);
   const RemoteEndpoint seen = inbox_.writer();
   EXPECT_TRUE(barrier_.accepts(&seen));
+}
+
+TEST_F(Group, HasItsSealWithinTheProcessToo) {
+  const RunKey key = RunKey::make();
+  barrier_.demand_seals(key);
+  GroupParticipant& group = *group_;
+  SealedParticipant sealed(std::move(group_), key);
+  const auto scan = std::move(sealed.create_writer(spec("scan", "sense"))).value();
+  const auto reads = std::move(sealed.create_reader(spec("scan", "control"), inbox_)).value();
+
+  group.start();
+  scan->write("one");
+
+  EXPECT_EQ(inbox_.wait_for(1), Texts{"one"});
+  const RemoteEndpoint seen = inbox_.writer();
+  EXPECT_TRUE(barrier_.accepts(&seen));
+  EXPECT_EQ(refused_, "");
+  EXPECT_TRUE(key.fits(UserData::parse(wire_->writers()[0].user_data), wire_->guid()));
 }
 
 TEST_F(Group, MatchesItsOwnEndpointsAndWaitsForThoseOfOthers) {
