@@ -16,8 +16,10 @@
 #include <memory>
 #include <optional>
 
+#include "component/group_participant.hpp"
 #include "component/json_lines.hpp"
-#include "component/node_host.hpp"
+#include "component/process_host.hpp"
+#include "component/sealed_participant.hpp"
 #include "component/start_barrier.hpp"
 #include "component/succession_worker.hpp"
 #include "line/heartbeat.hpp"
@@ -38,7 +40,7 @@ using core::Result;
 class ComponentLoop {
  public:
   /// With `brings_to_rest` the robot is not left in motion when the supervisor is gone.
-  ComponentLoop(Link& link, NodeHost& host, SuccessionWorker& succession, bool brings_to_rest)
+  ComponentLoop(Link& link, ProcessHost& host, SuccessionWorker& succession, bool brings_to_rest)
       : link_(link), host_(host), succession_(succession), brings_to_rest_(brings_to_rest) {}
 
   /// Returns true after an orderly end.
@@ -115,7 +117,7 @@ class ComponentLoop {
   }
 
   Link& link_;
-  NodeHost& host_;
+  ProcessHost& host_;
   SuccessionWorker& succession_;
   const bool brings_to_rest_;
   bool lost_ = false;  ///< the supervisor
@@ -125,8 +127,8 @@ class ComponentLoop {
   Clock::time_point next_flush_{};
 };
 
-Result<Assignment> take_assignment(Link& link, const std::string& stage) {
-  link.post(FrameType::kHello, Hello{stage, ::getpid(), std::string(idl_fingerprint())});
+Result<Assignment> take_assignment(Link& link, const std::string& name) {
+  link.post(FrameType::kHello, Hello{name, ::getpid(), std::string(idl_fingerprint())});
   const auto frame = link.wait_for_frame(Clock::now() + kAssignmentTimeout);
   if (!frame.ok()) return frame.error();
   if (frame->type == FrameType::kNotice) {
@@ -152,8 +154,9 @@ Result<void> take_realtime_priority(int priority) {
 }
 
 struct Prepared {
-  runtime::NodeSuccession node;
+  std::vector<runtime::NodeSuccession> nodes;
   runtime::RunPlan plan;
+  std::string reader;                            ///< the stage that the plan was read for
   std::shared_ptr<const runtime::RunPlan> last;  ///< after all that is known to change
 };
 
@@ -168,31 +171,47 @@ JsonLines::Fail end_with_program(Link& link, const runtime::GraphStage& stage) {
   };
 }
 
-Result<Prepared> prepare(Link& link, const Assignment& assignment, const std::string& stage,
+/// The stage that needs most of the plan: one that knows the world, if there is one.
+std::string most_demanding(const std::vector<std::string>& names,
+                           const std::vector<runtime::StageInfo>& stages) {
+  for (const runtime::StageInfo& info : stages) {
+    const bool own = std::find(names.begin(), names.end(), info.name) != names.end();
+    if (own && info.knows_world) return info.name;
+  }
+  return names.front();
+}
+
+Result<runtime::Node> make_node_of(Link& link, const runtime::RunPlan& plan,
+                                   const std::string& stage) {
+  const runtime::GraphStage* graph_stage = plan.graph.find(stage);
+  if (graph_stage == nullptr) return Error{"the run's graph has no stage " + stage, {}, 0, 0};
+  return graph_stage->deployment.json_lines
+             ? make_json_lines_node(plan, *graph_stage, end_with_program(link, *graph_stage))
+             : runtime::make_node(plan, *graph_stage);
+}
+
+Result<Prepared> prepare(Link& link, const Assignment& assignment,
                          const std::vector<runtime::StageInfo>& stages) {
   const auto plugins = assignment.bundle.find(kPluginLines);
   if (plugins != assignment.bundle.end()) {
     CLEW_RETURN_IF_ERROR(load_plugin_lines(plugins->second));
   }
-  auto plan = runtime::read_prepared_run(assignment.bundle, stages, stage);
+  if (assignment.stages.empty()) return Error{"the run has assigned no stage", {}, 0, 0};
+  const std::string reader = most_demanding(assignment.stages, stages);
+  auto plan = runtime::read_prepared_run(assignment.bundle, stages, reader);
   if (!plan.ok()) return plan.error();
-  const runtime::GraphStage* graph_stage = plan->graph.find(stage);
-  if (graph_stage == nullptr) return Error{"the run's graph has no stage " + stage, {}, 0, 0};
-  auto node = graph_stage->deployment.json_lines
-                  ? make_json_lines_node(*plan, *graph_stage, end_with_program(link, *graph_stage))
-                  : runtime::make_node(*plan, *graph_stage);
-  if (!node.ok()) return node.error();
-  auto plans = runtime::change_all(*plan, assignment.interventions, stages, stage);
+  auto plans = runtime::change_all(*plan, assignment.interventions, stages, reader);
   if (!plans.ok()) return plans.error();
-  Prepared prepared{runtime::NodeSuccession(std::move(node).value()), std::move(plan).value(), {}};
-  runtime::add_successors(prepared.plan, assignment.interventions, *plans, prepared.node);
+  Prepared prepared{{}, std::move(plan).value(), reader, {}};
+  for (const std::string& stage : assignment.stages) {
+    auto node = make_node_of(link, prepared.plan, stage);
+    if (!node.ok()) return node.error();
+    auto& succession = prepared.nodes.emplace_back(std::move(node).value());
+    runtime::add_successors(prepared.plan, assignment.interventions, *plans, succession);
+  }
   prepared.last =
       plans->empty() ? std::make_shared<const runtime::RunPlan>(prepared.plan) : plans->back();
   return prepared;
-}
-
-bool is_robot_stage(const runtime::RunPlan& plan, const std::string& stage) {
-  return plan.graph.find(stage)->ports.delayed_inputs.any();
 }
 
 /// The robot's process is told of its supervisor's death (SIGTERM) instead of dying with it. It
@@ -216,22 +235,42 @@ NodeHost::Handlers handlers_for(Link& link) {
           [&link](const TookOver& change) { link.post(FrameType::kTookOver, change); }};
 }
 
-/// Lets the host keep its inputs where the run says, as far as it can be reached from here.
-void keep_inputs(Link& link, const Assignment& assignment, NodeHost& host) {
-  if (assignment.input_history.empty()) return;
-  auto history = InputHistory::open(assignment.input_history);
-  if (history.ok()) return host.keep_inputs(std::move(history).value());
-  say(link, FrameType::kNotice)(history.error().text());
+/// The participant of the process, once it has met those of the others.
+Result<std::unique_ptr<Participant>> join(const Assignment& assignment, const std::string& name,
+                                          StartBarrier& barrier) {
+  const auto vendor = vendor_from_name(assignment.middleware);
+  if (!vendor) return Error{"unknown middleware '" + assignment.middleware + "'", {}, 0, 0};
+  auto participant =
+      create_unsettled_participant(*vendor, {assignment.domain, name, assignment.lease_s}, barrier);
+  if (participant.ok()) {
+    // Those that are late are found, too, if not as fast.
+    static_cast<void>(barrier.wait_for_participants(assignment.peers, Clock::now() + kMeetTimeout));
+  }
+  return participant;
 }
 
-Result<bool> take_part(Link& link, const Assignment& assignment, const std::string& stage,
+/// Takes the process's place on the wire, where the run begins or is.
+Result<void> open_stages(ProcessHost& host, const Assignment& assignment, Participant& participant,
+                         GroupParticipant& inside, const StartBarrier& barrier) {
+  host.keep_inputs(assignment.input_histories);
+  if (assignment.checkpoint) CLEW_RETURN_IF_ERROR(host.restore(*assignment.checkpoint));
+  CLEW_RETURN_IF_ERROR(host.open(participant, barrier));
+  if (assignment.checkpoint) {
+    CLEW_RETURN_IF_ERROR(host.repeat_last_outputs(*assignment.checkpoint));
+  }
+  inside.start();
+  if (assignment.resumes) host.go(Clock::now());
+  return {};
+}
+
+Result<bool> take_part(Link& link, const Assignment& assignment, const std::string& name,
                        const std::vector<runtime::StageInfo>& stages) {
   const auto still_preparing = [&] {
-    link.post(FrameType::kPreparing, Text{stage + " still makes its component"});
+    link.post(FrameType::kPreparing, Text{name + " still makes its component"});
   };
   std::optional<Heartbeat> alive;
   alive.emplace(still_preparing);
-  auto prepared = prepare(link, assignment, stage, stages);
+  auto prepared = prepare(link, assignment, stages);
   if (!prepared.ok()) return prepared.error();
   // A heartbeat of ordinary priority would wait behind the steps, and the process be killed.
   alive.reset();
@@ -243,28 +282,24 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
     const std::lock_guard<std::mutex> lock(reporting);
     link.post(FrameType::kWaiting, Waiting{barrier.missing()});
   };
-  StartBarrier barrier(stage, assignment.expected,
+  StartBarrier barrier(name, assignment.expected,
                        {[&] { report_missing(barrier); }, say(link, FrameType::kNotice),
                         say(link, FrameType::kFatal)});
-  const auto vendor = vendor_from_name(assignment.middleware);
-  if (!vendor) return Error{"unknown middleware '" + assignment.middleware + "'", {}, 0, 0};
-  auto participant = create_unsettled_participant(
-      *vendor, {assignment.domain, stage, assignment.lease_s}, barrier);
-  if (!participant.ok()) return participant.error();
-  // Those that are late are found, too, if not as fast.
-  static_cast<void>(barrier.wait_for_participants(assignment.peers, Clock::now() + kMeetTimeout));
-  NodeHost host(std::move(prepared->node), assignment, prepared->plan, handlers_for(link));
-  keep_inputs(link, assignment, host);
-  if (assignment.checkpoint) CLEW_RETURN_IF_ERROR(host.restore(*assignment.checkpoint));
-  CLEW_RETURN_IF_ERROR(host.open(**participant, barrier));
-  if (assignment.checkpoint) host.repeat_last_outputs(*assignment.checkpoint);
-  if (assignment.resumes) host.go(Clock::now());
-  SuccessionWorker succession(host, stage, prepared->last, stages, say(link, FrameType::kFatal));
+  barrier.demand_seals(RunKey(assignment.run_key));
+  auto wire = join(assignment, name, barrier);
+  if (!wire.ok()) return wire.error();
+  auto group = std::make_unique<GroupParticipant>(std::move(wire).value(), assignment.stages,
+                                                  assignment.expected, barrier);
+  GroupParticipant& inside = *group;
+  SealedParticipant participant(std::move(group), RunKey(assignment.run_key));
+  ProcessHost host(std::move(prepared->nodes), assignment, prepared->plan, handlers_for(link));
+  CLEW_RETURN_IF_ERROR(open_stages(host, assignment, participant, inside, barrier));
+  SuccessionWorker succession(host.stages(), prepared->reader, prepared->last, stages,
+                              say(link, FrameType::kFatal));
   alive.emplace(
       [&] { link.post(FrameType::kAlive, Alive{host.is_stepping() || succession.is_busy()}); });
   report_missing(barrier);
-  const bool brings_to_rest =
-      assignment.pace == Pace::kRealtime && is_robot_stage(prepared->plan, stage);
+  const bool brings_to_rest = assignment.pace == Pace::kRealtime && host.starts_ticks();
   if (brings_to_rest) outlive_supervisor_for_a_moment();
   const bool orderly = ComponentLoop(link, host, succession, brings_to_rest).run();
   alive.reset();  // it looks at the worker

@@ -30,6 +30,7 @@ NodeHost::NodeHost(runtime::NodeSuccession node, const Assignment& assignment,
       lockstep_(assignment.pace != Pace::kRealtime),
       spools_states_(assignment.spooling == Spooling::kSamplesAndStates),
       waits_for_go_(assignment.waits_for_go),
+      has_lead_(assignment.has_lead),
       handlers_(std::move(handlers)),
       buffer_(node_.ports(), assignment.history_depth),
       account_(assignment.hash, assignment.spooling != Spooling::kNothing),
@@ -40,7 +41,9 @@ NodeHost::~NodeHost() { readers_.clear(); }
 
 core::Result<void> NodeHost::open(Participant& participant, const StartBarrier& barrier) {
   for (Topic topic : node_.ports().output_order) {
-    auto writer = participant.create_writer(spec_of(topic, user_data_, history_depth_));
+    EndpointSpec spec = spec_of(topic, user_data_, history_depth_);
+    spec.qos.keep_last = has_lead_;
+    auto writer = participant.create_writer(spec);
     if (!writer.ok()) return writer.error();
     outputs_[index_of(topic)].writer = std::move(writer).value();
   }

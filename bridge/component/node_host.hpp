@@ -90,6 +90,8 @@ class NodeHost {
   /// When poll() should be called next; none: when something has arrived.
   std::optional<Time> next_due() const;
 
+  const std::string& name() const { return node_.name(); }
+  bool starts_ticks() const { return node_.ports().delayed_inputs.any(); }
   /// Whether a step is under way. Does not wait for it.
   bool is_stepping() const { return stepping_.load(); }
   /// Reports progress, and hands over what is spooled.
@@ -118,7 +120,6 @@ class NodeHost {
   void keep_tick(std::uint64_t tick, const runtime::TopicSet& present);
   void note_successions(std::uint64_t tick);
   core::Result<void> feed_past(const Checkpoint& checkpoint);
-  bool starts_ticks() const { return node_.ports().delayed_inputs.any(); }
 
   mutable std::mutex mutex_;
   runtime::NodeSuccession node_;
@@ -128,6 +129,7 @@ class NodeHost {
   const bool lockstep_;
   const bool spools_states_;
   const bool waits_for_go_;
+  const bool has_lead_;
   Handlers handlers_;
   runtime::InputBuffer buffer_;
   domain::Messages messages_;

@@ -65,6 +65,16 @@ bool StartBarrier::wait_for_participants(const std::vector<std::string>& names,
   });
 }
 
+bool StartBarrier::misses_third_party(const std::string& topic, bool is_writer) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::any_of(expected_.begin(), expected_.end(), [&](const ExpectedEndpoint& expected) {
+    const bool asked = expected.third_party || expected.stage.empty();
+    if (!asked || expected.topic != topic || expected.is_writer != is_writer) return false;
+    return std::none_of(matched_.begin(), matched_.end(),
+                        [&](const auto& entry) { return is_expected(expected, entry.second); });
+  });
+}
+
 std::string StartBarrier::objection(const RemoteEndpoint& remote) const {
   const UserData user_data = UserData::parse(remote.user_data);
   const std::string own(idl_fingerprint());
@@ -74,6 +84,9 @@ std::string StartBarrier::objection(const RemoteEndpoint& remote) const {
   if (user_data.idl_fingerprint != own) {
     return "it was built from other IDL files: its fingerprint is " + user_data.idl_fingerprint +
            ", that of " + own_name_ + " is " + own;
+  }
+  if (!user_data.stage.empty() && !key_.fits(user_data, remote.guid)) {
+    return "it says that it is of " + user_data.stage + ", but has not the seal of this run";
   }
   if (!remote.is_writer) return {};
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -128,10 +141,15 @@ void StartBarrier::on_unmatched(const RemoteEndpoint& remote) {
 
 void StartBarrier::on_incompatible_qos(const std::string& topic, bool local_is_writer,
                                        const std::string& policy) {
-  handlers_.on_fatal("a " + std::string(local_is_writer ? "reader" : "writer") + " of '" + topic +
-                     "' does not match the " + (local_is_writer ? "writer" : "reader") + " in " +
-                     own_name_ + ": incompatible QoS policy " + policy +
-                     "; expected RELIABLE, TRANSIENT_LOCAL, XCDR1; the history may be any");
+  const std::string what = "a " + std::string(local_is_writer ? "reader" : "writer") + " of '" +
+                           topic + "' does not match the " +
+                           (local_is_writer ? "writer" : "reader") + " in " + own_name_ +
+                           ": incompatible QoS policy " + policy +
+                           "; expected RELIABLE, TRANSIENT_LOCAL, XCDR1; the history may be any";
+  // Neither vendor tells whose it is: it may be anybody's. Only one of somebody else's components
+  // can be expected and not match, and only while it is missed.
+  if (misses_third_party(topic, !local_is_writer)) return handlers_.on_fatal(what);
+  handlers_.on_refused(what);
 }
 
 void StartBarrier::on_inconsistent_type(const RemoteEndpoint& remote) {

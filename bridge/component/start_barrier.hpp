@@ -9,10 +9,12 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dds/participant.hpp"
 #include "line/frames.hpp"
+#include "line/run_key.hpp"
 
 namespace clew::bridge {
 
@@ -31,6 +33,9 @@ class StartBarrier : public DiscoveryListener {
 
   StartBarrier(std::string own_name, std::vector<ExpectedEndpoint> expected, Handlers handlers);
 
+  /// An endpoint that says of which stage it is, needs the seal of this key; before there is a
+  /// participant.
+  void demand_seals(RunKey key) { key_ = std::move(key); }
   /// Expects more endpoints; before those of this process that they will match are created.
   void expect(const std::vector<ExpectedEndpoint>& more);
 
@@ -58,9 +63,12 @@ class StartBarrier : public DiscoveryListener {
  private:
   /// Why an endpoint is no part of this run; empty if it is.
   std::string objection(const RemoteEndpoint& remote) const;
+  /// Whether an endpoint of a component that is not clew's, or of anybody, is not matched yet.
+  bool misses_third_party(const std::string& topic, bool is_writer) const;
 
   const std::string own_name_;
   const Handlers handlers_;
+  RunKey key_;
   std::atomic<std::uint64_t> version_{0};
   mutable std::mutex mutex_;
   std::vector<ExpectedEndpoint> expected_;

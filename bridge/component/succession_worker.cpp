@@ -5,12 +5,12 @@
 
 namespace clew::bridge {
 
-SuccessionWorker::SuccessionWorker(NodeHost& host, std::string stage,
+SuccessionWorker::SuccessionWorker(std::vector<NodeHost*> hosts, std::string reader,
                                    std::shared_ptr<const runtime::RunPlan> last,
                                    const std::vector<runtime::StageInfo>& stages,
                                    std::function<void(std::string)> on_fatal)
-    : host_(host),
-      stage_(std::move(stage)),
+    : hosts_(std::move(hosts)),
+      reader_(std::move(reader)),
       last_(std::move(last)),
       stages_(stages),
       on_fatal_(std::move(on_fatal)),
@@ -26,7 +26,7 @@ SuccessionWorker::~SuccessionWorker() {
 }
 
 void SuccessionWorker::take(domain::Intervention intervention) {
-  host_.expect_successor(intervention.tick);
+  for (NodeHost* host : hosts_) host->expect_successor(intervention.tick);
   busy_ = true;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -43,20 +43,28 @@ void SuccessionWorker::work() {
     const domain::Intervention next = std::move(waiting_.front());
     waiting_.pop_front();
     lock.unlock();
-    const auto succeeded = succeed(next);
-    if (!succeeded.ok()) on_fatal_(stage_ + ": " + succeeded.error().text());
+    change_all_hosts(next);
     lock.lock();
     busy_ = !waiting_.empty();
   }
 }
 
-core::Result<void> SuccessionWorker::succeed(const domain::Intervention& intervention) {
-  auto plans = runtime::change_all(*last_, {intervention}, stages_, stage_);
-  if (!plans.ok()) return plans.error();
-  auto next = runtime::successor(*last_, plans->front(), intervention, stage_);
+void SuccessionWorker::change_all_hosts(const domain::Intervention& intervention) {
+  auto plans = runtime::change_all(*last_, {intervention}, stages_, reader_);
+  if (!plans.ok()) return on_fatal_(reader_ + ": " + plans.error().text());
+  for (NodeHost* host : hosts_) {
+    const auto succeeded = succeed(*host, intervention, plans->front());
+    if (!succeeded.ok()) on_fatal_(host->name() + ": " + succeeded.error().text());
+  }
   last_ = plans->front();
-  if (next) return host_.take_successor(std::move(*next));
-  host_.forget_successor(intervention.tick);
+}
+
+core::Result<void> SuccessionWorker::succeed(
+    NodeHost& host, const domain::Intervention& intervention,
+    const std::shared_ptr<const runtime::RunPlan>& next) const {
+  auto successor = runtime::successor(*last_, next, intervention, host.name());
+  if (successor) return host.take_successor(std::move(*successor));
+  host.forget_successor(intervention.tick);
   return {};
 }
 

@@ -17,11 +17,14 @@
 
 namespace clew::bridge {
 
-/// Makes and feeds those that take a node's place while it steps on, in a thread of its own.
+/// Makes and feeds those that take the place of a process's nodes while these step on, in a thread
+/// of its own.
 class SuccessionWorker {
  public:
-  /// `last` is the plan up to the first intervention; `on_fatal` takes why one cannot be made.
-  SuccessionWorker(NodeHost& host, std::string stage, std::shared_ptr<const runtime::RunPlan> last,
+  /// `last` is the plan up to the first intervention, read as the stage `reader` needs it;
+  /// `on_fatal` takes why one cannot be made.
+  SuccessionWorker(std::vector<NodeHost*> hosts, std::string reader,
+                   std::shared_ptr<const runtime::RunPlan> last,
                    const std::vector<runtime::StageInfo>& stages,
                    std::function<void(std::string)> on_fatal);
   /// Waits for the one at work.
@@ -29,16 +32,18 @@ class SuccessionWorker {
   SuccessionWorker(const SuccessionWorker&) = delete;
   SuccessionWorker& operator=(const SuccessionWorker&) = delete;
 
-  /// The run changes at a later tick. The host does not begin it before the node is there.
+  /// The run changes at a later tick. No host begins it before its node is there.
   void take(domain::Intervention intervention);
   bool is_busy() const { return busy_.load(); }
 
  private:
   void work();
-  core::Result<void> succeed(const domain::Intervention& intervention);
+  void change_all_hosts(const domain::Intervention& intervention);
+  core::Result<void> succeed(NodeHost& host, const domain::Intervention& intervention,
+                             const std::shared_ptr<const runtime::RunPlan>& next) const;
 
-  NodeHost& host_;
-  const std::string stage_;
+  const std::vector<NodeHost*> hosts_;
+  const std::string reader_;
   std::shared_ptr<const runtime::RunPlan> last_;
   const std::vector<runtime::StageInfo>& stages_;
   const std::function<void(std::string)> on_fatal_;

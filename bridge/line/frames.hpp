@@ -56,7 +56,7 @@ enum class FrameType : std::uint8_t {
 };
 
 struct Hello {
-  std::string stage;
+  std::string stage;  ///< or the group of stages that the process is
   std::int64_t process_id = 0;
   std::string idl_fingerprint;
 };
@@ -89,6 +89,8 @@ struct Checkpoint {
 /// All that a component process needs to take its place in a run.
 struct Assignment {
   std::string run_id;
+  std::string run_key;              ///< the secret of RunKey
+  std::vector<std::string> stages;  ///< that this process is
   runtime::Bundle bundle;
   std::string middleware;
   std::int32_t domain = 0;
@@ -102,14 +104,17 @@ struct Assignment {
   std::uint64_t lead = 1;  ///< ticks that may be started before the first credit
   std::vector<ExpectedEndpoint> expected;
   bool waits_for_go = false;  ///< with its first step, as the stage that starts ticks always does
+  /// Whether no component gets further ahead of another than histories hold. Then a writer does not
+  /// wait for its readers: what they lack is in its history, and a stranger's hold nothing up.
+  bool has_lead = false;
   /// The names of the participants of ours among them, which meet before they create endpoints.
   std::vector<std::string> peers;
   bool resumes = false;  ///< the run is under way: go on from `checkpoint`, or else from tick 0
   std::optional<Checkpoint> checkpoint;
   std::vector<domain::Intervention> interventions;  ///< that took effect, and that will
-  /// The file in which the process keeps the inputs of late, and finds those of the one before it;
-  /// empty: none.
-  std::string input_history;
+  /// The file in which each stage keeps its inputs of late, and finds those of the process before
+  /// this one; none: they are not kept.
+  std::map<std::string, std::string> input_histories;
 };
 
 /// What somebody wants of a run while it goes on.
@@ -149,6 +154,7 @@ struct Progress {
   std::uint64_t ticks = 0;  ///< stepped so far
   RunStatistics statistics;
   std::uint64_t refused_samples = 0;
+  std::uint64_t most_ticks = 0;  ///< of several stages: what the one has stepped that is ahead
 };
 
 struct Finished {
@@ -185,9 +191,10 @@ void visit_fields(V& v, Checkpoint& m) {
 }
 template <typename V>
 void visit_fields(V& v, Assignment& m) {
-  v(m.run_id, m.bundle, m.middleware, m.domain, m.lease_s, m.pace, m.pace_factor,
-    m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected, m.waits_for_go,
-    m.peers, m.resumes, m.checkpoint, m.interventions, m.input_history);
+  v(m.run_id, m.run_key, m.stages, m.bundle, m.middleware, m.domain, m.lease_s, m.pace,
+    m.pace_factor, m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected,
+    m.waits_for_go, m.has_lead, m.peers, m.resumes, m.checkpoint, m.interventions,
+    m.input_histories);
 }
 template <typename V>
 void visit_fields(V& v, RunCommand& m) {
@@ -211,7 +218,7 @@ void visit_fields(V& v, Alive& m) {
 }
 template <typename V>
 void visit_fields(V& v, Progress& m) {
-  v(m.ticks, m.statistics, m.refused_samples);
+  v(m.ticks, m.statistics, m.refused_samples, m.most_ticks);
 }
 template <typename V>
 void visit_fields(V& v, Finished& m) {

@@ -6,6 +6,7 @@ namespace clew::bridge {
 std::string UserData::to_text() const {
   std::string text = "clew_idl=" + idl_fingerprint + ';';
   if (!stage.empty()) text += "clew_stage=" + stage + ';';
+  if (!seal.empty()) text += "clew_seal=" + seal + ';';
   return text;
 }
 
@@ -21,6 +22,7 @@ UserData UserData::parse(std::string_view text) {
     const std::string value(entry.substr(equals + 1));
     if (key == "clew_idl") parsed.idl_fingerprint = value;
     if (key == "clew_stage") parsed.stage = value;
+    if (key == "clew_seal") parsed.seal = value;
   }
   return parsed;
 }

@@ -37,6 +37,7 @@ FedComponent::FedComponent(const runtime::RunPlan& plan, const runtime::GraphSta
       log_(std::move(log)),
       comparison_(stage.info->name, stage.ports, first_compared, std::move(on_arrival)) {
   member_.stage = stage.info->name;
+  member_.stages = {member_.stage};
   member_.third_party = is_third_party(stage);
   member_.starts_ticks = stage.ports.delayed_inputs.any();
 }
@@ -71,6 +72,8 @@ Result<void> FedComponent::start(bool by_us, const std::string& prefix) {
 Assignment FedComponent::assignment() const {
   Assignment assignment;
   assignment.run_id = settings_.run_id;
+  assignment.run_key = settings_.run_key.secret();
+  assignment.stages = {stage()};
   assignment.bundle = bundle_for(plan_, stage_);
   assignment.middleware = middleware_of(stage_, layout_of(settings_));
   assignment.domain = settings_.domain;

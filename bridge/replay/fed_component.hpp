@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "line/run_key.hpp"
 #include "replay/live_comparison.hpp"
 #include "run/limits.hpp"
 #include "runtime/run_plan.hpp"
@@ -26,6 +27,7 @@ struct WireSettings {
   double lease_s = kLease_s;
   int history_depth = kHistoryDepth;
   std::vector<domain::Intervention> interventions = {};  ///< that the recorded run had
+  RunKey run_key = {};
 };
 
 /// A component process on the wire that is fed from a recording: to the component it is a run, on

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <utility>
 
+#include "component/sealed_participant.hpp"
 #include "replay/live_checks.hpp"
 #include "replay/live_replay_loop.hpp"
 #include "run/limits.hpp"
@@ -35,7 +36,9 @@ LiveReplay::LiveReplay(const RunRecording& recording, const runtime::RunPlan& re
                 options.middleware,
                 domain_lock_.domain(),
                 options.starts_component && options.prefix.empty() ? kLease_s : kPatientLease_s,
-                kHistoryDepth},
+                kHistoryDepth,
+                {},
+                RunKey::make()},
       playback_(recorded.graph.tick_s, options.range.rate, options.paused) {
   report_.domain = domain_lock_.domain();
 }
@@ -43,10 +46,12 @@ LiveReplay::LiveReplay(const RunRecording& recording, const runtime::RunPlan& re
 Result<void> LiveReplay::open() {
   const auto vendor = vendor_from_name(options_.middleware);
   if (!vendor) return Error{"unknown middleware " + options_.middleware, {}, 0, 0};
+  audience_.barrier().demand_seals(settings_.run_key);
   auto participant = create_participant(
       *vendor, {domain_lock_.domain(), kReplayName, settings_.lease_s}, audience_.barrier());
   if (!participant.ok()) return participant.error();
-  participant_ = std::move(participant).value();
+  participant_ =
+      std::make_unique<SealedParticipant>(std::move(participant).value(), settings_.run_key);
   console_.log(fmt::format("publishes on domain {}", domain_lock_.domain()));
   runtime::TopicSet topics = options_.topics;
   if (!options_.component.empty()) {

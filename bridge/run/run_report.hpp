@@ -32,6 +32,7 @@ struct RunReport {
   std::uint32_t restarts = 0;
   std::uint64_t refused_samples = 0;
   double wall_s = 0.0;                        ///< from start to end
+  std::optional<double> start_s;              ///< of processes: until the first tick was done
   double ticks_per_s = 0.0;                   ///< from the first tick to the last
   std::optional<RecordingAccount> recording;  ///< none: it was not recorded
   std::string aborted;        ///< why the run ended without an outcome; empty if it has one

@@ -54,6 +54,14 @@ std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const Graph
   return expected;
 }
 
+/// Adds the name of the participant with that endpoint, if it is one of ours in another process.
+void add_peer(const Graph& graph, const ExpectedEndpoint& endpoint,
+              const std::vector<std::string>& own, std::vector<std::string>& peers) {
+  if (endpoint.third_party || std::count(own.begin(), own.end(), endpoint.stage) > 0) return;
+  std::string process = process_of(*graph.find(endpoint.stage));
+  if (std::count(peers.begin(), peers.end(), process) == 0) peers.push_back(std::move(process));
+}
+
 }  // namespace
 
 runtime::Bundle bundle_for(const runtime::RunPlan& plan, const GraphStage& stage) {
@@ -63,28 +71,30 @@ runtime::Bundle bundle_for(const runtime::RunPlan& plan, const GraphStage& stage
 }
 
 void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
-                     const std::string& stage, Assignment& assignment) {
-  if (const GraphStage* found = plan.graph.find(stage))
-    assignment.bundle = bundle_for(plan, *found);
+                     const std::vector<std::string>& stages, Assignment& assignment) {
+  assignment.stages = stages;
+  for (const std::string& stage : stages) {
+    const GraphStage& found = *plan.graph.find(stage);
+    // What one of them may know, their process is told.
+    if (assignment.bundle.empty() || found.info->knows_world) {
+      assignment.bundle = bundle_for(plan, found);
+    }
+    for (ExpectedEndpoint& endpoint : expected_endpoints(plan.graph, found)) {
+      add_peer(plan.graph, endpoint, stages, assignment.peers);
+      assignment.expected.push_back(std::move(endpoint));
+    }
+  }
   // What the user has named for the run holds for its processes; recordings do not carry it.
   assignment.bundle[kPluginLines] = plugin_lines();
   assignment.pace = layout.pace;
   assignment.pace_factor = layout.pace_factor;
   assignment.realtime_priority = layout.realtime_priority;
   assignment.hash = layout.hash;
-  if (const GraphStage* graph_stage = plan.graph.find(stage)) {
-    assignment.expected = expected_endpoints(plan.graph, *graph_stage);
-    // Nobody tells a third-party drive when all are there.
-    const GraphStage* robot = plan.graph.writer_of(Topic::kState);
-    assignment.waits_for_go = robot != nullptr && is_third_party(*robot);
-    for (const ExpectedEndpoint& endpoint : assignment.expected) {
-      const auto& known = assignment.peers;
-      if (endpoint.third_party || std::count(known.begin(), known.end(), endpoint.stage) > 0) {
-        continue;
-      }
-      assignment.peers.push_back(endpoint.stage);
-    }
-  }
+  // Nobody tells a third-party drive when all are there.
+  const GraphStage* robot = plan.graph.writer_of(Topic::kState);
+  assignment.waits_for_go = robot != nullptr && is_third_party(*robot);
+  // Such a drive starts ticks when it likes. In real time, who is that late is killed.
+  assignment.has_lead = !assignment.waits_for_go;
 }
 
 std::string middleware_of(const GraphStage& stage, const ProcessLayout& layout) {
@@ -95,7 +105,7 @@ std::string middleware_of(const GraphStage& stage, const ProcessLayout& layout) 
 
 ChildCommand command_of(const Member& member, const runtime::RunPlan& plan,
                         const ProcessLayout& layout, const ThirdPartyEnvironment& environment) {
-  const GraphStage& stage = *plan.graph.find(member.stage);
+  const GraphStage& stage = *plan.graph.find(member.stages.front());
   ChildCommand command;
   command.environment = environment.variables();
   command.may_start_others = !stage.deployment.exec.empty();
@@ -105,8 +115,9 @@ ChildCommand command_of(const Member& member, const runtime::RunPlan& plan,
   } else {
     command.arguments = {layout.program, "component", "-", member.stage};
   }
-  const auto prefix = layout.prefix.find(member.stage);
-  if (prefix != layout.prefix.end()) {
+  for (const std::string& each : member.stages) {
+    const auto prefix = layout.prefix.find(each);
+    if (prefix == layout.prefix.end()) continue;
     // The shell knows how to take a command line apart; it is replaced by the program at once.
     const std::vector<std::string> shell = {"/bin/sh", "-c", "exec " + prefix->second + " \"$@\"",
                                             "sh"};
@@ -131,9 +142,9 @@ std::string how_to_start(const runtime::RunPlan& plan, const GraphStage& stage,
     }
     for (const std::string& word : stage.deployment.exec) command += ' ' + for_shell(word);
   } else {
-    command = component_line(program, stage.info->name, domain);
+    command = component_line(program, process_of(stage), domain);
   }
-  return "waiting for " + stage.info->name + "; start it with: " + command;
+  return "waiting for " + process_of(stage) + "; start it with: " + command;
 }
 
 Launcher::Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
@@ -144,6 +155,7 @@ Launcher::Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, in
       spooling_(spooling),
       start_(std::move(start)),
       run_id_(std::to_string(::getpid()) + '-' + std::to_string(domain)),
+      run_key_(RunKey::make()),
       environment_(domain, kLease_s, run_id_) {}
 
 core::Result<void> Launcher::start(Member& member) const {
@@ -165,8 +177,8 @@ ChildCommand Launcher::recorder_command() const {
 }
 
 std::string Launcher::how_to_start(const Member& member) const {
-  return bridge::how_to_start(plan_, *plan_.graph.find(member.stage), layout_.program, domain_,
-                              environment_);
+  return bridge::how_to_start(plan_, *plan_.graph.find(member.stages.front()), layout_.program,
+                              domain_, environment_);
 }
 
 core::Result<Member*> Launcher::admit(const Hello& hello, std::vector<Member>& members) const {
@@ -182,22 +194,24 @@ core::Result<Member*> Launcher::admit(const Hello& hello, std::vector<Member>& m
                      0};
 }
 
-Assignment Launcher::assignment_for(const std::string& stage, const std::string& middleware) const {
+Assignment Launcher::assignment_for(const std::vector<std::string>& stages,
+                                    const std::string& middleware) const {
   Assignment assignment;
   assignment.run_id = run_id_;
+  assignment.run_key = run_key_.secret();
   assignment.middleware = middleware;
   assignment.domain = domain_;
   if (patient()) assignment.lease_s = kPatientLease_s;
   assignment.spooling = spooling_;
   assignment.history_depth = kHistoryDepth;
   assignment.lead = kLead;
-  fill_assignment(plan_, layout_, stage, assignment);
+  fill_assignment(plan_, layout_, stages, assignment);
   return assignment;
 }
 
 Assignment Launcher::assignment_for(const Member& member) const {
-  Assignment assignment =
-      assignment_for(member.stage, middleware_of(*plan_.graph.find(member.stage), layout_));
+  Assignment assignment = assignment_for(
+      member.stages, middleware_of(*plan_.graph.find(member.stages.front()), layout_));
   if (!member.checkpoints.empty()) assignment.checkpoint = member.checkpoints.back();
   return assignment;
 }

@@ -9,6 +9,7 @@
 
 #include "core/result.hpp"
 #include "line/frames.hpp"
+#include "line/run_key.hpp"
 #include "runtime/run_plan.hpp"
 #include "supervisor/member.hpp"
 #include "supervisor/process_layout.hpp"
@@ -26,9 +27,9 @@ std::string how_to_start(const runtime::RunPlan& plan, const runtime::GraphStage
 runtime::Bundle bundle_for(const runtime::RunPlan& plan, const runtime::GraphStage& stage);
 
 /// Adds to an assignment what follows from the plan and its layout: the bundle, the pace, and the
-/// endpoints of others that `stage` must be matched with before tick 0.
+/// endpoints that those of `stages`, which share a process, must be matched with before tick 0.
 void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
-                     const std::string& stage, Assignment& assignment);
+                     const std::vector<std::string>& stages, Assignment& assignment);
 
 /// The middleware of a stage: from the command line, else from the graph, else the default.
 std::string middleware_of(const runtime::GraphStage& stage, const ProcessLayout& layout);
@@ -56,7 +57,8 @@ class Launcher {
   /// The member that says hello: none if the run has no place for it. An error if it was built from
   /// other IDL files, which no run can go on with.
   core::Result<Member*> admit(const Hello& hello, std::vector<Member>& members) const;
-  Assignment assignment_for(const std::string& stage, const std::string& middleware) const;
+  Assignment assignment_for(const std::vector<std::string>& stages,
+                            const std::string& middleware) const;
   Assignment assignment_for(const Member& member) const;
   /// With every file of the run, the world too.
   Assignment assignment_for_watcher() const;
@@ -73,6 +75,7 @@ class Launcher {
   Spooling spooling_;
   StartProcess start_;
   std::string run_id_;
+  RunKey run_key_;
   ThirdPartyEnvironment environment_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "component/process_host.hpp"
 #include "run/limits.hpp"
 
 namespace clew::bridge {
@@ -11,16 +12,35 @@ using runtime::GraphStage;
 
 bool is_third_party(const GraphStage& stage) { return stage.deployment.is_on_the_wire(); }
 
+std::string process_of(const GraphStage& stage) {
+  return stage.deployment.group.empty() ? stage.info->name : stage.deployment.group;
+}
+
 void Member::begin(const ProcessStart& start) {
   progress.ticks = start.next_tick;
-  const auto checkpoint = start.checkpoints.find(stage);
-  if (checkpoint != start.checkpoints.end()) checkpoints.push_back(checkpoint->second);
+  std::map<std::string, Checkpoint> own;
+  for (const std::string& each : stages) {
+    const auto checkpoint = start.checkpoints.find(each);
+    if (checkpoint != start.checkpoints.end()) own.insert(*checkpoint);
+  }
+  if (own.empty()) return;
+  checkpoints.push_back(stages.size() == 1 ? own.begin()->second
+                                           : pack_checkpoints(start.next_tick, own));
 }
 
 void Member::keep_inputs() {
   if (third_party) return;
-  auto history = InputHistory::create();
-  if (history.ok()) inputs = std::make_shared<InputHistory>(std::move(history).value());
+  for (const std::string& each : stages) {
+    auto history = InputHistory::create();
+    if (!history.ok()) continue;
+    inputs[each] = std::make_shared<InputHistory>(std::move(history).value());
+  }
+}
+
+std::map<std::string, std::string> Member::input_files() const {
+  std::map<std::string, std::string> files;
+  for (const auto& [each, history] : inputs) files[each] = history->path();
+  return files;
 }
 
 void Member::note(const Frame& frame, std::chrono::steady_clock::time_point now) {
@@ -72,12 +92,15 @@ std::uint64_t common_checkpoint(const std::vector<const Member*>& members, std::
 std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayout& layout) {
   std::vector<Member> members;
   for (const GraphStage& stage : plan.graph.stages) {
-    Member member;
-    member.stage = stage.info->name;
-    member.third_party = is_third_party(stage);
-    member.external = layout.external.count(member.stage) != 0;
-    member.starts_ticks = stage.ports.delayed_inputs.any();
-    members.push_back(std::move(member));
+    Member* member = find_member(members, process_of(stage));
+    if (member == nullptr) {
+      member = &members.emplace_back();
+      member->stage = process_of(stage);
+      member->third_party = is_third_party(stage);
+    }
+    member->stages.push_back(stage.info->name);
+    if (layout.external.count(stage.info->name) != 0) member->external = true;
+    if (stage.ports.delayed_inputs.any()) member->starts_ticks = true;
   }
   return members;
 }
@@ -96,6 +119,22 @@ bool keeps_own_pace(const std::vector<Member>& members) {
   return std::any_of(members.begin(), members.end(), [](const Member& member) {
     return member.third_party && member.starts_ticks;
   });
+}
+
+std::uint64_t least_ticks(const std::vector<Member>& members) {
+  std::uint64_t least = UINT64_MAX;
+  for (const Member& member : members) {
+    if (!member.third_party) least = std::min(least, member.progress.ticks);
+  }
+  return least;
+}
+
+std::uint64_t started_ticks(const std::vector<Member>& members) {
+  std::uint64_t started = 0;
+  for (const Member& member : members) {
+    if (member.starts_ticks) started = member.progress.ticks;
+  }
+  return started;
 }
 
 RunStatistics total_statistics(const std::vector<Member>& members) {

@@ -22,11 +22,15 @@ namespace clew::bridge {
 /// a relay of ours is not.
 bool is_third_party(const runtime::GraphStage& stage);
 
-/// One stage's place in a run, as the supervisor sees it.
+/// The process that a stage belongs to: its group, or itself.
+std::string process_of(const runtime::GraphStage& stage);
+
+/// One process's place in a run, as the supervisor sees it: a stage's, or that of a group of them.
 struct Member {
-  std::string stage;
-  bool third_party = false;  ///< a third-party component: no line, seen only on the wire
-  bool external = false;     ///< a person starts it
+  std::string stage;                ///< its name: that of the stage, or of the group
+  std::vector<std::string> stages;  ///< that it is, in the graph's order
+  bool third_party = false;         ///< a third-party component: no line, seen only on the wire
+  bool external = false;            ///< a person starts it
   bool starts_ticks = false;
   std::optional<ChildProcess> child;
   std::unique_ptr<Link> link;
@@ -39,9 +43,10 @@ struct Member {
   std::chrono::steady_clock::time_point heard_at{};
   /// When its line broke; its process is about to end.
   std::optional<std::chrono::steady_clock::time_point> left_at;
-  bool was_lonely = false;               ///< killed since it did not find the others
-  std::shared_ptr<InputHistory> inputs;  ///< of late, which outlive its process; null: not kept
-  std::deque<Checkpoint> checkpoints;    ///< the newest last, at most kCheckpointsKept
+  bool was_lonely = false;  ///< killed since it did not find the others
+  /// By stage, its inputs of late, which outlive its process; none: not kept.
+  std::map<std::string, std::shared_ptr<InputHistory>> inputs;
+  std::deque<Checkpoint> checkpoints;  ///< the newest last, at most kCheckpointsKept
   // While it is down, or has not yet caught up with itself:
   bool down = false;
   bool catching_up = false;
@@ -54,6 +59,8 @@ struct Member {
   void begin(const ProcessStart& start);
   /// Has its process keep its inputs, as far as that can be done.
   void keep_inputs();
+  /// Where its process finds them: Assignment::input_histories.
+  std::map<std::string, std::string> input_files() const;
   /// Notes what a frame says of the member alone: for whom it waits, its checkpoints, its end.
   void note(const Frame& frame, std::chrono::steady_clock::time_point now);
   /// The checkpoint at `tick`, if it is kept.
@@ -76,6 +83,10 @@ bool all_finished(const std::vector<Member>& members);
 
 /// Whether ticks are started by a third-party component, which is told no pace and no credit.
 bool keeps_own_pace(const std::vector<Member>& members);
+
+/// Ticks that all of ours have done, and that the one which starts them has.
+std::uint64_t least_ticks(const std::vector<Member>& members);
+std::uint64_t started_ticks(const std::vector<Member>& members);
 
 /// What all members together have gathered.
 RunStatistics total_statistics(const std::vector<Member>& members);

@@ -15,12 +15,12 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 std::string RestartPolicy::take(Member& member, Time now) {
-  if (!graph_.find(member.stage)->deployment.may_restart()) {
+  if (!graph_.find(member.stages.front())->deployment.may_restart()) {
     return "; a third-party component is not restarted, unless its graph says 'restart: "
            "stateless'";
   }
   if (!member.child) return "; a person started it";
-  if (member.restarts >= graph_.find(member.stage)->deployment.restart_limit) {
+  if (member.restarts >= graph_.find(member.stages.front())->deployment.restart_limit) {
     return "; it was restarted " + std::to_string(member.restarts) + " times, which is its limit";
   }
   if (member.deaths_in_place >= kDeathsInPlace) {
@@ -40,7 +40,7 @@ void RestartPolicy::take_down(Member& member, Time now) {
   member.down = true;
   member.catching_up = !member.third_party;
   member.finished.reset();
-  const double backoff_s = graph_.find(member.stage)->deployment.restart_backoff_s;
+  const double backoff_s = graph_.find(member.stages.front())->deployment.restart_backoff_s;
   const auto backoff =
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(backoff_s));
   const Clock::duration least = member.third_party ? kThirdPartyBackoff : Clock::duration{};

@@ -79,7 +79,7 @@ void Supervisor::start() {
       start_child(member);
     }
   }
-  Assignment assignment = launcher_.assignment_for(kObserverName, layout_.middleware);
+  Assignment assignment = launcher_.assignment_for({}, layout_.middleware);
   assignment.checkpoint = std::move(observed_before_);
   auto observer = ThirdPartyObserver::create(plan_, std::move(assignment));
   if (!observer.ok()) return abort(observer.error().text());
@@ -115,7 +115,7 @@ void Supervisor::welcome(std::unique_ptr<Link> link, const Hello& hello, Time no
   assignment.resumes = gone_;
   assignment.lead = lead_;
   live_control_.fill(assignment);
-  if (member->inputs) assignment.input_history = member->inputs->path();
+  assignment.input_histories = member->input_files();
   link->post(FrameType::kAssignment, std::move(assignment));
   if (member->starts_ticks) link->post(FrameType::kCredit, Tick{credit_});
   if (last_tick_) link->post(FrameType::kFinish, Tick{*last_tick_});
@@ -150,10 +150,7 @@ void Supervisor::turn(Time now) {
 }
 
 void Supervisor::serve_commands(Time now) {
-  LiveControl::Situation situation{gone_, last_tick_.has_value(), credit_, 0};
-  for (const Member& member : members_) {
-    if (member.starts_ticks) situation.ticks = member.progress.ticks;
-  }
+  LiveControl::Situation situation{gone_, last_tick_.has_value(), credit_, started_ticks(members_)};
   if (layout_.pace == Pace::kRealtime) {
     situation.first_open_tick =
         situation.ticks +
@@ -228,7 +225,7 @@ void Supervisor::handle(Member& member, Frame frame, Time now) {
     if (const auto progress = frame.as<Progress>()) note_progress(member, *progress, now);
   } else if (frame.type == FrameType::kSamples) {
     // Its progress was reported before: all of this is older.
-    hand_on(std::move(frame.payload), member.progress.ticks);
+    hand_on(std::move(frame.payload), std::max(member.progress.ticks, member.progress.most_ticks));
   } else if (frame.type == FrameType::kNotice) {
     if (const auto text = frame.as<Text>()) log({text->text});
   } else if (frame.type == FrameType::kFatal) {
@@ -245,6 +242,7 @@ void Supervisor::note_progress(Member& member, const Progress& progress, Time no
 
 void Supervisor::note_truth(const RunStatistics& statistics, Time now) {
   if (!statistics.truth) return;
+  if (!report_.start_s) report_.start_s = std::chrono::duration<double>(now - started_at_).count();
   rate_.note(statistics.truth->tick, now);
   if (statistics.truth->outcome == domain::Outcome::kRunning || last_tick_) return;
   last_tick_ = statistics.truth->tick;

@@ -55,10 +55,7 @@ void Supervisor::watch_stall(Time now) {
         "no tick was completed for {} s; ticks done:{}",
         std::chrono::duration_cast<std::chrono::seconds>(stall_timeout()).count(), ticks_done()));
   }
-  std::uint64_t started = 0;
-  for (const Member& member : members_) {
-    if (member.starts_ticks) started = member.progress.ticks;
-  }
+  const std::uint64_t started = started_ticks(members_);
   if (stalled < kStallRestart || restarted_at_ == started || !may_restart_all()) return;
   log({fmt::format(
       "no tick was completed for {} s, though all report; restarting all; ticks done:{}",
@@ -119,10 +116,7 @@ void Supervisor::go(Time now) {
 // The stage that starts ticks does not run away from the slowest member, so that histories hold
 // what anybody may need, nor from the recorder.
 void Supervisor::give_credit() {
-  std::uint64_t done = UINT64_MAX;
-  for (const Member& member : members_) {
-    if (!member.third_party) done = std::min(done, member.progress.ticks);
-  }
+  std::uint64_t done = least_ticks(members_);
   if (observer_) done = std::min(done, observer_->ticks());
   std::uint64_t credit = done + lead_;
   if (recording_) credit = std::min(credit, recording_->credit());

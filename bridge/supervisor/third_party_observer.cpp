@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "component/sealed_participant.hpp"
 #include "supervisor/member.hpp"
 #include "vendors/participant_factory.hpp"
 
@@ -44,10 +45,12 @@ core::Result<std::unique_ptr<ThirdPartyObserver>> ThirdPartyObserver::create(
   };
   self->barrier_ = std::make_unique<StartBarrier>(
       kName, assignment.expected, StartBarrier::Handlers{[] {}, on_refused, on_fatal});
+  self->barrier_->demand_seals(RunKey(assignment.run_key));
   auto participant =
       create_participant(*vendor, {assignment.domain, kName, assignment.lease_s}, *self->barrier_);
   if (!participant.ok()) return participant.error();
-  self->participant_ = std::move(participant).value();
+  self->participant_ = std::make_unique<SealedParticipant>(std::move(participant).value(),
+                                                           RunKey(assignment.run_key));
   self->account_ =
       std::make_unique<InputAccount>(kName, topics, assignment, plan.setup.behaviour.scan);
   if (assignment.checkpoint) {

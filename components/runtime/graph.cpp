@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "core/nearest_name.hpp"
 #include "runtime/raw_graph.hpp"
@@ -167,6 +168,56 @@ Result<void> settle_tick(const std::vector<StageInfo>& stages, Graph& graph) {
   return {};
 }
 
+/// What the stages of a group do not agree about, although their process can have it but once.
+std::string disagreement(const GraphStage& a, const GraphStage& b) {
+  const auto said = [](const std::string& middleware) {
+    return middleware.empty() ? std::string("none") : middleware;
+  };
+  const Deployment& one = a.deployment;
+  const Deployment& other = b.deployment;
+  const auto text = [&](const char* what, const auto& of_a, const auto& of_b) {
+    return fmt::format("one {}; found {} in {} and {} in {}", what, of_a, a.info->name, of_b,
+                       b.info->name);
+  };
+  if (one.middleware != other.middleware) {
+    return text("middleware", said(one.middleware), said(other.middleware));
+  }
+  if (one.restart_limit != other.restart_limit) {
+    return text("restart_limit", one.restart_limit, other.restart_limit);
+  }
+  if (one.restart_backoff_s != other.restart_backoff_s) {
+    return text("restart_backoff_s", one.restart_backoff_s, other.restart_backoff_s);
+  }
+  return {};
+}
+
+Result<void> check_groups(const std::vector<StageInfo>& stages, const Graph& graph) {
+  // A run may have a process of each of these names.
+  std::vector<std::string> taken = {"recorder", "observer", "replay", "commander", "watcher"};
+  for (const StageInfo& info : stages) taken.push_back(info.name);
+  std::map<std::string, const GraphStage*> first_of;
+  for (const GraphStage& stage : graph.stages) {
+    const Deployment& deployment = stage.deployment;
+    if (deployment.group.empty()) continue;
+    if (!deployment.exec.empty()) {
+      return deployment.group_place.error(
+          stage.info->name +
+          " has exec: a third-party component is a process of its own, and in no group");
+    }
+    if (std::count(taken.begin(), taken.end(), deployment.group) > 0) {
+      return deployment.group_place.error("group '" + deployment.group +
+                                          "' has the name of another process; allowed: any but " +
+                                          fmt::format("{}", fmt::join(taken, ", ")));
+    }
+    const GraphStage& first = *first_of.emplace(deployment.group, &stage).first->second;
+    const std::string differs = disagreement(first, stage);
+    if (differs.empty()) continue;
+    return deployment.group_place.error("the stages of group '" + deployment.group +
+                                        "' share a process, and so " + differs);
+  }
+  return {};
+}
+
 }  // namespace
 
 const GraphStage* Graph::find(const std::string& stage) const {
@@ -204,6 +255,7 @@ Result<Graph> load_graph(const core::Resource& file, const std::string& name,
   }
   CLEW_RETURN_IF_ERROR(wire(graph));
   CLEW_RETURN_IF_ERROR(settle_tick(stages, graph));
+  CLEW_RETURN_IF_ERROR(check_groups(stages, graph));
   return graph;
 }
 

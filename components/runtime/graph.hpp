@@ -51,6 +51,8 @@ struct Deployment {
   bool stateless = false;   ///< with exec: its outputs follow from the inputs of the tick alone
   std::uint32_t restart_limit = 100;  ///< how often its process may be restarted in a run
   double restart_backoff_s = 0.0;     ///< how long it stays down before
+  std::string group;                  ///< stages of one group share a process; empty: its own
+  Place group_place;                  ///< where the group is named
 
   /// Whether a third-party component is on the wire itself.
   bool is_on_the_wire() const { return !exec.empty() && !json_lines; }
@@ -81,7 +83,8 @@ struct Graph {
   std::uint64_t seed = 1;
   std::uint64_t max_ticks = 20000;
   double start_timeout_s = 10.0;
-  std::optional<world::Goal> goal;  ///< in the place of the world's target
+  std::optional<world::Goal> goal;   ///< in the place of the world's target
+  std::string layout = "processes";  ///< or `composed`; the command line outranks it
   double tick_s = 0.0;
   /// In an order in which an input of the same tick is written before it is read.
   std::vector<GraphStage> stages;

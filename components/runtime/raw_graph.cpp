@@ -2,6 +2,7 @@
 #include "runtime/raw_graph.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "core/nearest_name.hpp"
 #include "runtime/middleware.hpp"
@@ -11,7 +12,8 @@ namespace clew::runtime {
 namespace {
 
 const std::vector<std::string> kProcessSettings = {"middleware", "restart_limit",
-                                                   "restart_backoff_s"};
+                                                   "restart_backoff_s", "group"};
+const std::vector<std::string> kLayouts = {"processes", "composed"};
 
 using core::Error;
 using core::Result;
@@ -201,6 +203,12 @@ Result<void> read_head(const YamlNode& root, Graph& head) {
     head.goal = *goal;
     head.goal_place = place_of(*node);
   }
+  if (const auto node = root.find("layout")) {
+    CLEW_RETURN_IF_ERROR(text("layout", head.layout, true));
+    if (std::find(kLayouts.begin(), kLayouts.end(), head.layout) == kLayouts.end()) {
+      return node->error(core::unknown_name("layout", head.layout, kLayouts));
+    }
+  }
   return {};
 }
 
@@ -243,6 +251,21 @@ Result<std::optional<RawStage>> read_mission(const YamlNode& root,
   return std::optional<RawStage>(std::move(stage));
 }
 
+/// A group's name is a word of a command line, and that of a participant.
+Result<void> read_group(const YamlNode& value, Deployment& deployment) {
+  auto word = value.string();
+  if (!word.ok()) return word.error();
+  const bool plain = std::all_of(word->begin(), word->end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-';
+  });
+  if (!plain || word->empty() || word->front() == '-') {
+    return value.error("group is " + value.found() + "; allowed: letters, digits, '_' and '-'");
+  }
+  deployment.group = *word;
+  deployment.group_place = place_of(value);
+  return {};
+}
+
 }  // namespace
 
 Result<void> read_process_setting(const std::string& key, const YamlNode& value,
@@ -266,6 +289,7 @@ Result<void> read_process_setting(const std::string& key, const YamlNode& value,
     deployment.restart_backoff_s = *backoff;
     return {};
   }
+  if (key == "group") return read_group(value, deployment);
   if (key != "middleware") {
     return value.error(core::unknown_name("setting of process", key, kProcessSettings));
   }
@@ -299,8 +323,9 @@ Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& n
                                 const std::vector<StageInfo>& stages) {
   const auto root = YamlNode::parse(file.text, file.file);
   if (!root.ok()) return root.error();
-  std::vector<std::string> keys = {"name",      "about",           "world",   "robot", "seed",
-                                   "max_ticks", "start_timeout_s", "mission", "goal",  "plugins"};
+  std::vector<std::string> keys = {"name", "about",     "world",           "robot",
+                                   "seed", "max_ticks", "start_timeout_s", "mission",
+                                   "goal", "layout",    "plugins"};
   for (const StageInfo& stage : stages) keys.push_back(stage.name);
   if (const auto format = root->find("format")) {
     return format->error("found a file of the format " + format->found() +

@@ -98,8 +98,47 @@ TEST_F(Barrier, TakesTheFirstWriterOfAThirdPartyAndNoOther) {
   EXPECT_EQ(refused_, Texts{"control refuses the writer of 'scan': there is one already"});
 }
 
+TEST_F(Barrier, DemandsTheSealOfTheRunFromWhoSaysThatHeIsAStage) {
+  StartBarrier barrier = make({{"scan", true, "sense", false}, {"command", false, "drive", false}});
+  const RunKey key = RunKey::make();
+  barrier.demand_seals(key);
+  const std::string guid(32, '1');
+  const std::string other(32, '2');
+  const std::string sealed = key.sealed(UserData::parse(data_of("sense")), guid).to_text();
+
+  barrier.on_matched({true, "scan", "", data_of("sense"), other, 0});
+  barrier.on_matched({true, "scan", "", sealed, other, 0});
+  barrier.on_matched({false, "command", "", data_of("drive"), other, 0});
+  EXPECT_EQ(barrier.missing().size(), 2u);
+  EXPECT_EQ(refused_, Texts({"control refuses the writer of 'scan' in sense: it says that it is of "
+                             "sense, but has not the seal of this run",
+                             "control refuses the writer of 'scan' in sense: it says that it is of "
+                             "sense, but has not the seal of this run",
+                             "control refuses the reader of 'command' in drive: it says that it is "
+                             "of drive, but has not the seal of this run"}));
+
+  const RemoteEndpoint sense{true, "scan", "", sealed, guid, 0};
+  barrier.on_matched(sense);
+  EXPECT_TRUE(barrier.accepts(&sense));
+}
+
+TEST_F(Barrier, LetsNoStrangerEndARunByWhatHeAsksFor) {
+  StartBarrier barrier = make({{"scan", true, "sense", true}, {"command", false, "drive", false}});
+
+  barrier.on_incompatible_qos("command", true, "DURABILITY");
+  EXPECT_EQ(fatal_, Texts{});
+  EXPECT_EQ(refused_, Texts{"a reader of 'command' does not match the writer in control: "
+                            "incompatible QoS policy DURABILITY; expected RELIABLE, "
+                            "TRANSIENT_LOCAL, XCDR1; the history may be any"});
+
+  // It has come already.
+  barrier.on_matched(remote(true, "scan", "", data_of("")));
+  barrier.on_incompatible_qos("scan", false, "RELIABILITY");
+  EXPECT_EQ(fatal_, Texts{});
+}
+
 TEST_F(Barrier, SaysWhichPolicyKeepsEndpointsApart) {
-  StartBarrier barrier = make({});
+  StartBarrier barrier = make({{"scan", true, "sense", true}});
 
   barrier.on_incompatible_qos("scan", false, "RELIABILITY");
   barrier.on_inconsistent_type({true, "scan", "Other", data_of("sense"), "guid", 7});

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "component/process_host.hpp"
 #include "run/limits.hpp"
 #include "sleeping_process.hpp"
 #include "small_plan.hpp"
@@ -93,11 +94,11 @@ TEST_F(Launch, StartsTheRelayOfAProgramThatSpeaksLinesAsAComponentOfOurs) {
 }
 
 TEST_F(Launch, HoldsEverybodyUntilTheRunGoesIfDriveIsSomeoneElses) {
-  EXPECT_FALSE(launcher().assignment_for("sense", "cyclonedds").waits_for_go);
+  EXPECT_FALSE(launcher().assignment_for({"sense"}, "cyclonedds").waits_for_go);
 
   plan_ = small_plan("my_control", "", "{exec: [./my_drive], behaviour: turn_then_step}");
 
-  EXPECT_TRUE(launcher().assignment_for("sense", "cyclonedds").waits_for_go);
+  EXPECT_TRUE(launcher().assignment_for({"sense"}, "cyclonedds").waits_for_go);
 }
 
 TEST_F(Launch, PutsAPrefixInFrontAndLeavesItTheTerminal) {
@@ -146,6 +147,61 @@ TEST_F(Launch, TellsAComponentWhomToWaitFor) {
   EXPECT_TRUE(command->third_party);
   EXPECT_EQ(drive.lease_s, kLease_s);
   EXPECT_EQ(drive.lead, kLead);
+}
+
+class GroupLaunch : public Launch {
+ protected:
+  GroupLaunch() {
+    const std::string process = "{group: robot, restart_limit: 7}";
+    plan_ = small_plan({}, {}, "{behaviour: turn_then_step, process: " + process + '}', process);
+  }
+};
+
+TEST_F(GroupLaunch, MakesOneMemberOfAGroup) {
+  layout_.external = {"sense"};
+
+  auto members = list_members(plan_, layout_);
+
+  ASSERT_EQ(members.size(), 2u);
+  const Member& robot = *find_member(members, "robot");
+  EXPECT_EQ(robot.stages, (Texts{"drive", "sense"}));
+  EXPECT_TRUE(robot.starts_ticks);
+  EXPECT_TRUE(robot.external);
+  EXPECT_EQ(find_member(members, "control")->stages, Texts{"control"});
+}
+
+TEST_F(GroupLaunch, StartsTheGroupByItsNameAndTellsItsStages) {
+  layout_.prefix["sense"] = "nice";
+  auto members = list_members(plan_, layout_);
+  Member& robot = *find_member(members, "robot");
+
+  ASSERT_TRUE(launcher().start(robot).ok());
+  const Assignment assignment = launcher().assignment_for(robot);
+  const Assignment control = launcher().assignment_for(*find_member(members, "control"));
+
+  EXPECT_EQ(started_.arguments[2], "exec nice \"$@\"");
+  EXPECT_EQ(started_.arguments.back(), "robot");
+  EXPECT_EQ(assignment.stages, (Texts{"drive", "sense"}));
+  EXPECT_EQ(assignment.bundle.count("world.yaml"), 1u);
+  EXPECT_EQ(assignment.peers, Texts{"control"});
+  EXPECT_EQ(control.bundle.count("world.yaml"), 0u);
+  EXPECT_EQ(control.peers, Texts{"robot"});
+  end_now(*robot.child);
+}
+
+TEST_F(GroupLaunch, GoesOnFromTheCheckpointsOfItsStages) {
+  auto members = list_members(plan_, layout_);
+  Member& robot = *find_member(members, "robot");
+
+  ProcessStart start;
+  start.next_tick = 64;
+  start.checkpoints = {{"drive", {64, "d", {}, {}}}, {"sense", {64, "s", {}, {}}}};
+  robot.begin(start);
+
+  const auto parts = unpack_checkpoints(*launcher().assignment_for(robot).checkpoint);
+  ASSERT_TRUE(parts.ok()) << parts.error().text();
+  EXPECT_EQ(parts->at("drive").node, "d");
+  EXPECT_EQ(parts->at("sense").node, "s");
 }
 
 TEST_F(Launch, SaysWhatCannotBeStarted) {

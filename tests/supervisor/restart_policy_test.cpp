@@ -22,6 +22,7 @@ const Time kNow = std::chrono::steady_clock::now();
 Member waiting_member(const std::string& stage, seconds age) {
   Member member;
   member.stage = stage;
+  member.stages = {stage};
   ChildCommand command;
   command.arguments = {"sleep", "60"};
   auto child = ChildProcess::start(command);
@@ -93,6 +94,7 @@ TEST_F(LonelyMember, IsGivenTimeAfterTheLastOneHasMadeItsComponent) {
 TEST_F(LonelyMember, MayWaitForAComponentThatIsNotOurs) {
   members_.emplace_back();
   members_.back().stage = "control";
+  members_.back().stages = {"control"};
   members_.back().third_party = true;
   RestartPolicy restarts(members_, graph_);
 

@@ -14,9 +14,10 @@
 namespace clew::bridge {
 
 /// A graph of drive, sense and control in a shipped world. `exec`: of control, which then is a
-/// third-party component; `beside` stands beside it.
+/// third-party component; `beside` stands beside it. `process`: of sense.
 inline runtime::RunPlan small_plan(const std::string& exec = {}, const std::string& beside = {},
-                                   const std::string& drive = "{behaviour: turn_then_step}") {
+                                   const std::string& drive = "{behaviour: turn_then_step}",
+                                   const std::string& process = "{}") {
   const std::string control =
       exec.empty() ? "{behaviour: krishna_kalra_fuzzy}" : "{exec: [" + exec + ']' + beside + '}';
   const runtime::Bundle bundle = [&] {
@@ -25,8 +26,8 @@ inline runtime::RunPlan small_plan(const std::string& exec = {}, const std::stri
     EXPECT_TRUE(plan.ok()) << plan.error().text();
     runtime::Bundle files = plan->bundle;
     files["graph.yaml"] =
-        "world: world\nrobot: robot\nsense: {behaviour: cones}\ncontrol: " + control +
-        "\ndrive: " + drive + '\n';
+        "world: world\nrobot: robot\nsense: {behaviour: cones, process: " + process +
+        "}\ncontrol: " + control + "\ndrive: " + drive + '\n';
     return files;
   }();
   auto plan = runtime::prepare_run(bundle, stages::all());

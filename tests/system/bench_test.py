@@ -17,7 +17,7 @@ seeds: [1, 2]
 max_ticks: 2000
 """
 RUNS = 2 * (4 + 4 * 2) * 2
-TIMING = ("wall_s", "ticks_per_s")
+TIMING = ("start_s", "wall_s", "ticks_per_s")
 
 
 def results(directory):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Third-party components that break the contract, over real DDS: what they did is named, and
-the run ends or is not changed by it."""
+"""Third-party components that break the contract, and strangers, over real DDS: what they did is
+named, and the run ends or is not changed by it."""
 import unittest
 
 from clew_command import THIRD_PARTY, Run, write_file
@@ -71,19 +71,47 @@ class Rogues(unittest.TestCase):
             self.assertIn("incompatible QoS policy RELIABILITY; expected RELIABLE, TRANSIENT_LOCAL, "
                           "XCDR1; the history may be any", run.err)
 
-    def test_an_uninvited_writer_changes_nothing(self):
+    def beside(self, stranger, says, *arguments):
+        """A run with a stranger on the wire, on either vendor: it is as without, and `says` so."""
         for vendor in ("cyclonedds", "fastdds"):
-            arguments = ["run", "reactive", "--world", "open-field", "--json", "--middleware",
-                         vendor]
-            alone = Run(arguments).report
+            with self.subTest(stranger=stranger, vendor=vendor):
+                options = ["run", "reactive", "--world", "open-field", "--json", "--middleware",
+                           vendor, *arguments]
+                alone = Run(options)
 
-            # Slow enough for discovery to tell of the writer while the run lasts.
-            run = Run([*arguments, "--pace", "10x", "--prefix",
-                       f"sense={THIRD_PARTY}/rogue_writer --beside"])
+                # Slow enough for discovery to tell of the stranger while the run lasts.
+                run = Run([*options, "--pace", "10x", "--prefix",
+                           f"sense={THIRD_PARTY}/{stranger} --beside"])
 
-            self.assertEqual(run.status, 0, run.err)
-            self.assertEqual(run.report["hash"], alone["hash"])
-            self.assertIn("refuses the writer of 'scan'", run.err)
+                self.assertEqual(run.status, 0, run.err)
+                self.assertEqual(run.report["hash"], alone.report["hash"])
+                self.assertIn(says, run.err)
+                self.assertEqual(run.report["restarts"], 0)
+
+    def test_an_uninvited_writer_changes_nothing(self):
+        self.beside("rogue_writer scan", "refuses the writer of 'scan'")
+
+    def test_a_writer_that_says_it_is_a_stage_of_the_run_changes_nothing(self):
+        self.beside("rogue_writer control", "it says that it is of control, but has not the seal of "
+                                            "this run")
+        self.beside("rogue_writer sense", "it says that it is of sense, but has not the seal")
+
+    def test_a_reader_that_asks_for_more_than_there_is_ends_nothing(self):
+        self.beside("rogue_reader persistent", "incompatible QoS policy DURABILITY")
+
+    def test_a_reader_that_takes_nothing_holds_nothing_up(self):
+        # Longer than any history is.
+        options = ["run", "krishna_kalra", "--world", "unsolvable-behind-wall", "--with",
+                   "recover.detector=none", "--max-ticks", "1500", "--json"]
+        alone = Run([*options, "--layout", "composed"]).report
+        for vendor in ("cyclonedds", "fastdds"):
+            for pace in ("lockstep", "1000x"):
+                with self.subTest(vendor=vendor, pace=pace):
+                    run = Run([*options, "--middleware", vendor, "--pace", pace, "--prefix",
+                               f"sense={THIRD_PARTY}/rogue_reader never-takes --beside"])
+
+                    self.assertEqual(run.status, 3, run.err)
+                    self.assertEqual(run.report["hash"], alone["hash"])
 
 
 if __name__ == "__main__":

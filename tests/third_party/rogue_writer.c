@@ -1,65 +1,72 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * Writes scans into a run that has its own sense: scans of wrong sizes, with numbers that are none,
- * for the first ticks. For the tests: the run must turn them away and go on as if nothing had been.
+ * Writes into a run what is another's to write: the run must turn it away and go on as if nothing
+ * had been.
  *
- *     rogue_writer --beside COMMAND...     becomes COMMAND once a copy of itself writes
- *
- * Meant for `clew run --prefix sense='rogue_writer --beside'`.
+ *     rogue_writer scan --beside COMMAND...     scans of wrong sizes, with numbers that are none
+ *     rogue_writer STAGE --beside COMMAND...    commands, in the name of that stage
  */
 #define _POSIX_C_SOURCE 200809L
 #include <dds/dds.h>
 #include <math.h>
-#include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/prctl.h>
-#include <sys/types.h>
-#include <unistd.h>
 
 #define HISTORY 2000
+#include "Command.h"
 #include "Scan.h"
+#include "beside.h"
 #include "component.h"
 
 #define TICKS HISTORY
 
-static void write_nonsense(dds_entity_t writer) {
+static int write_scans(void) {
   double ranges[7];
   clew_msg_Scan scan;
   memset(&scan, 0, sizeof scan);
   scan.range_max_m = 1.5;
   scan.ranges_m._buffer = ranges;
   for (unsigned i = 0; i < 7; ++i) ranges[i] = i % 2 == 0 ? NAN : -1.0;
+  const dds_entity_t writer =
+      open_output(open_participant(), &clew_msg_Scan_desc, "scan", DDS_RELIABILITY_RELIABLE);
   for (unsigned tick = 0; tick < TICKS; ++tick) {
     scan.stamp.tick = tick;
     scan.ranges_m._length = tick % 8;
     scan.ranges_m._maximum = 7;
-    if (dds_write(writer, &scan) < 0) return;
+    if (dds_write(writer, &scan) < 0) return 0;
   }
+  return 1;
+}
+
+/* The robot would go on the spot in circles. */
+static int write_commands(const char* stage) {
+  char user_data[256];
+  clew_msg_Command command;
+  memset(&command, 0, sizeof command);
+  command.motion.turn_rad = 0.3;
+  snprintf(user_data, sizeof user_data, "%sclew_stage=%s;", CLEW_IDL_USER_DATA, stage);
+  const dds_entity_t participant = open_participant();
+  const dds_entity_t topic =
+      must(dds_create_topic(participant, &clew_msg_Command_desc, "command", NULL, NULL), "command");
+  dds_qos_t* qos = endpoint_qos(DDS_RELIABILITY_RELIABLE);
+  dds_qset_userdata(qos, user_data, strlen(user_data));
+  const dds_entity_t writer = must(dds_create_writer(participant, topic, qos, NULL), "command");
+  dds_delete_qos(qos);
+  for (unsigned tick = 0; tick < TICKS; ++tick) {
+    command.stamp.tick = tick;
+    command.stamp.sequence_number = tick;
+    if (dds_write(writer, &command) < 0) return 0;
+  }
+  return 1;
+}
+
+static int play(char** words) {
+  return strcmp(words[1], "scan") == 0 ? write_scans() : write_commands(words[1]);
 }
 
 int main(int argc, char** argv) {
-  const char* domain = getenv("CLEW_DOMAIN_ID");
-  int ready[2];
-  if (argc < 3 || strcmp(argv[1], "--beside") != 0 || domain == NULL || pipe(ready) != 0) {
-    fprintf(stderr, "usage, in a run: rogue_writer --beside COMMAND...\n");
+  const int beside = words_before_beside(argc, argv);
+  if (beside != 2) {
+    fprintf(stderr, "usage, in a run: rogue_writer scan|STAGE --beside COMMAND...\n");
     return 2;
   }
-  const pid_t child = fork();
-  if (child == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const dds_entity_t writer =
-        open_output(open_participant(), &clew_msg_Scan_desc, "scan", DDS_RELIABILITY_RELIABLE);
-    write_nonsense(writer);
-    if (writer < 0 || write(ready[1], "", 1) != 1) return 1;
-    for (;;) pause();
-  }
-  char byte;
-  if (read(ready[0], &byte, 1) != 1) return 1;
-  close(ready[0]);
-  close(ready[1]);
-  execvp(argv[2], argv + 2);
-  perror(argv[2]);
-  return 1;
+  return run_beside(argv + beside + 1, play, argv);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <map>
+#include <string>
+
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
@@ -38,6 +41,19 @@ void print_wiring(const Graph& graph) {
   }
 }
 
+/// How the graph is spread over processes, where it is not one for each stage.
+void print_layout(const Graph& graph) {
+  if (graph.layout != "processes") fmt::print("layout: {}\n", graph.layout);
+  std::map<std::string, std::string> stages_of;
+  for (const GraphStage& stage : graph.stages) {
+    std::string& stages = stages_of[stage.deployment.group];
+    stages += (stages.empty() ? "" : ", ") + stage.info->name;
+  }
+  for (const auto& [group, stages] : stages_of) {
+    if (!group.empty()) fmt::print("group {}: {} in one process\n", group, stages);
+  }
+}
+
 int check_command(const CheckOptions& options) {
   const auto plugins = load_plugins_of(options.plugins, options.graph);
   if (!plugins.ok()) return complain(plugins.error());
@@ -54,6 +70,7 @@ int check_command(const CheckOptions& options) {
   for (const GraphStage& stage : graph.stages) {
     fmt::print("  {:<9} {}\n", stage.info->name, stage_text(stage));
   }
+  print_layout(graph);
   fmt::print("wiring:\n");
   print_wiring(graph);
   for (const std::string& port : graph.unwired) fmt::print("unwired: {} (optional)\n", port);

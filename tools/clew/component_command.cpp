@@ -35,9 +35,11 @@ Result<void> check_graph(const ComponentOptions& options) {
   const auto plan = runtime::prepare_run(options.graph, {}, runtime::ConfigPath::from_environment(),
                                          stages::all());
   if (!plan.ok()) return plan.error();
-  if (plan->graph.find(options.stage) != nullptr) return {};
   std::vector<std::string> known;
-  for (const auto& stage : plan->graph.stages) known.push_back(stage.info->name);
+  for (const auto& stage : plan->graph.stages) {
+    if (stage.info->name == options.stage || stage.deployment.group == options.stage) return {};
+    known.push_back(stage.info->name);
+  }
   return Error{core::unknown_name("stage of this graph", options.stage, known), options.graph, 0,
                0};
 }
@@ -74,9 +76,11 @@ int component_command(const ComponentOptions& options) {
 
 void add_component(CLI::App& main, int& status) {
   const auto options = std::make_shared<ComponentOptions>();
-  CLI::App* app = main.add_subcommand("component", "Run one stage of a run as this process");
+  CLI::App* app =
+      main.add_subcommand("component", "Run a stage of a run, or a group of them, as this process");
   app->add_option("graph", options->graph, "a name or a path; -: as the run has it")->required();
-  app->add_option("stage", options->stage, "sense, classify, ...")->required();
+  app->add_option("stage", options->stage, "sense, classify, ..., or a group of stages")
+      ->required();
   app->add_option("--domain", options->domain, "the run's DDS domain (CLEW_DOMAIN_ID)");
   app->callback([options, &status] { status = component_command(*options); });
 }

@@ -7,7 +7,9 @@ namespace clew::tools {
 namespace {
 
 void add_ways(CLI::App& app, RunOptions& options) {
-  app.add_option("--layout", options.layout, "processes | composed")->group("How it runs");
+  app.add_option("--layout", options.layout,
+                 "processes | composed (as the graph says, else processes)")
+      ->group("How it runs");
   app.add_option("--middleware", options.middleware,
                  "cyclonedds | fastdds, or STAGE=VENDOR; may be repeated")
       ->allow_extra_args(false)

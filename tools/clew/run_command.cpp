@@ -63,7 +63,7 @@ Result<void> check_options(const RunOptions& options) {
   if (!options.exec.empty() && options.resume.empty()) {
     return Error{"needs --resume: a graph names its programs itself", "--exec", 0, 0};
   }
-  if (options.layout != "processes" && options.layout != "composed") {
+  if (!options.layout.empty() && options.layout != "processes" && options.layout != "composed") {
     return Error{core::unknown_name("layout", options.layout, {"processes", "composed"}),
                  "--layout", 0, 0};
   }
@@ -78,7 +78,10 @@ Result<void> check_options(const RunOptions& options) {
     return Error{core::unknown_name("choice", options.on_record_error, kOnRecordError),
                  "--on-record-error", 0, 0};
   }
-  const bool composed = options.layout == "composed";
+  return {};
+}
+
+Result<void> check_ways(const RunOptions& options, bool composed) {
   if (composed && (!options.external.empty() || !options.prefix.empty() || options.domain ||
                    options.realtime_priority || !options.middleware.empty())) {
     return Error{
@@ -273,6 +276,17 @@ Result<void> tell_profile(const std::optional<bridge::RunProfile>& profile,
   return files::write_file(file, profile->trace());
 }
 
+/// How the run is laid out, if all that it needs is there.
+Result<bridge::ProcessLayout> checked_layout(const RunOptions& options, const runtime::Graph& graph,
+                                             const Speed& speed, bool composed) {
+  CLEW_RETURN_IF_ERROR(check_ways(options, composed));
+  auto layout = read_layout(options, graph, speed);
+  if (!layout.ok()) return layout;
+  CLEW_RETURN_IF_ERROR(check_pace(graph, speed.pace));
+  CLEW_RETURN_IF_ERROR(check_programs(graph, options.external));
+  return layout;
+}
+
 int run_command(const RunOptions& options) {
   // From here on a signal ends the run with a report, also one that comes before the first tick.
   bridge::EndSignals signals;
@@ -281,12 +295,10 @@ int run_command(const RunOptions& options) {
   if (!speed.ok()) return complain(speed.error());
   auto job = options.resume.empty() ? new_job(options) : resumed_job(options);
   if (!job.ok()) return complain(job.error());
-  const auto layout = read_layout(options, job->plan.graph, *speed);
+  const std::string& layout_name = options.layout.empty() ? job->plan.graph.layout : options.layout;
+  const bool composed = layout_name == "composed";
+  const auto layout = checked_layout(options, job->plan.graph, *speed, composed);
   if (!layout.ok()) return complain(layout.error());
-  const auto paced = check_pace(job->plan.graph, speed->pace);
-  if (!paced.ok()) return complain(paced.error());
-  const auto programs = check_programs(job->plan.graph, options.external);
-  if (!programs.ok()) return complain(programs.error());
   const runtime::ConfigPath files = runtime::ConfigPath::from_environment();
   const auto stages = stages::all();
   bridge::RunControl control(job->plan, stages, files);
@@ -298,7 +310,6 @@ int run_command(const RunOptions& options) {
   const auto claimed = claim_recording(options, *job);
   if (!claimed.ok()) return complain(claimed.error());
 
-  const bool composed = options.layout == "composed";
   std::optional<bridge::RunProfile> profile;
   if (!options.profile.empty()) profile.emplace(bridge::profile_of(job->plan));
   auto report =
@@ -311,7 +322,7 @@ int run_command(const RunOptions& options) {
   if (job->recording && !wrote) {
     std::fputs("clew: nothing happened that the black box writes for: no recording\n", stderr);
   }
-  const RunFacts facts{options.layout,
+  const RunFacts facts{layout_name,
                        composed ? "inprocess" : middleware_text(job->plan.graph, *layout),
                        wrote ? job->recording->path : ""};
   print_result(options, *report, job->plan, facts);

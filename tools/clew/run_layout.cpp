@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <set>
 
 #include "clew/foreign_programs.hpp"
@@ -73,6 +74,44 @@ Result<void> read_middleware(const RunOptions& options, const runtime::Graph& gr
   return {};
 }
 
+/// The command line may give a stage of a group another middleware than the others have.
+Result<void> check_group_middleware(const runtime::Graph& graph,
+                                    const bridge::ProcessLayout& layout) {
+  std::map<std::string, const runtime::GraphStage*> first_of;
+  for (const auto& stage : graph.stages) {
+    const auto& first = *first_of.emplace(bridge::process_of(stage), &stage).first->second;
+    const std::string one = bridge::middleware_of(first, layout);
+    const std::string other = bridge::middleware_of(stage, layout);
+    if (one == other) continue;
+    return Error{"the stages of group '" + stage.deployment.group +
+                     "' share a process, and so one middleware; found " + one + " in " +
+                     first.info->name + " and " + other + " in " + stage.info->name,
+                 "--middleware", 0, 0};
+  }
+  return {};
+}
+
+Result<void> read_prefixes(const RunOptions& options, const runtime::Graph& graph,
+                           bridge::ProcessLayout& layout) {
+  std::map<std::string, std::string> stage_of;  // by process, which has one command line
+  for (const std::string& text : options.prefix) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals + 1 == text.size()) {
+      return Error{"expected STAGE='command', found '" + text + "'", "--prefix", 0, 0};
+    }
+    const std::string stage = text.substr(0, equals);
+    CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--prefix"));
+    const auto [other, first] = stage_of.emplace(bridge::process_of(*graph.find(stage)), stage);
+    if (!first) {
+      return given_twice("--prefix", other->second == stage ? stage : "the process of " + stage);
+    }
+    const std::string command = text.substr(equals + 1);
+    CLEW_RETURN_IF_ERROR(check_prefix(command));
+    layout.prefix.emplace(stage, command);
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<bridge::ProcessLayout> read_layout(const RunOptions& options, const runtime::Graph& graph,
@@ -88,22 +127,12 @@ Result<bridge::ProcessLayout> read_layout(const RunOptions& options, const runti
   layout.on_record_error = options.on_record_error == "stop" ? bridge::OnRecordError::kStop
                                                              : bridge::OnRecordError::kContinue;
   CLEW_RETURN_IF_ERROR(read_middleware(options, graph, layout));
+  CLEW_RETURN_IF_ERROR(check_group_middleware(graph, layout));
   for (const std::string& stage : options.external) {
     CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--external"));
     if (!layout.external.insert(stage).second) return given_twice("--external", stage);
   }
-  for (const std::string& text : options.prefix) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals + 1 == text.size()) {
-      return Error{"expected STAGE='command', found '" + text + "'", "--prefix", 0, 0};
-    }
-    const std::string stage = text.substr(0, equals);
-    CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--prefix"));
-    const std::string command = text.substr(equals + 1);
-    CLEW_RETURN_IF_ERROR(check_prefix(command));
-    const bool first = layout.prefix.emplace(stage, command).second;
-    if (!first) return given_twice("--prefix", stage);
-  }
+  CLEW_RETURN_IF_ERROR(read_prefixes(options, graph, layout));
   return layout;
 }
 

@@ -21,7 +21,9 @@ struct Speed {
 /// Reads `--pace`.
 core::Result<Speed> read_pace(const std::string& text);
 
-/// How a graph is to be run as processes, as the options have it.
+/// How a graph is to be run as processes, as the options have it. Refused: stages and vendors that
+/// do not exist, what is given twice, and what the stages of one process cannot have each for
+/// itself.
 core::Result<bridge::ProcessLayout> read_layout(const RunOptions& options,
                                                 const runtime::Graph& graph, const Speed& speed);
 

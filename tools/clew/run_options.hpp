@@ -13,7 +13,7 @@ namespace clew::tools {
 struct RunOptions {
   std::string graph;
   runtime::GraphOverrides overrides;
-  std::string layout = "processes";
+  std::string layout;                   ///< empty: as the graph says
   std::vector<std::string> middleware;  ///< `VENDOR` or `STAGE=VENDOR`
   std::string pace = "lockstep";
   std::optional<int> domain;

@@ -187,6 +187,7 @@ std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
   }
   json["notes"] = notes_on(report, plan);
   json["restarts"] = report.restarts;
+  json["start_s"] = report.start_s ? nlohmann::ordered_json(*report.start_s) : nullptr;
   json["wall_s"] = report.wall_s;
   json["ticks_per_s"] = report.ticks_per_s;
   json["layout"] = facts.layout;

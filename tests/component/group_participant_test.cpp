@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "component/group_participant.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "component/sealed_participant.hpp"
+#include "component/start_barrier.hpp"
+#include "fake_participant.hpp"
+#include "line/user_data.hpp"
+#include "wire/codec.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+std::string data_of(const std::string& stage) {
+  return UserData{std::string(idl_fingerprint()), stage}.to_text();
+}
+
+EndpointSpec spec(const std::string& topic, const std::string& stage) {
+  return {topic, "clew::msg::Type", data_of(stage), 8};
+}
+
+/// Keeps what comes, and who wrote it; hands it on if told to.
+class Inbox : public SampleListener {
+ public:
+  void on_sample(std::string_view cdr, const RemoteEndpoint* writer) override {
+    if (next_ != nullptr) next_->write(cdr);
+    const std::lock_guard lock(mutex_);
+    samples_.emplace_back(cdr);
+    writer_ = *writer;
+    changed_.notify_all();
+  }
+  void hand_on_to(SampleWriter& next) { next_ = &next; }
+
+  Texts wait_for(std::size_t count) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, std::chrono::seconds(20), [&] { return samples_.size() >= count; });
+    return samples_;
+  }
+  RemoteEndpoint writer() {
+    const std::lock_guard lock(mutex_);
+    return writer_;
+  }
+
+ private:
+  SampleWriter* next_ = nullptr;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  Texts samples_;
+  RemoteEndpoint writer_;
+};
+
+/// A process with sense and control: sense writes `scan` for control and, elsewhere, recover.
+class Group : public testing::Test {
+ protected:
+  Group()
+      : expected_{{"scan", false, "control", false},
+                  {"scan", false, "recover", false},
+                  {"scan", true, "sense", false},
+                  {"command", false, "drive", false}},
+        barrier_(
+            "group", expected_,
+            {[] {}, [this](std::string text) { refused_ = text; }, [](const std::string&) {}}) {
+    auto wire = std::make_unique<FakeParticipant>();
+    wire_ = wire.get();
+    group_ = std::make_unique<GroupParticipant>(std::move(wire), Texts{"sense", "control"},
+                                                expected_, barrier_);
+  }
+  std::unique_ptr<SampleWriter> writer(const EndpointSpec& spec) {
+    return std::move(group_->create_writer(spec)).value();
+  }
+  std::unique_ptr<SampleReader> reader(const EndpointSpec& spec, SampleListener& listener) {
+    return std::move(group_->create_reader(spec, listener)).value();
+  }
+
+  std::vector<ExpectedEndpoint> expected_;
+  std::string refused_;
+  StartBarrier barrier_;
+  FakeParticipant* wire_ = nullptr;
+  Inbox inbox_;
+  std::unique_ptr<GroupParticipant> group_;
+};
+
+TEST_F(Group, DeliversWithinTheProcessInOrderAndWritesForTheOthers) {
+  const auto scan = writer(spec("scan", "sense"));
+  const auto reads = reader(spec("scan", "control"), inbox_);
+
+  EXPECT_EQ(scan->write("one"), WriteStatus::kTaken);  // waits for the start
+  group_->start();
+  EXPECT_EQ(scan->write("two"), WriteStatus::kTaken);
+
+  EXPECT_EQ(inbox_.wait_for(2), (Texts{"one", "two"}));
+  EXPECT_EQ(wire_->written("scan"), (Texts{"one", "two"}));
+  EXPECT_EQ(wire_->writers().size(), 1u);
+  const RemoteEndpoint seen = inbox_.writer();
+  EXPECT_TRUE(barrier_.accepts(&seen));
+}
+
+TEST_F(Group, HasItsSealWithinTheProcessToo) {
+  const RunKey key = RunKey::make();
+  barrier_.demand_seals(key);
+  GroupParticipant& group = *group_;
+  SealedParticipant sealed(std::move(group_), key);
+  const auto scan = std::move(sealed.create_writer(spec("scan", "sense"))).value();
+  const auto reads = std::move(sealed.create_reader(spec("scan", "control"), inbox_)).value();
+
+  group.start();
+  scan->write("one");
+
+  EXPECT_EQ(inbox_.wait_for(1), Texts{"one"});
+  const RemoteEndpoint seen = inbox_.writer();
+  EXPECT_TRUE(barrier_.accepts(&seen));
+  EXPECT_EQ(refused_, "");
+  EXPECT_TRUE(key.fits(UserData::parse(wire_->writers()[0].user_data), wire_->guid()));
+}
+
+TEST_F(Group, MatchesItsOwnEndpointsAndWaitsForThoseOfOthers) {
+  const auto scan = writer(spec("scan", "sense"));
+  const auto reads = reader(spec("scan", "control"), inbox_);
+
+  EXPECT_EQ(barrier_.missing(), (Texts{"group has not found the reader of 'scan' in recover",
+                                       "group has not found the reader of 'command' in drive"}));
+  EXPECT_EQ(refused_, "");
+}
+
+TEST_F(Group, LeavesOnTheWireWhatNobodyInsideReads) {
+  const auto command = writer(spec("command", "control"));
+  group_->start();
+
+  EXPECT_EQ(command->write("stop"), WriteStatus::kTaken);
+
+  EXPECT_EQ(wire_->written("command"), Texts{"stop"});
+}
+
+TEST_F(Group, DeliversNothingThatTheWireHasNotTaken) {
+  const auto scan = writer(spec("scan", "sense"));
+  const auto reads = reader(spec("scan", "control"), inbox_);
+  group_->start();
+
+  wire_->answer(WriteStatus::kWouldBlock);
+  EXPECT_EQ(scan->write("one"), WriteStatus::kWouldBlock);
+  wire_->answer(WriteStatus::kTaken);
+  EXPECT_EQ(scan->write("one"), WriteStatus::kTaken);
+  EXPECT_EQ(scan->write("two"), WriteStatus::kTaken);
+
+  EXPECT_EQ(inbox_.wait_for(2), (Texts{"one", "two"}));
+}
+
+TEST(GroupLoop, GoesAroundWithoutWaitingForItself) {
+  const std::vector<ExpectedEndpoint> expected = {{"scan", true, "sense", false},
+                                                  {"command", true, "control", false}};
+  StartBarrier barrier("group", expected, {[] {}, [](const auto&) {}, [](const auto&) {}});
+  GroupParticipant group(std::make_unique<FakeParticipant>(), {"sense", "control"}, expected,
+                         barrier);
+  Inbox control;
+  Inbox sense;
+  const auto scan = std::move(group.create_writer(spec("scan", "sense"))).value();
+  const auto command = std::move(group.create_writer(spec("command", "control"))).value();
+  const auto reads_scan = std::move(group.create_reader(spec("scan", "control"), control)).value();
+  const auto reads_command =
+      std::move(group.create_reader(spec("command", "sense"), sense)).value();
+  control.hand_on_to(*command);
+  sense.hand_on_to(*scan);
+  group.start();
+
+  scan->write("round");
+
+  EXPECT_EQ(control.wait_for(100)[99], "round");
+  EXPECT_GE(sense.wait_for(99).size(), 99u);
+}
+
+TEST_F(Group, DeliversNothingToAReaderThatIsGone) {
+  const auto scan = writer(spec("scan", "sense"));
+  auto reads = reader(spec("scan", "control"), inbox_);
+  group_->start();
+  scan->write("one");
+  inbox_.wait_for(1);
+
+  reads.reset();
+  scan->write("two");
+  group_.reset();
+
+  EXPECT_EQ(inbox_.wait_for(1), Texts{"one"});
+}
+
+}  // namespace
+}  // namespace clew::bridge
