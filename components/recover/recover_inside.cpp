@@ -104,7 +104,7 @@ void RecoverComponent::tell_detectors(const Situation& situation, domain::Inside
     shadow.behaviour->tell(situation, of_shadow);
     domain::InsideGroup& item = inside.values.item("shadows");
     item.text("name", shadow.name);
-    item.text("text", of_shadow.text);
+    if (!of_shadow.text.empty()) item.text("text", of_shadow.text);
     for (const domain::InsideValue& value : of_shadow.values.values()) item.put(value);
   }
 }
