@@ -57,12 +57,12 @@ int print_report(const ReplayOptions& options, const bridge::RunReport& report,
 int branch_processes(const ReplayOptions& options, const bridge::RunRecording& recording,
                      const runtime::RunPlan& recorded, runtime::RunPlan plan) {
   const std::uint64_t tick = *options.branch_tick;
+  const auto start = bridge::branch_off_processes(recording, recorded, plan, tick);
+  if (!start.ok()) return complain(start.error());
   for (const auto& checked :
        {check_programs_are_named(plan.graph, options.exec), check_programs(plan.graph, {})}) {
     if (!checked.ok()) return complain(checked.error());
   }
-  const auto start = bridge::branch_off_processes(recording, recorded, plan, tick);
-  if (!start.ok()) return complain(start.error());
   settle_bundle(
       recording, recorded, tick, [&] { return bridge::robot_of(*start, plan); }, plan);
   std::optional<bridge::RecordingOrder> order;
