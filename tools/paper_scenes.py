@@ -104,6 +104,14 @@ def shorter(report, other, by_m=0.0):
             and report["path_length_m"] + by_m < other["path_length_m"])
 
 
+def complicated(letter):
+    """One of the three environments of Nakhaeinia's figure 13."""
+    return Scene(f"Nakhaeinia 13{letter}", "complicated: the LMP leads out",
+                 "alone: no end; with LMP: a trap noticed, reached",
+                 f"n-fig13{letter}-complicated", NVT,
+                 lambda alone, both: trapped(alone) and led_out(both))
+
+
 def trap_of(figure, world):
     """A trap of Krishna & Kalra: without memory the robot goes round in it, with it it gets out."""
     return Scene(f"Krishna & Kalra {figure}", "an infinite loop, out of which the DMAS leads",
@@ -202,13 +210,5 @@ SCENES = [
     Scene("Nakhaeinia 12", "surrounded: one virtual target leads out",
           "alone: no end; with LMP: reached by one", "n-fig12-surrounded", NVT,
           lambda alone, both: trapped(alone) and reached(both, 1, 1)),
-    Scene("Nakhaeinia 13a", "complicated: the LMP leads out",
-          "alone: no end; with LMP: a trap noticed, reached", "n-fig13a-complicated", NVT,
-          lambda alone, both: trapped(alone) and led_out(both)),
-    Scene("Nakhaeinia 13b", "complicated: the LMP leads out",
-          "alone: no end; with LMP: a trap noticed, reached", "n-fig13b-complicated", NVT,
-          lambda alone, both: trapped(alone) and led_out(both)),
-    Scene("Nakhaeinia 13c", "complicated: the LMP leads out",
-          "alone: no end; with LMP: a trap noticed, reached", "n-fig13c-complicated", NVT,
-          lambda alone, both: trapped(alone) and led_out(both)),
+    *(complicated(letter) for letter in "abc"),
 ]

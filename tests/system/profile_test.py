@@ -39,10 +39,11 @@ class Profile(unittest.TestCase):
             # Both are rounded to a nanosecond.
             self.assertLessEqual(span["ts"] + span["dur"], tick["ts"] + tick["dur"] + 0.003)
 
-    def test_a_file_that_cannot_be_written_is_refused(self):
+    def test_a_file_that_cannot_be_written_is_refused_before_the_run(self):
         run = Run([*RUN, "--profile", self.folder / "nowhere" / "trace.json"])
 
         self.assertEqual(run.status, 2)
+        self.assertEqual(run.out, "")
         self.assertIn("nowhere/trace.json", run.err)
 
 

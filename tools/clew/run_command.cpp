@@ -170,6 +170,12 @@ Result<void> claim_recording(const RunOptions& options, Job& job) {
   return {};
 }
 
+/// All files that the run writes: what cannot be written is told before it runs, not after.
+Result<void> claim_files(const RunOptions& options, Job& job) {
+  if (!options.profile.empty()) CLEW_RETURN_IF_ERROR(files::write_file(options.profile, ""));
+  return claim_recording(options, job);
+}
+
 /// Where a composed run begins, with all that is planned for it.
 Result<bridge::ComposedStart> composed_start(Job& job, const bridge::RunControl& control,
                                              bool hash) {
@@ -307,7 +313,7 @@ int run_command(const RunOptions& options) {
   }
   const auto feed = start_view(options, job->plan);
   if (!feed.ok()) return complain(feed.error());
-  const auto claimed = claim_recording(options, *job);
+  const auto claimed = claim_files(options, *job);
   if (!claimed.ok()) return complain(claimed.error());
 
   std::optional<bridge::RunProfile> profile;
