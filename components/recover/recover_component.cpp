@@ -99,7 +99,8 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
     return;
   }
 
-  if (parts_.local_map) parts_.local_map->see(situation.odometry, situation.scan);
+  const bool maps = parts_.local_map && (state_.maps || !parts_.maps_late);
+  if (maps) parts_.local_map->see(situation.odometry, situation.scan);
   for (auto& escape : parts_.escapes) escape.behaviour->watch(situation);
   take_evidence(situation, event);
   if (state_.escaping) step_escape(situation, guidance, event);
@@ -116,7 +117,7 @@ void RecoverComponent::take_evidence(const Situation& situation, Event& event) {
   if (!state_.escaping) {
     mark_trap(event, parts_.detector.name, false, situation, *evidence);
     state_.evidence = std::move(*evidence);
-    begin_escape(0, situation, event);
+    begin_escape(state_.escape, situation, event);
   } else if (parts_.escapes[state_.escape].behaviour->take_up(situation, *evidence)) {
     mark_trap(event, parts_.detector.name, false, situation, *evidence);
     state_.evidence = std::move(*evidence);
@@ -131,14 +132,16 @@ void RecoverComponent::watch_shadows(const Situation& situation, Event& event) {
   }
 }
 
-/// Hands over to an escape; beyond the last one, the robot seeks again.
+/// Hands over to an escape; beyond the last one, the robot seeks again, and the first one is next.
 void RecoverComponent::begin_escape(std::uint32_t index, const Situation& situation, Event& event) {
   if (index >= parts_.escapes.size()) {
+    state_.escape = 0;
     stop_escaping();
     return;
   }
   state_.escaping = true;
   state_.escape = index;
+  state_.maps = state_.maps || parts_.escapes[index].behaviour->reads_local_map();
   mark(event, EventKind::kEscapeBegun, parts_.escapes[index].name, situation, {});
   parts_.escapes[index].behaviour->begin(situation, state_.evidence);
 }

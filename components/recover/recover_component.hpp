@@ -41,9 +41,13 @@ struct Named {
 };
 
 /// Watches for traps and leads out of them. One detector is in command; others may watch in shadow,
-/// and are only logged. A trap starts the first escape; one that fails hands over to the next;
-/// after the last, the robot seeks again and the detectors start afresh. What the detector in
-/// command says while an escape is at work goes to that escape, which may take it up.
+/// and are only logged. A trap starts the first escape; one that fails hands over to the next, for
+/// later traps, too; after the last, the robot seeks again, the detectors start afresh, and the
+/// next trap starts the first escape. What the detector in command says while an escape is at work
+/// goes to that escape, which may take it up.
+///
+/// A local map that only later escapes read is begun with the first of these: a run that never
+/// needs it does not pay for it.
 class RecoverComponent final : public runtime::Component {
  public:
   struct Parts {
@@ -51,12 +55,14 @@ class RecoverComponent final : public runtime::Component {
     std::vector<Named<TrapDetector>> shadows;
     std::vector<Named<Escape>> escapes;  ///< in order of fallback
     std::optional<ImmediateMemory> immediate_memory;
-    std::optional<map::LocalMap> local_map;  ///< kept if a behaviour reads_local_map()
+    std::optional<map::LocalMap> local_map;  ///< if a behaviour reads_local_map()
+    bool maps_late = false;  ///< it is begun with the first escape that reads it, not with the run
   };
   struct State {
     bool escaping = false;
-    std::uint32_t escape = 0;  ///< index of the one at work, if escaping
+    std::uint32_t escape = 0;  ///< index of the one at work, or that the next trap begins with
     bool gave_up = false;
+    bool maps = false;      ///< an escape that reads the local map has begun
     TrapEvidence evidence;  ///< of the trap that it is at work on
     std::string why;        ///< the last escape failed, or the robot gave up
     std::optional<core::Vec2> virtual_target_odom;  ///< of the last tick
@@ -91,7 +97,7 @@ class RecoverComponent final : public runtime::Component {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, RecoverComponent::State& s) {
-  visit(s.escaping, s.escape, s.gave_up, s.evidence, s.why, s.virtual_target_odom);
+  visit(s.escaping, s.escape, s.gave_up, s.maps, s.evidence, s.why, s.virtual_target_odom);
 }
 
 }  // namespace clew::recover

@@ -26,10 +26,17 @@ Result<std::vector<Named<Behaviour>>> make_all(const runtime::Registry<Behaviour
   return all;
 }
 
-bool anyone_reads_local_map(const RecoverComponent::Parts& parts) {
+/// Makes a local map if anybody reads it.
+void add_local_map(const map::LocalMapParameters& parameters, double radius_m,
+                   RecoverComponent::Parts& parts) {
   const auto reads = [](const auto& named) { return named.behaviour->reads_local_map(); };
-  return reads(parts.detector) || std::any_of(parts.shadows.begin(), parts.shadows.end(), reads) ||
-         std::any_of(parts.escapes.begin(), parts.escapes.end(), reads);
+  const auto& shadows = parts.shadows;
+  const auto& escapes = parts.escapes;
+  const bool from_start = reads(parts.detector) || reads(escapes.front()) ||
+                          std::any_of(shadows.begin(), shadows.end(), reads);
+  if (!from_start && std::none_of(escapes.begin(), escapes.end(), reads)) return;
+  parts.local_map.emplace(parameters, radius_m);
+  parts.maps_late = !from_start;
 }
 
 Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfig& config,
@@ -46,9 +53,7 @@ Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfig& con
   parts.escapes = std::move(made_escapes).value();
 
   const auto parameters = core::read_parameters<RecoverParameters>(config.parameters);
-  if (anyone_reads_local_map(parts)) {
-    parts.local_map.emplace(parameters.local_map, setup.behaviour.robot.radius_m);
-  }
+  add_local_map(parameters.local_map, setup.behaviour.robot.radius_m, parts);
   if (parameters.immediate_memory) {
     const auto resource = setup.behaviour.resources.find("rulebases", parameters.actions);
     if (!resource.ok()) return resource.error();

@@ -38,7 +38,12 @@ const std::vector<Family>& families() {
        draw_gap_arrival},
       {"small-room", "room full of anything", true, Claim::kByChance, draw_small_room},
       {"small-closed-room", "room full of anything, without a way", false, Claim::kByChance,
-       draw_small_room}};
+       draw_small_room},
+      {"rooms", "rooms with doors of 0.36 to 1 m, loops and dead ends", true, Claim::kByChance,
+       draw_rooms},
+      {"maze", "maze of corridors 0.9 m wide, with loops", true, Claim::kByChance, draw_maze},
+      {"mix", "rooms, corridors 0.9 m wide, doors, openings and furniture", true, Claim::kByChance,
+       draw_mix}};
   return all;
 }
 

@@ -15,7 +15,7 @@ enum class TrapClaim {
   kNone,      ///< no trap, however cluttered
   kAny,       ///< depends on the parameters
   kFreeWay,   ///< the straight way to the target is free: no family of traps
-  kByChance   ///< a room of anything: no family of traps
+  kByChance   ///< whatever was drawn: no family of traps
 };
 
 /// A kind of world. `draw` draws one with everything but the depth by chance; it may come out
@@ -68,5 +68,10 @@ WorldDraft draw_gap_arrival(Dice& dice, double depth_m);
 // Rooms full of anything, to be sorted by whether they can be solved. The room grows with the
 // depth.
 WorldDraft draw_small_room(Dice& dice, double depth_m);
+
+// Floor plans, every room of which can be reached through doors. They grow with the depth.
+WorldDraft draw_rooms(Dice& dice, double depth_m);
+WorldDraft draw_maze(Dice& dice, double depth_m);
+WorldDraft draw_mix(Dice& dice, double depth_m);
 
 }  // namespace clew::trap_worlds

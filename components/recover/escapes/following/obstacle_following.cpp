@@ -29,7 +29,6 @@ core::Result<std::unique_ptr<ObstacleFollowing>> ObstacleFollowing::create(
 ObstacleFollowing::ObstacleFollowing(const Parameters& parameters, const WallRules& rules,
                                      const domain::BehaviourSetup& setup)
     : parameters_(parameters),
-      tick_s_(setup.tick_s),
       radius_m_(setup.robot.radius_m),
       follower_(rules),
       close_follower_(rules.scaled(parameters.close_share)),
@@ -169,16 +168,10 @@ EscapeStatus ObstacleFollowing::come_round(LoopResult result, const Situation& s
                                            domain::Guidance& guidance) {
   if (result == LoopResult::kSeparates) {
     if (state_.separated) {
-      const auto apart = static_cast<double>(situation.tick - state_.separated_tick);
-      if (apart * tick_s_ < parameters_.proof_s) {
-        loop_.begin(situation.pose(), situation.odometry.travel_m, situation.target_odom);
-        return EscapeStatus::kActive;
-      }
       guidance.why = "a wall all round, on both sides";
-      return EscapeStatus::kUnreachable;
+      return EscapeStatus::kFailed;
     }
     state_.separated = true;
-    state_.separated_tick = situation.tick;
     begin_turning(turn_back_rad(situation), situation);
     return EscapeStatus::kActive;
   }

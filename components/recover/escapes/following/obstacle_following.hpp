@@ -29,7 +29,6 @@ struct ObstacleFollowingParameters {
   double same_place_m = 0.4;
   double close_share = 0.6;
   double turn_step_rad = core::radians(30.0);
-  double proof_s = 60.0;
   double come_in_m = 1.2;
 };
 
@@ -64,8 +63,6 @@ void visit_parameters(Visitor& visit, ObstacleFollowingParameters& p) {
   visit.number("close_share", p.close_share, "1", {0.1, 1.0},
                "distances and steps of the second loop, as share of the first one's");
   visit.angle("turn_step_deg", p.turn_step_rad, {1.0, 180.0}, "turn in a tick while turning about");
-  visit.number("proof_s", p.proof_s, "s", {0.0, 100000.0},
-               "unreachable if loops on both sides enclose the target and end this time apart");
   visit.number("come_in_m", p.come_in_m, "m", {0.0, 20.0},
                "leave: within this distance of the target if it is in view and the line is free");
 }
@@ -97,13 +94,14 @@ void visit_parameters(Visitor& visit, ObstacleFollowingParameters& p) {
 /// *Deviation:* the robot also leaves where it is near the target and sees nothing in the way
 /// there: following keeps the target of a wall between robot and wall, and would go round it.
 ///
-/// *Unreachable* (not in the paper) takes two closed circuits, one on each side, which both show
-/// that the obstacle lies all round between robot and target; the second follows closer, to find
-/// gaps that the first passed over, and ends proof_s after the first or later, so that what stood
-/// there for less proves nothing. After a circuit that shows that it does not, the robot leaves
-/// where it was nearest with a clear way; if there is no such place, or it comes round a second
-/// time, the escape fails. Leaving points come ever nearer to the target, also from one escape to
-/// the next, so that the same trap is not left at the same place again.
+/// *Coming round* (not in the paper): after a closed circuit that shows that the obstacle lies all
+/// round between robot and target the robot turns about and follows on the other side, closer, to
+/// find gaps that the first circuit passed over. A second such circuit is a failure of the escape
+/// and no proof that the target is unreachable: what two circuits with a few cones show depends on
+/// what these see through. After a circuit that shows that the obstacle does not lie between, the
+/// robot leaves where it was nearest with a clear way; if there is no such place, or it comes round
+/// a second time, the escape fails. Leaving points come ever nearer to the target, also from one
+/// escape to the next, so that the same trap is not left at the same place again.
 class ObstacleFollowing final : public Escape {
  public:
   using Parameters = ObstacleFollowingParameters;
@@ -119,9 +117,8 @@ class ObstacleFollowing final : public Escape {
     double turn_left_rad = 0.0;     ///< of turning about
     double leave_below_m = 0.0;     ///< distance to the target that lets the robot leave
     double last_leave_m = std::numeric_limits<double>::infinity();  ///< distance to the target
-    bool came_round = false;           ///< a circuit has closed that does not separate
-    bool separated = false;            ///< a circuit on the other side has shown it
-    std::uint64_t separated_tick = 0;  ///< when, if so
+    bool came_round = false;  ///< a circuit has closed that does not separate
+    bool separated = false;   ///< a circuit on the other side has closed that does
   };
 
   /// Refuses scans without a beam in each of seven cones, and a rule base that is not well formed.
@@ -159,7 +156,6 @@ class ObstacleFollowing final : public Escape {
   bool may_leave(const Situation& situation, bool clear) const;
 
   Parameters parameters_;
-  double tick_s_;
   double radius_m_;
   WallFollower follower_;
   WallFollower close_follower_;
@@ -172,8 +168,7 @@ class ObstacleFollowing final : public Escape {
 template <typename Visitor>
 void visit_fields(Visitor& visit, ObstacleFollowing::State& s) {
   visit(s.phase, s.wall, s.followed, s.phase_travel_m, s.in_view_travel_m, s.wall_travel_m,
-        s.turn_left_rad, s.leave_below_m, s.last_leave_m, s.came_round, s.separated,
-        s.separated_tick);
+        s.turn_left_rad, s.leave_below_m, s.last_leave_m, s.came_round, s.separated);
 }
 
 }  // namespace clew::recover

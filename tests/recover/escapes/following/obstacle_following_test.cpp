@@ -15,10 +15,9 @@ using tests::rule_base;
 
 using core::radians;
 
-ObstacleFollowing make(LeavingRule leave = LeavingRule::kNearer, double proof_s = 0.0) {
+ObstacleFollowing make(LeavingRule leave = LeavingRule::kNearer) {
   ObstacleFollowingParameters parameters;
   parameters.leave = leave;
-  parameters.proof_s = proof_s;
   return {parameters, WallRules::parse(rule_base("obstacle_following")).value(), {}};
 }
 
@@ -275,28 +274,14 @@ Answer go_round(ObstacleFollowing& escape, bool counter_clockwise, const core::V
 }
 
 /// Begins to follow with the wall on the left, 5 m from the target, which is out of reach.
-ObstacleFollowing following_round(double proof_s = 0.0) {
-  ObstacleFollowing escape = make(LeavingRule::kNearer, proof_s);
+ObstacleFollowing following_round() {
+  ObstacleFollowing escape = make();
   begin(escape, scene(kWallOnLeft, -1, 3));
   step(escape, scene(kWallOnLeft, -4, -3));
   return escape;
 }
 
-TEST(Unreachable, TakesCircuitsThatEndFarEnoughApart) {
-  ObstacleFollowing escape = following_round(60.0);
-  double travel_m = 0.0;
-
-  // All in one tick, so that whoever stands there need not stand for long.
-  Answer turning = go_round(escape, true, {0.1, 0}, travel_m);
-  while (turning.guidance.why == "turn about") {
-    turning = step(escape, scene(kCrowdedRight, 0.9, 0).travelled(travel_m));
-  }
-  const Answer second = go_round(escape, false, {0.1, 0}, travel_m);
-
-  EXPECT_EQ(second.status, EscapeStatus::kActive);
-}
-
-TEST(Unreachable, TakesACircuitOnEachSide) {
+TEST(ComingRound, FailsAfterACircuitOnEachSide) {
   ObstacleFollowing escape = following_round();
   double travel_m = 0.0;
 
@@ -311,10 +296,11 @@ TEST(Unreachable, TakesACircuitOnEachSide) {
   EXPECT_EQ(first.status, EscapeStatus::kActive);
   EXPECT_EQ(first.guidance.why, "turn about");
   EXPECT_EQ(turning.guidance.why, "wall on right");
-  EXPECT_EQ(second.status, EscapeStatus::kUnreachable);
+  EXPECT_EQ(second.status, EscapeStatus::kFailed);
+  EXPECT_EQ(second.guidance.why, "a wall all round, on both sides");
 }
 
-TEST(Unreachable, IsNotSaidAfterACircuitThatDoesNotShutTheTargetOff) {
+TEST(ComingRound, FailsWithoutAPlaceToLeave) {
   ObstacleFollowing escape = following_round();
   double travel_m = 0.0;
 
