@@ -76,65 +76,78 @@ class RandomCosts {
   Costmap costs_;
 };
 
-/// The least cost over blocks by Dijkstra's algorithm, from the definitions: which cells of two
-/// blocks touch is looked up cell by cell.
-std::uint32_t least_cost(const Costmap& costs, const Cell& start, const std::vector<Cell>& goals) {
-  const Grid& grid = costs.grid;
-  const auto free = [&](std::int32_t column, std::int32_t row) {
-    return grid.contains({column, row}) &&
-           costs.cost[grid.index({column, row})] != Costmap::kBlocked;
-  };
-  const auto weight = [&](const Cell& block) {
+/// Blocks of two by two cells from their definition: what touches is looked up cell by cell.
+class Blocks {
+ public:
+  explicit Blocks(const Costmap& costs)
+      : costs_(costs),
+        grid_{costs.grid.corner, 2.0 * kCell_m, (costs.grid.columns + 1) / 2,
+              (costs.grid.rows + 1) / 2} {}
+
+  const Grid& grid() const { return grid_; }
+  bool is_free(const Cell& cell) const {
+    return costs_.grid.contains(cell) && costs_.cost[costs_.grid.index(cell)] != Costmap::kBlocked;
+  }
+  static Cell cell_of(const Cell& block, int i) {
+    return {2 * block.column + i % 2, 2 * block.row + i / 2};
+  }
+  /// The mean of its free cells in quarters, rounded.
+  std::uint32_t weight(const Cell& block) const {
     std::uint32_t sum = 0;
     std::uint32_t count = 0;
     for (int i = 0; i < 4; ++i) {
-      const Cell cell{2 * block.column + i % 2, 2 * block.row + i / 2};
-      if (!free(cell.column, cell.row)) continue;
-      sum += static_cast<std::uint32_t>(4.0F * costs.cost[grid.index(cell)]);
+      const Cell cell = cell_of(block, i);
+      if (!is_free(cell)) continue;
+      sum += static_cast<std::uint32_t>(4.0F * costs_.cost[costs_.grid.index(cell)]);
       ++count;
     }
-    return (2 * sum + count) / (2 * count);  // rounded
-  };
-  const auto linked = [&](const Cell& a, const Cell& b) {
-    for (int i = 0; i < 4; ++i) {
-      for (int k = 0; k < 4; ++k) {
-        const Cell one{2 * a.column + i % 2, 2 * a.row + i / 2};
-        const Cell two{2 * b.column + k % 2, 2 * b.row + k / 2};
-        if (std::abs(one.column - two.column) <= 1 && std::abs(one.row - two.row) <= 1 &&
-            free(one.column, one.row) && free(two.column, two.row)) {
-          return true;
-        }
+    return (2 * sum + count) / (2 * count);
+  }
+  bool linked(const Cell& a, const Cell& b) const {
+    for (int i = 0; i < 16; ++i) {
+      const Cell one = cell_of(a, i % 4);
+      const Cell two = cell_of(b, i / 4);
+      if (std::abs(one.column - two.column) <= 1 && std::abs(one.row - two.row) <= 1 &&
+          is_free(one) && is_free(two)) {
+        return true;
       }
     }
     return false;
-  };
-  const Grid blocks{grid.corner, 2.0 * kCell_m, (grid.columns + 1) / 2, (grid.rows + 1) / 2};
-  std::vector<std::uint32_t> best(blocks.size(), DistanceField::kNone);
+  }
+
+ private:
+  const Costmap& costs_;
+  Grid grid_;
+};
+
+/// The least cost over blocks by Dijkstra's algorithm.
+std::uint32_t least_cost(const Costmap& costs, const Cell& start, const std::vector<Cell>& goals) {
+  const Blocks blocks(costs);
+  const Grid& grid = blocks.grid();
+  std::vector<std::uint32_t> best(grid.size(), DistanceField::kNone);
   using Entry = std::pair<std::uint32_t, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  const auto offer = [&](std::size_t index, std::uint32_t cost) {
+    if (cost >= best[index]) return;
+    best[index] = cost;
+    open.push({cost, index});
+  };
   for (const Cell& goal : goals) {
-    if (!free(goal.column, goal.row)) continue;
-    best[blocks.index({goal.column / 2, goal.row / 2})] = 0;
-    open.push({0, blocks.index({goal.column / 2, goal.row / 2})});
+    if (blocks.is_free(goal)) offer(grid.index({goal.column / 2, goal.row / 2}), 0);
   }
   while (!open.empty()) {
     const auto [cost, index] = open.top();
     open.pop();
     if (cost > best[index]) continue;
-    const Cell here = blocks.cell(index);
-    for (std::int32_t rows = -1; rows <= 1; ++rows) {
-      for (std::int32_t columns = -1; columns <= 1; ++columns) {
-        const Cell near{here.column + columns, here.row + rows};
-        if ((rows == 0 && columns == 0) || !blocks.contains(near) || !linked(here, near)) continue;
-        const std::uint32_t length = rows != 0 && columns != 0 ? 17 : 12;
-        const std::uint32_t over = cost + length * (weight(here) + weight(near));
-        if (over >= best[blocks.index(near)]) continue;
-        best[blocks.index(near)] = over;
-        open.push({over, blocks.index(near)});
-      }
+    const Cell here = grid.cell(index);
+    for (int i = 0; i < 9; ++i) {
+      const Cell near{here.column + i % 3 - 1, here.row + i / 3 - 1};
+      if (near == here || !grid.contains(near) || !blocks.linked(here, near)) continue;
+      const std::uint32_t length = near.column != here.column && near.row != here.row ? 17 : 12;
+      offer(grid.index(near), cost + length * (blocks.weight(here) + blocks.weight(near)));
     }
   }
-  return best[blocks.index({start.column / 2, start.row / 2})];
+  return best[grid.index({start.column / 2, start.row / 2})];
 }
 
 bool is_free(const Costmap& costs, const Cell& cell) {
