@@ -7,6 +7,8 @@
 namespace clew::map {
 namespace {
 
+constexpr double kPieceCells = 64.0;
+
 /// Falls from narrow_cost to 1 between touching and comfortable.
 double narrow_cost(const Inflation& inflation, double distance_m) {
   const double room_m = inflation.comfortable_m - inflation.touching_m;
@@ -53,8 +55,14 @@ Grid CostmapBuilder::grid_over(const SeenMap& seen, const Vec2& from, const Vec2
     least = least.cwiseMin(corner);
     most = most.cwiseMax(corner + Vec2(seen.tile_m(), seen.tile_m()));
   }
-  const auto first = [&](double at_m) { return std::floor((at_m - margin_m) / cell_m_); };
-  const auto end = [&](double at_m) { return std::ceil((at_m + margin_m) / cell_m_); };
+  // In whole pieces: so the grid seldom grows.
+  const double piece_m = kPieceCells * cell_m_;
+  const auto first = [&](double at_m) {
+    return kPieceCells * std::floor((at_m - margin_m) / piece_m);
+  };
+  const auto end = [&](double at_m) {
+    return kPieceCells * std::ceil((at_m + margin_m) / piece_m);
+  };
   Grid grid;
   grid.cell_m = cell_m_;
   grid.corner = cell_m_ * Vec2(first(least.x()), first(least.y()));
@@ -65,6 +73,8 @@ Grid CostmapBuilder::grid_over(const SeenMap& seen, const Vec2& from, const Vec2
 
 const Costmap& CostmapBuilder::update(const SeenMap& seen, const Vec2& from, const Vec2& to,
                                       double margin_m, double reach_m) {
+  ++costs_.revision;
+  costs_.changed.clear();
   for (const std::size_t index : overruled_) charge(index);
   overruled_.clear();
   const Grid grid = grid_over(seen, from, to, margin_m, reach_m);
@@ -81,11 +91,13 @@ const Costmap& CostmapBuilder::update(const SeenMap& seen, const Vec2& from, con
 void CostmapBuilder::overrule(std::size_t index, float cost, Clearance clearance) {
   costs_.cost[index] = cost;
   costs_.clearance[index] = clearance;
+  costs_.changed.push_back(index);
   overruled_.push_back(index);
 }
 
 /// What a cell costs for its surroundings.
 void CostmapBuilder::charge(std::size_t index) {
+  costs_.changed.push_back(index);
   const NearestMarks::Surroundings& cell = nearest_.cells()[index];
   const std::uint8_t by_hit = cell.steps[NearestMarks::kHit];
   const std::uint8_t by_suspected = cell.steps[NearestMarks::kSuspected];

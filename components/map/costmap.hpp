@@ -28,6 +28,11 @@ struct Costmap {
   Grid grid;
   std::vector<float> cost;           ///< by Grid::index; >= 1, or kBlocked where there is no room
   std::vector<Clearance> clearance;  ///< the same
+  /// Which of its builder's costs these are, from 1 on; 0: they come from elsewhere.
+  std::uint64_t revision = 0;
+  /// Cells that may cost something else than at the revision before, if the grid is the same. Some
+  /// may be in it more than once.
+  std::vector<std::size_t> changed;
 };
 
 /// What of a robot's surroundings costs how much.
@@ -42,6 +47,13 @@ struct Inflation {
   double seen_free_cost = 1.0;  ///< factor where it was seen free
   double narrow_cost = 2.0;     ///< just not touching; falls to 1 where it is comfortable
 };
+
+inline bool operator==(const Inflation& a, const Inflation& b) {
+  return a.impossible_m == b.impossible_m && a.touching_m == b.touching_m &&
+         a.comfortable_m == b.comfortable_m && a.touching_cost == b.touching_cost &&
+         a.suspected_cost == b.suspected_cost && a.seen_free_cost == b.seen_free_cost &&
+         a.narrow_cost == b.narrow_cost;
+}
 
 /// A centre this much nearer than the robot's radius is not believed to touch.
 inline constexpr double kTouching_m = 0.01;
@@ -58,8 +70,8 @@ class CostmapBuilder {
   /// Planning cells have twice the side of the map's.
   CostmapBuilder(const Inflation& inflation, double seen_cell_m);
 
-  /// The costs over all that was seen within `reach_m` of `from`, and `margin_m` around it and
-  /// around both places.
+  /// The costs over all that was seen within `reach_m` of `from`, and at least `margin_m` around it
+  /// and around both places.
   const Costmap& update(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m,
                         double reach_m = std::numeric_limits<double>::infinity());
   /// Until the next update, a cell costs this, whatever was seen.

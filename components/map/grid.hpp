@@ -66,6 +66,23 @@ inline bool operator==(const Grid& a, const Grid& b) {
 }
 inline bool operator!=(const Grid& a, const Grid& b) { return !(a == b); }
 
+/// The cells whose middle lies within `radius_m` of a place in the grid; none if it lies outside.
+inline void cells_within(const Grid& grid, const Vec2& place, double radius_m,
+                         std::vector<Cell>& cells) {
+  cells.clear();
+  const auto middle = grid.cell_at(place);
+  if (!middle) return;
+  const auto reach = static_cast<std::int32_t>(std::ceil(radius_m / grid.cell_m));
+  for (std::int32_t rows = -reach; rows <= reach; ++rows) {
+    for (std::int32_t columns = -reach; columns <= reach; ++columns) {
+      const Cell cell{middle->column + columns, middle->row + rows};
+      if (grid.contains(cell) && core::length(grid.centre(cell) - place) <= radius_m) {
+        cells.push_back(cell);
+      }
+    }
+  }
+}
+
 /// Lays the values of the cells of one grid out for another one, whose cells lie a whole number of
 /// cells beside. Cells that only the new grid has get `fresh`. `spare` is memory to work in.
 template <typename Value>

@@ -35,23 +35,34 @@ Inflation inflation_for(const LocalPathParameters& p, const LocalMap& map, doubl
   return inflation;
 }
 
-/// What going straight costs; infinite through what is blocked, except where the way begins, and
-/// where it is more than `most_m` for certain: costs only add up.
+/// What going straight costs; infinite through what is blocked, and where it is more than `most_m`
+/// for certain: costs only add up. Both places lie within the grid.
 double straight_cost_m(const Costmap& costs, const Vec2& from, const Vec2& to, double most_m) {
   const Grid& grid = costs.grid;
-  const Vec2 along = to - from;
-  const double length_m = core::length(along);
+  const double length_m = core::length(to - from);
   const auto pieces = static_cast<int>(std::ceil(length_m / (0.5 * grid.cell_m)));
+  if (pieces == 0) return 0.0;
+  const Vec2 piece = (to - from) / (grid.cell_m * pieces);  // in cells
+  const Vec2 first = (from - grid.corner) / grid.cell_m + 0.5 * piece;
   const double most = most_m * pieces / length_m * kSameCost_ratio;
   double sum = 0.0;
   for (int i = 0; i < pieces; ++i) {
-    const auto cell = grid.cell_at(from + (i + 0.5) / pieces * along);
-    const float cost = cell ? costs.cost[grid.index(*cell)] : Costmap::kBlocked;
+    const Cell cell{static_cast<std::int32_t>(first.x() + i * piece.x()),
+                    static_cast<std::int32_t>(first.y() + i * piece.y())};
+    const float cost = costs.cost[grid.index(cell)];
     if (cost == Costmap::kBlocked) return HUGE_VAL;
     sum += cost;
     if (sum > most) return HUGE_VAL;
   }
-  return pieces == 0 ? 0.0 : sum * length_m / pieces;
+  return sum * length_m / pieces;
+}
+
+/// What a step from a cell to a neighbour costs, from a place in the one.
+double step_cost_m(const Costmap& costs, const Vec2& from, const Vec2& to) {
+  const auto cost_at = [&](const Vec2& place) {
+    return costs.cost[costs.grid.index(*costs.grid.cell_at(place))];
+  };
+  return 0.5 * (cost_at(from) + cost_at(to)) * core::length(to - from);
 }
 
 }  // namespace
@@ -63,9 +74,17 @@ LocalPath::LocalPath(const LocalPathParameters& parameters, double radius_m, dou
       replan_ticks_(parameters.replan_s / tick_s),
       search_(std::move(search)) {}
 
-void LocalPath::make_costmap_builder(const LocalMap& map) {
-  inflation_ = inflation_for(parameters_, map, radius_m_);
-  costmap_builder_.emplace(inflation_, map.seen().cell_m());
+void LocalPath::choose_finder(const PathRequest& request) {
+  const Inflation inflation = inflation_for(parameters_, request.map, radius_m_);
+  const double cell_m = request.map.seen().cell_m();
+  if (search_) {
+    own_finder_ = std::make_unique<PathFinder>(
+        PathFinder{inflation, CostmapBuilder(inflation, cell_m), std::move(search_)});
+    finder_ = own_finder_.get();
+  } else {
+    PathFinders& finders = request.finders != nullptr ? *request.finders : own_finders_;
+    finder_ = &finders.with(inflation, cell_m);
+  }
 }
 
 bool LocalPath::keep_up(const PathRequest& request) {
@@ -80,7 +99,7 @@ void LocalPath::plan(const PathRequest& request) {
   state_.planned_tick = request.tick;
   state_.next = 1;
   state_.corners_odom.clear();
-  if (!costmap_builder_) make_costmap_builder(request.map);
+  if (finder_ == nullptr) choose_finder(request);
   if (is_open(request)) {
     state_.corners_odom = {request.from, request.target};
     return;
@@ -105,16 +124,17 @@ void LocalPath::plan(const PathRequest& request) {
 
 /// Seeks a path to a place over what was seen within reach.
 void LocalPath::seek(const PathRequest& request, const Vec2& goal) {
-  const Costmap& costs = costmap_builder_->update(request.map.seen(), request.from, goal,
-                                                  LocalMap::kAround_m, kReach_m);
+  const Costmap& costs =
+      finder_->costs.update(request.map.seen(), request.from, goal, LocalMap::kAround_m, kReach_m);
   close_refused(costs.grid);
   open_own_place(costs, request.from);
-  const auto* path =
-      &search_->find(costs, request.from, goal, kArrivesWithin_ratio * request.target_radius_m);
+  const auto* path = &finder_->search->find(costs, request.from, goal,
+                                            kArrivesWithin_ratio * request.target_radius_m);
   if (path->empty()) {
     // Any place within the radius lies in a cell whose middle is at most half a diagonal off.
     const double half_diagonal_m = std::sqrt(0.5) * costs.grid.cell_m;
-    path = &search_->find(costs, request.from, goal, request.target_radius_m + half_diagonal_m);
+    path = &finder_->search->find(costs, request.from, goal,
+                                  request.target_radius_m + half_diagonal_m);
   }
   if (path->empty()) return;
   pull_tight(costs, *path, request.from);
@@ -123,7 +143,7 @@ void LocalPath::seek(const PathRequest& request, const Vec2& goal) {
 
 /// Whether nothing that was seen, is suspected or was tried is near the straight line.
 bool LocalPath::is_open(const PathRequest& request) const {
-  const double room_m = inflation_.comfortable_m;
+  const double room_m = finder_->inflation.comfortable_m;
   const auto& refused = state_.refused_odom;
   const auto is_near = [&](Mark mark) {
     return request.map.is_near(mark, request.from, request.target, room_m, LocalMap::Ends::kRound);
@@ -166,7 +186,7 @@ void LocalPath::close_refused(const Grid& grid) {
       for (std::int32_t columns = -reach; columns <= reach; ++columns) {
         const Cell cell{middle->column + columns, middle->row + rows};
         if (!grid.contains(cell) || core::length(grid.centre(cell) - place) > kRefused_m) continue;
-        costmap_builder_->overrule(grid.index(cell), Costmap::kBlocked, Clearance::kNone);
+        finder_->costs.overrule(grid.index(cell), Costmap::kBlocked, Clearance::kNone);
       }
     }
   }
@@ -176,20 +196,18 @@ void LocalPath::close_refused(const Grid& grid) {
 void LocalPath::open_own_place(const Costmap& costs, const Vec2& place) {
   const auto cell = costs.grid.cell_at(place);
   if (!cell || costs.clearance[costs.grid.index(*cell)] != Clearance::kNone) return;
-  costmap_builder_->overrule(costs.grid.index(*cell), static_cast<float>(inflation_.touching_cost),
-                             Clearance::kTouching);
+  finder_->costs.overrule(costs.grid.index(*cell),
+                          static_cast<float>(finder_->inflation.touching_cost),
+                          Clearance::kTouching);
 }
 
-/// Keeps of a path from cell to cell the corners between which going straight costs no more.
+/// Keeps of a path from place to place the corners between which going straight costs no more.
 void LocalPath::pull_tight(const Costmap& costs, const std::vector<Vec2>& path, const Vec2& from) {
   state_.corners_odom.push_back(from);
   Vec2 corner = from;
   double along_m = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    const Vec2 before = i == 1 ? from : path[i - 1];
-    // A diagonal may brush a cell that is blocked: the search has allowed it.
-    const double most_m = inflation_.touching_cost * core::length(path[i] - before);
-    const double step_m = std::min(straight_cost_m(costs, before, path[i], most_m), most_m);
+    const double step_m = step_cost_m(costs, i == 1 ? from : path[i - 1], path[i]);
     const double allowed_m = kSameCost_ratio * (along_m + step_m);
     if (i > 1 && straight_cost_m(costs, corner, path[i], allowed_m) > allowed_m) {
       corner = path[i - 1];
@@ -206,7 +224,7 @@ void LocalPath::pull_tight(const Costmap& costs, const std::vector<Vec2>& path, 
 /// robot the guard, which takes a cone's return to be at its near end, does not let it in there.
 void LocalPath::centre_corners(const SeenMap& seen, double cell_m) {
   constexpr int kPlaces = 2;  // to each side
-  const double reach_m = inflation_.comfortable_m + cell_m;
+  const double reach_m = finder_->inflation.comfortable_m + cell_m;
   for (std::size_t i = 1; i + 1 < state_.corners_odom.size(); ++i) {
     const Vec2 corner = state_.corners_odom[i];
     const Vec2 reach(reach_m, reach_m);
@@ -214,13 +232,14 @@ void LocalPath::centre_corners(const SeenMap& seen, double cell_m) {
     seen.for_each(Mark::kHit, corner - reach, corner + reach,
                   [&](const Vec2& place) { hits_odom_.push_back(place); });
     const auto room_m = [&](const Vec2& place) {
-      double least_m = inflation_.comfortable_m;
+      double least_m = finder_->inflation.comfortable_m;
       for (const Vec2& hit : hits_odom_) {
         least_m = std::min(least_m, core::length(hit - place));
       }
       return least_m;
     };
     double most_m = room_m(corner);
+    if (most_m >= finder_->inflation.comfortable_m) continue;
     for (int y = -kPlaces; y <= kPlaces; ++y) {
       for (int x = -kPlaces; x <= kPlaces; ++x) {
         const Vec2 place = corner + 0.5 * cell_m / kPlaces * Vec2(x, y);

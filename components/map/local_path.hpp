@@ -3,13 +3,12 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/archive.hpp"
 #include "map/costmap.hpp"
 #include "map/local_map.hpp"
-#include "map/path_search.hpp"
+#include "map/path_finder.hpp"
 
 namespace clew::map {
 
@@ -46,6 +45,8 @@ struct PathRequest {
   Vec2 target = Vec2::Zero();
   double target_radius_m = 0.0;
   const LocalMap& map;  ///< always the same one
+  /// Of that map, for all who seek paths on it; null: each has its own.
+  PathFinders* finders = nullptr;
 };
 
 /// The path to the target over all that a robot has seen, sought again as more comes to light.
@@ -70,8 +71,9 @@ class LocalPath {
     bool planned = false;
   };
 
+  /// Without a search, paths are those of least cost, repaired as more is seen.
   LocalPath(const LocalPathParameters& parameters, double radius_m, double tick_s,
-            std::unique_ptr<PathSearch> search);
+            std::unique_ptr<PathSearch> search = nullptr);
 
   /// Seeks a path if there is none yet, the last one is old, or something seen since lies on it.
   /// True if it sought.
@@ -103,7 +105,7 @@ class LocalPath {
   void load(core::StateReader& reader);
 
  private:
-  void make_costmap_builder(const LocalMap& map);
+  void choose_finder(const PathRequest& request);
   void close_refused(const Grid& grid);
   void open_own_place(const Costmap& costs, const Vec2& place);
   bool is_cut(const PathRequest& request) const;
@@ -116,10 +118,11 @@ class LocalPath {
   LocalPathParameters parameters_;
   double radius_m_;
   double replan_ticks_;
-  Inflation inflation_;
-  std::optional<CostmapBuilder> costmap_builder_;  // made with the first path that is sought
-  std::unique_ptr<PathSearch> search_;
-  std::vector<Vec2> hits_odom_;  // memory to work in
+  std::unique_ptr<PathSearch> search_;  // until the first path is sought; then its finder has it
+  std::unique_ptr<PathFinder> own_finder_;
+  PathFinders own_finders_;
+  PathFinder* finder_ = nullptr;  // chosen when the first path is sought
+  std::vector<Vec2> hits_odom_;   // memory to work in
   State state_;
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "map/neural_path.hpp"
 
-#include <cmath>
-
 namespace clew::map {
 namespace {
 
@@ -16,7 +14,7 @@ const std::vector<Vec2>& NeuralPath::find(const Costmap& costs, const Vec2& from
   way_.clear();
   const auto start = costs.grid.cell_at(from);
   if (!start) return way_;
-  take_targets(costs, to, goal_radius_m);
+  cells_within(costs.grid, to, goal_radius_m, targets_);
   take_room(costs, *start);
   const Clearance least = widest_.between(costs.grid, room_, *start, targets_);
   if (least == Clearance::kNone) return way_;
@@ -30,22 +28,6 @@ const std::vector<Vec2>& NeuralPath::find(const Costmap& costs, const Vec2& from
   landscape_.path(*start, cells_);
   for (const Cell& cell : cells_) way_.push_back(costs.grid.centre(cell));
   return way_;
-}
-
-void NeuralPath::take_targets(const Costmap& costs, const Vec2& to, double goal_radius_m) {
-  targets_.clear();
-  const Grid& grid = costs.grid;
-  const auto reach = static_cast<std::int32_t>(std::ceil(goal_radius_m / grid.cell_m));
-  const auto middle = grid.cell_at(to);
-  if (!middle) return;
-  for (std::int32_t rows = -reach; rows <= reach; ++rows) {
-    for (std::int32_t columns = -reach; columns <= reach; ++columns) {
-      const Cell cell{middle->column + columns, middle->row + rows};
-      if (grid.contains(cell) && core::length(grid.centre(cell) - to) <= goal_radius_m) {
-        targets_.push_back(cell);
-      }
-    }
-  }
 }
 
 void NeuralPath::take_room(const Costmap& costs, const Cell& start) {

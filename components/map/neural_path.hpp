@@ -23,7 +23,6 @@ class NeuralPath final : public PathSearch {
                                 double goal_radius_m) override;
 
  private:
-  void take_targets(const Costmap& costs, const Vec2& to, double goal_radius_m);
   void take_room(const Costmap& costs, const Cell& start);
 
   Bottleneck widest_;

@@ -13,9 +13,8 @@ class PathSearch {
  public:
   virtual ~PathSearch() = default;
 
-  /// A way from the cell of `from` to a cell whose middle is within `goal_radius_m` of `to`, both
-  /// included, in neighbouring cells' middles; empty if there is none. Both places lie within the
-  /// grid.
+  /// A way from the middle of the cell of `from` to that of a cell within `goal_radius_m` of `to`,
+  /// in short steps from place to place; empty if there is none. Both places lie within the grid.
   virtual const std::vector<Vec2>& find(const Costmap& costs, const Vec2& from, const Vec2& to,
                                         double goal_radius_m) = 0;
 };

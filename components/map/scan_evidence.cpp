@@ -84,8 +84,12 @@ void ScanEvidence::mark_arc(const core::Pose2& pose, double distance_m, double b
                             double width_rad, SeenMap& seen) const {
   const double most_apart_m = 0.5 * seen.cell_m();
   const auto pieces = static_cast<std::size_t>(std::ceil(width_rad * distance_m / most_apart_m));
+  if (pieces == 0) {  // a ray
+    seen.mark_hit(pose.position() + distance_m * core::direction(bearing_rad - 0.5 * width_rad));
+    return;
+  }
   const auto place = [&](std::size_t i) -> Vec2 {
-    const double share = pieces == 0 ? 0.0 : static_cast<double>(i) / static_cast<double>(pieces);
+    const double share = static_cast<double>(i) / static_cast<double>(pieces);
     return pose.position() + distance_m * core::direction(bearing_rad + (share - 0.5) * width_rad);
   };
   std::size_t first = pieces + 1;
@@ -100,9 +104,8 @@ void ScanEvidence::mark_arc(const core::Pose2& pose, double distance_m, double b
     first = 0;
     last = pieces;
   }
-  const double spread_m = pieces == 0 ? 0.0
-                                      : static_cast<double>(last - first) /
-                                            static_cast<double>(pieces) * width_rad * distance_m;
+  const double spread_m =
+      static_cast<double>(last - first) / static_cast<double>(pieces) * width_rad * distance_m;
   if (spread_m <= parameters_.hit_spread_m) {
     seen.mark_hit(place((first + last) / 2));
     return;

@@ -69,6 +69,11 @@ class SeenMap {
   template <typename Predicate>
   bool find(Mark mark, const Vec2& least, const Vec2& most, Predicate&& is_it) const;
 
+  /// The same, of the tiles for which `may_be_in(middle)` of the tile is true.
+  template <typename TilePredicate, typename Predicate>
+  bool find(Mark mark, const Vec2& least, const Vec2& most, TilePredicate&& may_be_in,
+            Predicate&& is_it) const;
+
   /// From a place to the nearest point of a tile; 0 within it.
   double distance_m(const TileKey& key, const Vec2& place) const;
 
@@ -113,6 +118,13 @@ void SeenMap::for_each(Mark mark, const Vec2& least, const Vec2& most, Visit&& v
 
 template <typename Predicate>
 bool SeenMap::find(Mark mark, const Vec2& least, const Vec2& most, Predicate&& is_it) const {
+  return find(
+      mark, least, most, [](const Vec2&) { return true; }, is_it);
+}
+
+template <typename TilePredicate, typename Predicate>
+bool SeenMap::find(Mark mark, const Vec2& least, const Vec2& most, TilePredicate&& may_be_in,
+                   Predicate&& is_it) const {
   const TileKey first(tile_number(least.x()) - 1, tile_number(least.y()) - 1);
   const TileKey last(tile_number(most.x()) + 1, tile_number(most.y()) + 1);
   auto at = state_.tiles.lower_bound(first);
@@ -123,7 +135,8 @@ bool SeenMap::find(Mark mark, const Vec2& least, const Vec2& most, Predicate&& i
     } else if (key.second > last.second) {
       at = state_.tiles.lower_bound({key.first + 1, first.second});
     } else {
-      if (find_in(key, tile, mark, least, most, is_it)) return true;
+      const Vec2 middle = tile_m() * Vec2(key.first + 0.5, key.second + 0.5);
+      if (may_be_in(middle) && find_in(key, tile, mark, least, most, is_it)) return true;
       ++at;
     }
   }

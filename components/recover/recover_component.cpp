@@ -88,7 +88,8 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
                             target_odom,
                             state_.virtual_target_odom.value_or(target_odom),
                             target.radius_m,
-                            parts_.local_map ? &*parts_.local_map : nullptr};
+                            parts_.local_map ? &*parts_.local_map : nullptr,
+                            &path_finders_};
   pursued_odom_ = situation.pursued_odom;
   auto& guidance = outputs.get<Guidance>();
   auto& event = outputs.get<Event>();

@@ -92,6 +92,7 @@ class RecoverComponent final : public runtime::Component {
 
   Parts parts_;
   State state_;
+  map::PathFinders path_finders_;                 // scratch: shared by the behaviours
   core::Vec2 pursued_odom_ = core::Vec2::Zero();  // scratch: of the last step
 };
 

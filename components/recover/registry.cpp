@@ -71,7 +71,7 @@ runtime::Registry<Escape>& escapes() {
           "clear, spin, wait, back up, one after another (Nav2's default behaviour tree)"),
       runtime::registration<Escape, RememberedMap>(
           "remembered_map",
-          "a path on the local map, by a neural map (ours, after Lagoudakis & Maida 1999)"),
+          "a path of least cost on the local map, repaired as more is seen (ours)"),
       runtime::registration<Escape, RememberedAStar>(
           "remembered_astar",
           "a path on the local map, by replanning A* (Hart, Nilsson & Raphael 1968)"),

@@ -20,13 +20,14 @@ struct Situation {
   double target_radius_m = 0.0;  ///< arrival within this distance of the mission's
   /// All that was seen, this tick included; null if no behaviour reads_local_map().
   const map::LocalMap* local_map = nullptr;
+  map::PathFinders* path_finders = nullptr;  ///< over that map
 
   const core::Pose2& pose() const { return odometry.pose_odom_robot; }
   double target_bearing_rad() const { return core::bearing_rad(pose(), target_odom); }
   double target_distance_m() const { return core::distance_m(pose(), target_odom); }
   /// The path to the mission's target over what was seen; with a local map only.
   map::PathRequest path_request() const {
-    return {tick, pose().position(), target_odom, target_radius_m, *local_map};
+    return {tick, pose().position(), target_odom, target_radius_m, *local_map, path_finders};
   }
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recover/detectors/map_detour.hpp"
 
-#include "map/astar.hpp"
 #include "scan/certain_block.hpp"
 
 namespace clew::recover {
@@ -15,7 +14,7 @@ MapDetour::MapDetour(const Parameters& parameters, const domain::BehaviourSetup&
     : parameters_(parameters),
       tick_s_(setup.tick_s),
       radius_m_(setup.robot.radius_m),
-      path_(parameters.path, setup.robot.radius_m, setup.tick_s, std::make_unique<map::AStar>()) {}
+      path_(parameters.path, setup.robot.radius_m, setup.tick_s) {}
 
 std::optional<TrapEvidence> MapDetour::observe(const Situation& situation) {
   TrapEvidence evidence;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "map/astar.hpp"
-
 namespace clew::recover {
 namespace {
 
@@ -19,7 +17,7 @@ CutProof::CutProof(double proof_s, const map::LocalPathParameters& path,
     : proof_s_(proof_s),
       tick_s_(setup.tick_s),
       replan_ticks_(static_cast<std::uint64_t>(std::ceil(kSeek_s / setup.tick_s))),
-      path_(path, setup.robot.radius_m, setup.tick_s, std::make_unique<map::AStar>()) {}
+      path_(path, setup.robot.radius_m, setup.tick_s) {}
 
 /// That of before; with the first tick it takes over what was loaded.
 map::LocalMap& CutProof::seen(const Situation& situation) {

@@ -141,10 +141,13 @@ void MapFollowing::load(core::StateReader& reader) {
 
 core::Result<std::unique_ptr<RememberedMap>> RememberedMap::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
-  auto landscape = map::NeuralMap::create({});
-  if (!landscape.ok()) return landscape.error();
-  return std::make_unique<RememberedMap>(
-      parameters, setup, std::make_unique<map::NeuralPath>(std::move(landscape).value()));
+  std::unique_ptr<map::PathSearch> search;  // null: of least cost
+  if (parameters.search == PathBy::kNeural) {
+    auto landscape = map::NeuralMap::create({});
+    if (!landscape.ok()) return landscape.error();
+    search = std::make_unique<map::NeuralPath>(std::move(landscape).value());
+  }
+  return std::make_unique<RememberedMap>(parameters.following, setup, std::move(search));
 }
 
 core::Result<std::unique_ptr<RememberedAStar>> RememberedAStar::create(

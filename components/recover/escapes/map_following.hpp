@@ -92,10 +92,27 @@ class MapFollowing : public Escape {
   State state_;
 };
 
-/// The escape with paths on the neural map of Lagoudakis & Maida 1999.
+/// By what paths are sought.
+enum class PathBy : std::uint8_t { kDistance, kNeural };
+
+struct RememberedMapParameters {
+  MapFollowingParameters following;
+  PathBy search = PathBy::kDistance;
+};
+
+template <typename Visitor>
+void visit_parameters(Visitor& visit, RememberedMapParameters& p) {
+  visit.choice("search", p.search, {{"distance", PathBy::kDistance}, {"neural", PathBy::kNeural}},
+               "paths of least cost, repaired as more is seen; or those of the neural map of "
+               "Lagoudakis & Maida 1999, made anew each time");
+  visit_parameters(visit, p.following);
+}
+
+/// The escape with repaired paths of least cost, or with those of the neural map.
 class RememberedMap final : public MapFollowing {
  public:
   using MapFollowing::MapFollowing;
+  using Parameters = RememberedMapParameters;
   static core::Result<std::unique_ptr<RememberedMap>> create(const Parameters& parameters,
                                                              const domain::BehaviourSetup& setup);
 };

@@ -65,12 +65,15 @@ MapFollowing::Parameters patient() {
   return parameters;
 }
 
-/// Both searches, which share all but the search.
-class RememberedWayTest : public ::testing::TestWithParam<bool> {
+enum class Search { kDistance, kNeural, kAStar };
+
+/// All searches, which share all but the search.
+class RememberedWayTest : public ::testing::TestWithParam<Search> {
  protected:
   std::unique_ptr<Escape> make(const MapFollowing::Parameters& parameters = patient()) const {
-    if (GetParam()) return RememberedMap::create(parameters, setup()).value();
-    return RememberedAStar::create(parameters, setup()).value();
+    if (GetParam() == Search::kAStar) return RememberedAStar::create(parameters, setup()).value();
+    const PathBy by = GetParam() == Search::kNeural ? PathBy::kNeural : PathBy::kDistance;
+    return RememberedMap::create({parameters, by}, setup()).value();
   }
   Answer step(Escape& escape, const Scene& scene) {
     return memory_.step(escape, scene.situation());
@@ -258,8 +261,13 @@ TEST_P(RememberedWayTest, GoesOnTheSameAfterSavingAndLoading) {
   EXPECT_EQ(a.guidance.target_y_m, b.guidance.target_y_m);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, RememberedWayTest, ::testing::Values(true, false),
-                         [](const auto& test) { return test.param ? "Map" : "AStar"; });
+INSTANTIATE_TEST_SUITE_P(All, RememberedWayTest,
+                         ::testing::Values(Search::kDistance, Search::kNeural, Search::kAStar),
+                         [](const auto& test) {
+                           return test.param == Search::kDistance ? "Distance"
+                                  : test.param == Search::kNeural ? "Neural"
+                                                                  : "AStar";
+                         });
 
 TEST(MapDetour, IsQuietWhereTheWayKnownIsStraight) {
   MapDetour detector({}, setup());

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "map/distance_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/check.hpp"
+
+namespace clew::map {
+namespace {
+
+constexpr std::uint32_t kWeightOfOne = 4;
+// A path of 10 km through the dearest cells costs less than kNone.
+constexpr float kMostWeight = 1000.0F;
+// Keys grow as the start moves; before they reach the last bucket, all is made anew.
+constexpr std::uint32_t kMostMoved = 1U << 20;
+
+/// A step from a block to a neighbour, and which cells of the two touch. Cell 1 of a block lies
+/// right of cell 0, and 2 and 3 above them.
+struct BlockStep {
+  std::int32_t columns;
+  std::int32_t rows;
+  std::uint32_t length;
+  std::uint8_t own;
+  std::uint8_t other;
+};
+constexpr std::array<BlockStep, 8> kBlockSteps = {{{1, 0, 12, 0b1010, 0b0101},
+                                                   {1, 1, 17, 0b1000, 0b0001},
+                                                   {0, 1, 12, 0b1100, 0b0011},
+                                                   {-1, 1, 17, 0b0100, 0b0010},
+                                                   {-1, 0, 12, 0b0101, 0b1010},
+                                                   {-1, -1, 17, 0b0001, 0b1000},
+                                                   {0, -1, 12, 0b0011, 0b1100},
+                                                   {1, -1, 17, 0b0010, 0b0100}}};
+constexpr std::uint8_t kAllMembers = 0b1111;
+
+std::uint16_t weight_of(float cost) {
+  return static_cast<std::uint16_t>(
+      std::clamp(cost * kWeightOfOne + 0.5F, static_cast<float>(kWeightOfOne), kMostWeight));
+}
+
+Cell beside(const Cell& block, const BlockStep& step) {
+  return {block.column + step.columns, block.row + step.rows};
+}
+
+/// Calls `visit(step)` for each bit.
+template <typename Visit>
+void for_each_step(std::uint8_t steps, Visit&& visit) {
+  for (std::uint32_t left = steps; left != 0; left &= left - 1) {
+    visit(static_cast<std::size_t>(__builtin_ctz(left)));
+  }
+}
+
+}  // namespace
+
+void DistanceField::take_in(const Costmap& costs, const std::vector<Cell>& goals) {
+  changed_.clear();
+  const bool same_grid = costs.grid == grid_;
+  if (!same_grid) lay(costs.grid);
+  if (moved_ > kMostMoved) clear();
+  const bool follows = costs.revision == revision_ || costs.revision == revision_ + 1;
+  if (same_grid && costs.revision > 0 && follows) {
+    const auto columns = static_cast<std::uint32_t>(grid_.columns);
+    for (const std::size_t index : costs.changed) {
+      const auto cell = static_cast<std::uint32_t>(index);
+      take_block(costs, block_of({static_cast<std::int32_t>(cell % columns),
+                                  static_cast<std::int32_t>(cell / columns)}));
+    }
+  } else {
+    compare_all(costs);
+  }
+  revision_ = costs.revision;
+  set_goals(goals);
+  repair();
+}
+
+/// Lays what is known out for another grid. Blocks that only this one has are blocked as yet.
+void DistanceField::lay(const Grid& grid) {
+  const Grid before = blocks_;
+  const Vec2 shift = (grid.corner - grid_.corner) / grid.cell_m;
+  const bool lies_on = grid.cell_m == grid_.cell_m && std::llround(shift.x()) % 2 == 0 &&
+                       std::llround(shift.y()) % 2 == 0;
+  grid_ = grid;
+  blocks_.cell_m = 2.0 * grid.cell_m;
+  blocks_.corner = grid.corner - Vec2(blocks_.cell_m, blocks_.cell_m);
+  blocks_.columns = (grid.columns + 1) / 2 + 2;
+  blocks_.rows = (grid.rows + 1) / 2 + 2;
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    offsets_[i] =
+        static_cast<std::uint32_t>(kBlockSteps[i].rows * blocks_.columns + kBlockSteps[i].columns);
+  }
+  is_touched_.assign(blocks_.size(), 0);
+  if (lies_on && !nodes_.empty()) {
+    keep_laid_out(before);
+  } else {
+    nodes_.assign(blocks_.size(), {});
+    goals_.clear();
+    clear();
+  }
+}
+
+/// Moves blocks to where they lie now.
+void DistanceField::keep_laid_out(const Grid& before) {
+  lay_out_anew(before, blocks_, Node{}, nodes_, spare_);
+  const Vec2 shift = (blocks_.corner - before.corner) / blocks_.cell_m;
+  const auto right = static_cast<std::int32_t>(std::llround(shift.x()));
+  const auto up = static_cast<std::int32_t>(std::llround(shift.y()));
+  for (Cell& goal : goals_) goal = {goal.column - 2 * right, goal.row - 2 * up};
+  start_ = {start_.column - right, start_.row - up};
+  queue_.clear();
+  for (std::uint32_t place = 0; place < nodes_.size(); ++place) {
+    nodes_[place].queued = kNotQueued;
+    queue(place, block_at(place));
+  }
+}
+
+/// Forgets all distances; costs and goals stay.
+void DistanceField::clear() {
+  queue_.clear();
+  moved_ = 0;
+  for (Node& node : nodes_) {
+    node.distance = kNone;
+    node.look_ahead = node.is_goal() ? 0 : kNone;
+    node.queued = kNotQueued;
+  }
+  for (const Cell& goal : goals_) {
+    if (grid_.contains(goal)) queue(at(block_of(goal)), block_of(goal));
+  }
+}
+
+void DistanceField::compare_all(const Costmap& costs) {
+  for (std::int32_t row = 0; row < blocks_.rows; ++row) {
+    for (std::int32_t column = 0; column < blocks_.columns; ++column) {
+      take_block(costs, {column, row});
+    }
+  }
+}
+
+/// Takes the costs of a block's cells over; those in the border are blocked.
+void DistanceField::take_block(const Costmap& costs, const Cell& block) {
+  const Cell first{2 * (block.column - 1), 2 * (block.row - 1)};
+  float sum = 0.0F;
+  float count = 0.0F;
+  unsigned members = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    const Cell cell{first.column + static_cast<std::int32_t>(i % 2),
+                    first.row + static_cast<std::int32_t>(i / 2)};
+    if (!grid_.contains(cell)) continue;
+    const float cost = costs.cost[grid_.index(cell)];
+    if (cost == Costmap::kBlocked) continue;
+    sum += cost;
+    count += 1.0F;
+    members |= 1U << i;
+  }
+  const std::uint16_t weight = members == 0 ? std::uint16_t{0} : weight_of(sum / count);
+  const std::uint32_t place = at(block);
+  Node& node = nodes_[place];
+  if (node.weight == weight && (node.members & kAllMembers) == members) return;
+  node.weight = weight;
+  node.members = static_cast<std::uint8_t>((node.members & ~unsigned{kAllMembers}) | members);
+  changed_.push_back(place);
+}
+
+void DistanceField::set_goals(const std::vector<Cell>& goals) {
+  if (goals == goals_) return;
+  const auto bit_of = [](const Cell& goal) {
+    return 1U << (4 + goal.column % 2 + 2 * (goal.row % 2));
+  };
+  for (Node& node : nodes_) node.members &= kAllMembers;
+  goals_ = goals;
+  for (const Cell& goal : goals_) {
+    if (!grid_.contains(goal)) continue;
+    Node& node = nodes_[at(block_of(goal))];
+    node.members = static_cast<std::uint8_t>(node.members | bit_of(goal));
+  }
+  // Nearly all distances are others.
+  clear();
+}
+
+/// Takes over what has changed, for the blocks themselves and for their neighbours.
+void DistanceField::repair() {
+  touched_.clear();
+  const auto touch = [&](std::uint32_t place) {
+    if (place >= nodes_.size() || is_touched_[place] != 0) return;
+    is_touched_[place] = 1;
+    touched_.push_back(place);
+  };
+  for (const std::uint32_t place : changed_) {
+    touch(place);
+    for (const std::uint32_t offset : offsets_) touch(place + offset);
+  }
+  for (const std::uint32_t place : touched_) {
+    is_touched_[place] = 0;
+    nodes_[place].open = open_steps(place);
+  }
+  for (const std::uint32_t place : touched_) {
+    nodes_[place].look_ahead = best_look_ahead(place);
+    queue(place, block_at(place));
+  }
+}
+
+/// Blocks of the border have no cells that are not blocked.
+std::uint8_t DistanceField::open_steps(std::uint32_t at) const {
+  const Node& node = nodes_[at];
+  if (node.weight == 0) return 0;
+  unsigned open = 0;
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    const BlockStep& step = kBlockSteps[i];
+    const bool leads =
+        (node.members & step.own) != 0 && (nodes_[at + offsets_[i]].members & step.other) != 0;
+    open |= (leads ? 1U : 0U) << i;
+  }
+  return static_cast<std::uint8_t>(open);
+}
+
+std::uint32_t DistanceField::best_look_ahead(std::uint32_t at) const {
+  const Node& node = nodes_[at];
+  if (node.is_goal()) return 0;
+  std::uint32_t best = kNone;
+  for_each_step(node.open, [&](std::size_t i) {
+    const Node& next = nodes_[at + offsets_[i]];
+    // Not below kNone where the neighbour has no distance.
+    const std::uint32_t weights = std::uint32_t{node.weight} + next.weight;
+    best = std::min(best, next.distance + kBlockSteps[i].length * weights);
+  });
+  return best;
+}
+
+std::uint32_t DistanceField::settle(const Cell& start) {
+  start_cell_ = start;
+  const Cell block = block_of(start);
+  moved_ += estimate(start_, block);
+  start_ = block;
+  const Node& here = nodes_[at(block)];
+  if (here.weight == 0) return kNone;
+  while (const auto waiting = queue_.take_up_to(here.look_ahead + moved_)) {
+    Node& node = nodes_[waiting->who];
+    if (node.queued != waiting->key) continue;
+    node.queued = kNotQueued;
+    if (node.distance == node.look_ahead) continue;
+    const Cell next = block_at(waiting->who);
+    // The start has moved since.
+    if (BucketQueue::is_later(key(node, next), waiting->key)) {
+      queue(waiting->who, next);
+    } else {
+      expand(waiting->who, next);
+    }
+  }
+  return here.look_ahead;
+}
+
+void DistanceField::expand(std::uint32_t at, const Cell& block) {
+  Node& node = nodes_[at];
+  const std::uint32_t before = node.distance;
+  if (before > node.look_ahead) {
+    node.distance = node.look_ahead;
+    lower_around(at, block);
+  } else {
+    node.distance = kNone;
+    raise_around(at, block, before);
+    queue(at, block);
+  }
+}
+
+/// A block's distance fell: its neighbours' may.
+void DistanceField::lower_around(std::uint32_t at, const Cell& block) {
+  const Node node = nodes_[at];
+  for_each_step(node.open, [&](std::size_t i) {
+    const std::uint32_t near = at + offsets_[i];
+    Node& next = nodes_[near];
+    const std::uint32_t weights = std::uint32_t{node.weight} + next.weight;
+    const std::uint32_t offered = node.distance + kBlockSteps[i].length * weights;
+    if (offered >= next.look_ahead) return;
+    next.look_ahead = offered;
+    queue(near, beside(block, kBlockSteps[i]));
+  });
+}
+
+/// A block's distance, which was `before`, is void: that of neighbours which led over it, too.
+void DistanceField::raise_around(std::uint32_t at, const Cell& block, std::uint32_t before) {
+  const Node node = nodes_[at];
+  for_each_step(node.open, [&](std::size_t i) {
+    const std::uint32_t near = at + offsets_[i];
+    Node& next = nodes_[near];
+    const std::uint32_t weights = std::uint32_t{node.weight} + next.weight;
+    if (next.look_ahead != before + kBlockSteps[i].length * weights) return;
+    next.look_ahead = best_look_ahead(near);
+    queue(near, beside(block, kBlockSteps[i]));
+  });
+}
+
+/// A block that is not settled waits, with the least of its keys.
+void DistanceField::queue(std::uint32_t at, const Cell& block) {
+  Node& node = nodes_[at];
+  if (node.distance == node.look_ahead) return;
+  const std::uint32_t with = key(node, block);
+  if (with >= node.queued) return;
+  node.queued = with;
+  queue_.push({with, at});
+}
+
+/// A path from the start over that block costs at least this, but for moved_.
+std::uint32_t DistanceField::key(const Node& node, const Cell& block) const {
+  return std::min(node.distance, node.look_ahead) + estimate(start_, block) + moved_;
+}
+
+std::uint32_t DistanceField::estimate(const Cell& from, const Cell& to) const {
+  const auto columns = static_cast<std::uint32_t>(std::abs(to.column - from.column));
+  const auto rows = static_cast<std::uint32_t>(std::abs(to.row - from.row));
+  const auto [less, more] = std::minmax(columns, rows);
+  return 2 * kWeightOfOne * (kBlockSteps[1].length * less + kBlockSteps[0].length * (more - less));
+}
+
+/// The middle of the cheapest of some cells of a block, one of which is not blocked.
+Vec2 DistanceField::place_in(const Costmap& costs, std::uint32_t at, std::uint8_t of) const {
+  const Cell block = block_at(at);
+  const unsigned members = nodes_[at].members & of;
+  Cell cheapest;
+  float least = std::numeric_limits<float>::infinity();
+  for (unsigned i = 0; i < 4; ++i) {
+    if ((members >> i & 1U) == 0) continue;
+    const Cell cell{2 * (block.column - 1) + static_cast<std::int32_t>(i % 2),
+                    2 * (block.row - 1) + static_cast<std::int32_t>(i / 2)};
+    const float cost = costs.cost[grid_.index(cell)];
+    if (cost >= least) continue;
+    least = cost;
+    cheapest = cell;
+  }
+  return grid_.centre(cheapest);
+}
+
+void DistanceField::path(const Costmap& costs, std::vector<Vec2>& places) const {
+  places.clear();
+  std::uint32_t here = at(block_of(start_cell_));
+  if (nodes_[here].look_ahead == kNone) return;
+  const auto add = [&](const Vec2& place) {
+    if (places.empty() || places.back() != place) places.push_back(place);
+  };
+  const auto is_free = [&](std::uint32_t at) {
+    return (nodes_[at].members & kAllMembers) == kAllMembers;
+  };
+  add(grid_.centre(start_cell_));
+  while (nodes_[here].distance > 0) {
+    const std::size_t i = best_step(here);
+    const BlockStep& step = kBlockSteps[i];
+    const std::uint32_t next = here + offsets_[i];
+    if (!is_free(here)) add(place_in(costs, here, step.own));
+    add(is_free(next) ? blocks_.centre(block_at(next)) : place_in(costs, next, step.other));
+    here = next;
+  }
+  add(place_in(costs, here, static_cast<std::uint8_t>(nodes_[here].members >> 4)));
+}
+
+std::size_t DistanceField::best_step(std::uint32_t at) const {
+  const Node& node = nodes_[at];
+  std::uint32_t best = kNone;
+  std::size_t best_step = 0;
+  for_each_step(node.open, [&](std::size_t i) {
+    const Node& next = nodes_[at + offsets_[i]];
+    const std::uint32_t weights = std::uint32_t{node.weight} + next.weight;
+    const std::uint32_t over = next.distance + kBlockSteps[i].length * weights;
+    if (over >= best) return;
+    best = over;
+    best_step = i;
+  });
+  CLEW_CHECK(best == node.distance, "a path that is not settled");
+  return best_step;
+}
+
+}  // namespace clew::map

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "map/bucket_queue.hpp"
+#include "map/costmap.hpp"
+
+namespace clew::map {
+
+/// The least cost of a path to a set of goals, over blocks of two by two cells of a grid, repaired
+/// where costs have changed: LPA* from the goals, with the keys of a start that moves (Koenig &
+/// Likhachev 2002, "D* Lite").
+///
+/// A block costs the mean of those of its cells that are not blocked. A step leads to one of eight
+/// neighbours if a cell of the one block touches a cell of the other and neither is blocked. As all
+/// four cells of a block touch each other, blocks are connected exactly where their cells are: no
+/// path over blocks means no path over cells, and the other way round.
+///
+/// A step costs its length times the mean of both costs, as a whole number: costs count in
+/// quarters, a straight step 12 times the sum of both, a diagonal one 17 times. With whole numbers,
+/// the least cost is one, whatever was repaired in which order. So distances and paths are, to the
+/// bit, those of a new field.
+///
+/// *Deviations* from D* Lite. It stops when the start is settled; here every block is settled
+/// through which a best path from the start may lead, so which of several equally good ones path()
+/// takes depends on the costs alone. And blocks wait in buckets of keys, not in a heap.
+///
+/// 16 bytes a block.
+class DistanceField {
+ public:
+  /// Of a path there is none of.
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::int32_t>::max();
+
+  /// Sets costs and goals. Goals that are blocked or outside the grid do not count. Repairs the
+  /// blocks that changed, if the costs say which, and compares all otherwise.
+  void take_in(const Costmap& costs, const std::vector<Cell>& goals);
+
+  /// The least cost from the block of a cell, in 1/96 of a block that costs 1; kNone if there is no
+  /// path. The cell lies within the grid.
+  std::uint32_t settle(const Cell& start);
+
+  /// A path of least cost from the settled start to a goal, both included; no places if there is
+  /// none. It leads over the middles of blocks without a blocked cell, and elsewhere from cell to
+  /// touching cell. At each block it takes the first of equally good steps, counter-clockwise from
+  /// that along x.
+  void path(const Costmap& costs, std::vector<Vec2>& places) const;
+
+ private:
+  static constexpr std::uint32_t kNotQueued = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::size_t kSteps = 8;
+
+  struct Node {
+    std::uint32_t distance = kNone;     ///< g
+    std::uint32_t look_ahead = kNone;   ///< rhs: over the best neighbour
+    std::uint32_t queued = kNotQueued;  ///< the least key that it waits with
+    std::uint16_t weight = 0;           ///< cost in quarters; 0: blocked
+    std::uint8_t members = 0;           ///< bit i: cell i is not blocked; bit 4 + i: it is a goal
+    std::uint8_t open = 0;              ///< bit i: step i leads somewhere
+
+    bool is_goal() const { return (members & members >> 4) != 0; }
+  };
+
+  void lay(const Grid& grid);
+  void keep_laid_out(const Grid& before);
+  void clear();
+  void compare_all(const Costmap& costs);
+  void take_block(const Costmap& costs, const Cell& block);
+  void set_goals(const std::vector<Cell>& goals);
+  void repair();
+  std::uint8_t open_steps(std::uint32_t at) const;
+  std::uint32_t best_look_ahead(std::uint32_t at) const;
+  void expand(std::uint32_t at, const Cell& block);
+  void lower_around(std::uint32_t at, const Cell& block);
+  void raise_around(std::uint32_t at, const Cell& block, std::uint32_t before);
+  void queue(std::uint32_t at, const Cell& block);
+  std::uint32_t key(const Node& node, const Cell& block) const;
+  std::uint32_t estimate(const Cell& from, const Cell& to) const;
+  std::size_t best_step(std::uint32_t at) const;
+  Vec2 place_in(const Costmap& costs, std::uint32_t at, std::uint8_t of) const;
+
+  std::uint32_t at(const Cell& block) const {
+    return static_cast<std::uint32_t>(blocks_.index(block));
+  }
+  Cell block_at(std::uint32_t at) const {
+    const auto stride = static_cast<std::uint32_t>(blocks_.columns);
+    return {static_cast<std::int32_t>(at % stride), static_cast<std::int32_t>(at / stride)};
+  }
+  static Cell block_of(const Cell& cell) { return {cell.column / 2 + 1, cell.row / 2 + 1}; }
+
+  Grid grid_;                                    // of the cells
+  Grid blocks_;                                  // with a border of one blocked block
+  std::array<std::uint32_t, kSteps> offsets_{};  // of the neighbours; those below wrap around
+  std::uint64_t revision_ = 0;                   // of the costs that are taken in
+  std::vector<Node> nodes_;
+  std::vector<Node> spare_;
+  std::vector<Cell> goals_;
+  std::vector<std::uint32_t> changed_;  // blocks whose cost or cells are others
+  std::vector<std::uint32_t> touched_;  // those and their neighbours
+  std::vector<std::uint8_t> is_touched_;
+  BucketQueue queue_;  // a block may wait more than once
+  Cell start_cell_;
+  Cell start_;               // its block
+  std::uint32_t moved_ = 0;  // km: the sum of the estimates from start to start
+};
+
+}  // namespace clew::map
