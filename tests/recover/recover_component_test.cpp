@@ -81,10 +81,10 @@ class RecoverComponentTest : public ::testing::Test {
   RecoverComponentTest() {
     make_component();
     for (const Topic topic : {Topic::kOdometry, Topic::kScan, Topic::kTarget, Topic::kLandmark}) {
-      inputs_.set(static_cast<std::size_t>(topic));
+      inputs_.set(index_of(topic));
     }
     for (const Topic topic : {Topic::kGuidance, Topic::kEvent}) {
-      outputs_.set(static_cast<std::size_t>(topic));
+      outputs_.set(index_of(topic));
     }
   }
 

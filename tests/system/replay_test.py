@@ -11,7 +11,7 @@ from clew_command import (ASAN_CLEW, DEBUG_CLEW, SOAK, SOURCE, THIRD_PARTY, Run,
 
 CHANGE = ["--set", "control.guard_turn_deg=20"]  # matters in the comb, from tick 50 on
 
-OTHER_BUILDS = [DEBUG_CLEW, ASAN_CLEW] if SOAK else [DEBUG_CLEW]
+OTHER_BUILDS = [ASAN_CLEW, DEBUG_CLEW] if SOAK else [ASAN_CLEW]
 
 
 class Recordings(unittest.TestCase):
