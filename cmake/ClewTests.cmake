@@ -31,8 +31,11 @@ function(clew_test name)
       TIMEOUT 300 LABELS "${ARG_LABELS}")
   else()
     # ThreadSanitizer's shadow memory fits no layout with as much randomness as new kernels give.
-    add_test(NAME unit.${name} COMMAND $<$<STREQUAL:${CLEW_SANITIZE},thread>:setarch;-R>
-      $<TARGET_FILE:clew_${name}_test> --gtest_brief=1 COMMAND_EXPAND_LISTS)
+    set(start)
+    if(CLEW_SANITIZE STREQUAL "thread")
+      set(start setarch -R)
+    endif()
+    add_test(NAME unit.${name} COMMAND ${start} $<TARGET_FILE:clew_${name}_test> --gtest_brief=1)
     set_tests_properties(unit.${name} PROPERTIES TIMEOUT 900 LABELS "${ARG_LABELS}")
   endif()
 endfunction()
