@@ -45,9 +45,12 @@ set(CMAKE_C_FLAGS_RELWITHDEBINFO "-O2 -g")
 set(CLEW_SANITIZE "" CACHE STRING "Sanitizers, as in -fsanitize=")
 if(CLEW_SANITIZE)
   # A sanitizer's report needs lines only, and its suite runs whole missions.
-  set(CMAKE_CXX_FLAGS_DEBUG "-Og -g1")
-  set(CMAKE_C_FLAGS_DEBUG "-Og -g1")
+  set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
+  set(CMAKE_C_FLAGS_DEBUG "-O1 -g1")
   add_compile_options(-fsanitize=${CLEW_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  # A null pointer traps by itself, and x86 reads what is not aligned; these checks take a third of the
+  # time to compile.
+  add_compile_options(-fno-sanitize=null,alignment,vptr,object-size)
   add_link_options(-fsanitize=${CLEW_SANITIZE})
 endif()
 

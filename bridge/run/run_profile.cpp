@@ -48,7 +48,7 @@ double Durations::quantile_us(double share) const {
 RunProfile::RunProfile(const std::vector<Writer>& writers) {
   for (const Writer& writer : writers) {
     for (const domain::Topic topic : writer.topics) {
-      writer_[static_cast<std::size_t>(topic)] = rows_.size();
+      writer_[index_of(topic)] = rows_.size();
     }
     rows_.push_back({writer.name, {}});
   }
@@ -66,7 +66,7 @@ void RunProfile::begin_tick(std::uint64_t tick, Clock::time_point now) {
 }
 
 void RunProfile::begin_sample(domain::Topic topic, Clock::time_point now) {
-  spend(writer_[static_cast<std::size_t>(topic)], now);
+  spend(writer_[index_of(topic)], now);
 }
 
 void RunProfile::end_sample(Clock::time_point now) { spend(rows_.size() - 2, now); }

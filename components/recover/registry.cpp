@@ -22,7 +22,7 @@ namespace clew::recover {
 
 runtime::Registry<TrapDetector>& detectors() {
   static const runtime::TopicSet landmark =
-      runtime::TopicSet().set(static_cast<std::size_t>(domain::Topic::kLandmark));
+      runtime::TopicSet().set(index_of(domain::Topic::kLandmark));
   static runtime::Registry<TrapDetector> registry = {
       runtime::registration<TrapDetector, LandmarkRevisit>(
           "landmark_revisit",

@@ -229,7 +229,7 @@ const GraphStage* Graph::find(const std::string& stage) const {
 
 const GraphStage* Graph::writer_of(Topic topic) const {
   for (const GraphStage& stage : stages) {
-    if (stage.ports.outputs[static_cast<std::size_t>(topic)]) return &stage;
+    if (stage.ports.outputs[index_of(topic)]) return &stage;
   }
   return nullptr;
 }
@@ -237,7 +237,7 @@ const GraphStage* Graph::writer_of(Topic topic) const {
 std::vector<const GraphStage*> Graph::readers_of(Topic topic) const {
   std::vector<const GraphStage*> readers;
   for (const GraphStage& stage : stages) {
-    if (stage.ports.all_inputs()[static_cast<std::size_t>(topic)]) readers.push_back(&stage);
+    if (stage.ports.all_inputs()[index_of(topic)]) readers.push_back(&stage);
   }
   return readers;
 }

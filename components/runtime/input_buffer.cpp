@@ -56,9 +56,9 @@ TopicSet InputBuffer::take(domain::Messages& messages) {
   Slot& slot = slot_of(next_tick_);
   const TopicSet present = slot.present;
   for (Topic topic : domain::kAllTopics) {
-    if (!present[static_cast<std::size_t>(topic)]) continue;
+    if (!present[index_of(topic)]) continue;
     domain::visit_topic(topic, [&](auto constant) {
-      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      constexpr auto kIndex = index_of(decltype(constant)::value);
       std::swap(std::get<kIndex>(messages), std::get<kIndex>(slot.messages));
     });
   }

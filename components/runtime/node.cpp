@@ -35,7 +35,7 @@ Node::Node(std::string name, NodePorts ports, std::unique_ptr<Component> compone
 void Node::step(std::uint64_t tick, const TopicSet& present, domain::Messages& messages) {
   for (Topic topic : ports_.output_order) {
     domain::visit_topic(topic, [&](auto constant) {
-      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      constexpr auto kIndex = index_of(decltype(constant)::value);
       auto& message = std::get<kIndex>(messages);
       domain::reset(message);
       message.stamp = {tick, static_cast<double>(tick) * tick_s_, next_sequence_[kIndex]++};

@@ -44,17 +44,17 @@ class ControlComponentTest : public ::testing::Test {
     guidance().target_x_m = 3.0;
     std::get<domain::Target>(messages_).x_m = 7.0;
     for (const Topic topic : {Topic::kOdometry, Topic::kScan, Topic::kGuidance, Topic::kTarget}) {
-      inputs_.set(static_cast<std::size_t>(topic));
+      inputs_.set(index_of(topic));
     }
-    command_.set(static_cast<std::size_t>(Topic::kCommand));
+    command_.set(index_of(Topic::kCommand));
   }
 
   domain::Guidance& guidance() { return std::get<domain::Guidance>(messages_); }
 
   domain::Motion step(bool guided = true) {
     runtime::TopicSet present = inputs_;
-    present.set(static_cast<std::size_t>(Topic::kGuidance), guided);
-    present.set(static_cast<std::size_t>(Topic::kTarget), !guided);
+    present.set(index_of(Topic::kGuidance), guided);
+    present.set(index_of(Topic::kTarget), !guided);
     std::get<domain::Command>(messages_) = {};
     runtime::TickOutputs outputs(messages_, command_);
     component_->step({messages_, inputs_, present, 0}, outputs);

@@ -31,9 +31,9 @@ class DriveRun {
     setup.max_ticks = max_ticks;
     component_.emplace(std::make_unique<TurnThenStep>(TurnThenStepParameters{}, 0.3),
                        SafetyParameters{safety, 0.005}, drift, arrival, setup);
-    command_.set(static_cast<std::size_t>(Topic::kCommand));
+    command_.set(index_of(Topic::kCommand));
     for (const Topic topic : {Topic::kState, Topic::kOdometry, Topic::kTarget}) {
-      outputs_.set(static_cast<std::size_t>(topic));
+      outputs_.set(index_of(topic));
     }
   }
 

@@ -41,8 +41,8 @@ class PlanStage : public ::testing::Test {
   }
   domain::Target target_of_tick_0() const {
     runtime::TopicSet inputs;
-    inputs.set(static_cast<std::size_t>(Topic::kOdometry));
-    inputs.set(static_cast<std::size_t>(Topic::kScan));
+    inputs.set(index_of(Topic::kOdometry));
+    inputs.set(index_of(Topic::kScan));
     runtime::Node node("plan", runtime::resolve_ports(stage(), inputs),
                        stage().make(config_, setup_).value(), 0.3);
     domain::Messages messages;

@@ -84,10 +84,10 @@ class RecoverComponentTest : public ::testing::Test {
     make_component();
     for (const domain::Topic topic : {domain::Topic::kOdometry, domain::Topic::kScan,
                                       domain::Topic::kTarget, domain::Topic::kLandmark}) {
-      inputs_.set(static_cast<std::size_t>(topic));
+      inputs_.set(index_of(topic));
     }
     for (const domain::Topic topic : {domain::Topic::kGuidance, domain::Topic::kEvent}) {
-      outputs_.set(static_cast<std::size_t>(topic));
+      outputs_.set(index_of(topic));
     }
   }
 

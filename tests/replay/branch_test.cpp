@@ -120,7 +120,7 @@ class TakeOver {
   }
   std::string encode(Topic topic) {
     return domain::visit_topic(topic, [&](auto constant) {
-      constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+      constexpr auto kIndex = index_of(decltype(constant)::value);
       return std::string(std::get<kIndex>(codecs_).encode(std::get<kIndex>(messages_)));
     });
   }

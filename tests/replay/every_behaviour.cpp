@@ -20,9 +20,11 @@ std::vector<Behaviour> all_behaviours() {
   return all;
 }
 
-std::optional<runtime::RunPlan> plan_with(const Behaviour& behaviour, std::uint64_t max_ticks) {
-  const auto overrides =
+std::optional<runtime::RunPlan> plan_with(const Behaviour& behaviour, std::uint64_t max_ticks,
+                                          const std::string& world) {
+  auto overrides =
       changes({behaviour.stage + '.' + behaviour.part + '=' + behaviour.name}, {}, max_ticks);
+  if (!world.empty()) overrides.world = world;
   // In reverse, since the last ones are the papers' and the first two keep maps, which takes
   // longer.
   const auto graphs = shipped_configs().names("graphs");

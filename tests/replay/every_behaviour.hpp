@@ -21,7 +21,8 @@ struct Behaviour {
 std::vector<Behaviour> all_behaviours();
 
 /// The last shipped graph, by name, in which the behaviour fits the others, with it, for
-/// `max_ticks`.
-std::optional<runtime::RunPlan> plan_with(const Behaviour& behaviour, std::uint64_t max_ticks);
+/// `max_ticks`; in the graph's own world if none is named.
+std::optional<runtime::RunPlan> plan_with(const Behaviour& behaviour, std::uint64_t max_ticks,
+                                          const std::string& world = "");
 
 }  // namespace clew::replay_test

@@ -87,7 +87,7 @@ class LiveReplay : public testing::TestWithParam<std::string> {
 
   void read_with_byte_reader(Topic topic) {
     const std::string name(domain::topic_name(topic));
-    options_.topics.set(static_cast<std::size_t>(topic));
+    options_.topics.set(index_of(topic));
     options_.readers.push_back(std::string("exec " CLEW_BYTE_READER " ") + name + ' ' + path(name));
   }
 
@@ -172,8 +172,8 @@ TEST_P(LiveReplay, StopsWhenItsLastReaderLeaves) {
 
 TEST_P(LiveReplay, NamesEveryTopicThatNobodyReads) {
   read_with_byte_reader(Topic::kScan);
-  options_.topics.set(static_cast<std::size_t>(Topic::kTarget));
-  options_.topics.set(static_cast<std::size_t>(Topic::kCommand));
+  options_.topics.set(index_of(Topic::kTarget));
+  options_.topics.set(index_of(Topic::kCommand));
   options_.wait_s = 1.0;
   Script script;
 

@@ -140,7 +140,7 @@ class LateRun {
       }
       for (Topic topic : domain::kAllTopics) {
         domain::visit_topic(topic, [&](auto constant) {
-          constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+          constexpr auto kIndex = index_of(decltype(constant)::value);
           const auto& message = std::get<kIndex>(messages_);
           ASSERT_TRUE((*sink)->add({topic, tick, tick, std::get<kIndex>(codecs_).encode(message)}));
         });

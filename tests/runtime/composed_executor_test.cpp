@@ -116,7 +116,7 @@ class TopicLog : public SampleObserver {
  public:
   void on_output(Topic topic, const domain::Messages& messages) override {
     const std::uint64_t tick = domain::visit_topic(topic, [&](auto constant) {
-      return std::get<static_cast<std::size_t>(decltype(constant)::value)>(messages).stamp.tick;
+      return std::get<index_of(decltype(constant)::value)>(messages).stamp.tick;
     });
     seen.push_back(std::string(domain::topic_name(topic)) + ' ' + std::to_string(tick));
   }

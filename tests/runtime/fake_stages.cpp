@@ -115,7 +115,7 @@ StageInfo classify() {
 }
 
 StageInfo recover() {
-  const TopicSet landmark = TopicSet().set(static_cast<std::size_t>(Topic::kLandmark));
+  const TopicSet landmark = TopicSet().set(index_of(Topic::kLandmark));
   const std::vector<VariantInfo> detectors = {
       {"by_place", "needs places", {number("radius_m", 0.5, {0.0, 5.0})}, landmark},
       {"by_time", "needs none", {integer("ticks", 50)}, {}}};

@@ -49,7 +49,7 @@ template <typename Visitor>
 void visit_parameters(Visitor&, Short::Parameters&) {}
 
 const Registry<Greeter>& greeters() {
-  static const TopicSet scan = TopicSet().set(static_cast<std::size_t>(Topic::kScan));
+  static const TopicSet scan = TopicSet().set(index_of(Topic::kScan));
   static const Registry<Greeter> registry = {
       registration<Greeter, Polite>("polite", "bows", scan),
       registration<Greeter, Short>("short", "says hi"),
@@ -71,7 +71,7 @@ TEST(Registry, ListsItsBehavioursInOrder) {
   EXPECT_EQ(variants[0].summary, "bows");
   ASSERT_EQ(variants[0].parameters.size(), 1u);
   EXPECT_EQ(variants[0].parameters[0].name, "bows");
-  EXPECT_TRUE(variants[0].needs[static_cast<std::size_t>(Topic::kScan)]);
+  EXPECT_TRUE(variants[0].needs[index_of(Topic::kScan)]);
   EXPECT_EQ(variants[1].name, "short");
   EXPECT_TRUE(variants[1].parameters.empty());
   EXPECT_TRUE(variants[1].needs.none());

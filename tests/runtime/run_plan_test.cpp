@@ -130,7 +130,7 @@ TEST(RunPlan, MakesANodeForEachStageInOrder) {
   EXPECT_EQ((*nodes)[0].name(), "drive");
   EXPECT_EQ((*nodes)[1].name(), "sense");
   EXPECT_EQ((*nodes)[2].name(), "control");
-  EXPECT_TRUE((*nodes)[2].ports().inputs[static_cast<std::size_t>(Topic::kTarget)]);
+  EXPECT_TRUE((*nodes)[2].ports().inputs[index_of(Topic::kTarget)]);
 }
 
 TEST(RunPlan, RefusesWhatIsNotThere) {

@@ -55,8 +55,7 @@ TEST_P(ShippedGraph, WritesEverySampleOfEveryTick) {
   for (const GraphStage& stage : checked.graph.stages) {
     for (Topic topic : stage.ports.output_order) {
       domain::visit_topic(topic, [&](auto constant) {
-        const auto& message =
-            std::get<static_cast<std::size_t>(decltype(constant)::value)>(executor.messages());
+        const auto& message = std::get<index_of(decltype(constant)::value)>(executor.messages());
         EXPECT_EQ(message.stamp.tick, 9u) << domain::topic_name(topic);
         EXPECT_EQ(message.stamp.sequence, 9u) << domain::topic_name(topic);
         const auto valid = domain::validate(message);

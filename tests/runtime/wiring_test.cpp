@@ -169,8 +169,7 @@ TEST_F(Wiring, RefusesAStageThatReadsItsOwnOutput) {
 }
 
 TEST_F(Wiring, RefusesAPartThatMissesATopicAndNamesBothSides) {
-  const VariantInfo by_place{
-      "by_place", "", {}, TopicSet().set(static_cast<std::size_t>(Topic::kLandmark))};
+  const VariantInfo by_place{"by_place", "", {}, TopicSet().set(index_of(Topic::kLandmark))};
   const VariantInfo by_time{"by_time", "", {}, {}};
   const std::vector<PortInfo> ports = {optional_input(Topic::kLandmark, ""),
                                        output(Topic::kGuidance, "")};

@@ -28,9 +28,9 @@ TEST(SenseComponent, MeasuresAtTheTimeOfTheState) {
   state.pose_world_robot = {10, 10, 0};
   state.stamp = {15, 5.0, 15};
   runtime::TopicSet state_only;
-  state_only.set(static_cast<std::size_t>(domain::Topic::kState));
+  state_only.set(index_of(domain::Topic::kState));
   runtime::TopicSet scan_only;
-  scan_only.set(static_cast<std::size_t>(domain::Topic::kScan));
+  scan_only.set(index_of(domain::Topic::kScan));
   runtime::TickOutputs outputs(messages, scan_only);
 
   component.step({messages, state_only, state_only, 15}, outputs);

@@ -48,7 +48,7 @@ std::size_t place_of(const std::string& behaviour, const std::string& stage) {
 bool needs_landmarks(const std::string& detector) {
   for (const runtime::VariantInfo& variant : part_of("recover", "detector").variants) {
     if (variant.name == detector) {
-      return variant.needs[static_cast<std::size_t>(domain::Topic::kLandmark)];
+      return variant.needs[index_of(domain::Topic::kLandmark)];
     }
   }
   return false;

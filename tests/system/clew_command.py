@@ -15,6 +15,8 @@ DEBUG_CLEW = os.environ.get("CLEW_DEBUG_COMMAND", str(SOURCE / "build-debug" / "
 ASAN_CLEW = os.environ.get("CLEW_ASAN_COMMAND", str(SOURCE / "build-asan" / "clew"))
 THIRD_PARTY = pathlib.Path(os.environ.get("CLEW_THIRD_PARTY", SOURCE / "build/tests/third_party"))
 SOAK = os.environ.get("CLEW_SOAK") == "1"
+# Other builds of the command, which must give the same bytes.
+OTHER_BUILDS = {"debug": DEBUG_CLEW, "sanitized": ASAN_CLEW} if SOAK else {"debug": DEBUG_CLEW}
 TIMEOUT_S = 120
 
 # Every way to run a graph, which must make no difference to a single byte.
@@ -26,7 +28,6 @@ LAYOUTS = {
               "--middleware", "drive=fastdds"],
     "mixed the other way": ["--middleware", "classify=fastdds", "--middleware", "control=fastdds"],
 }
-
 
 
 def load_tool(name):

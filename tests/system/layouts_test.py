@@ -9,7 +9,7 @@ import sys
 import tempfile
 import unittest
 
-from clew_command import (CLEW, DEBUG_CLEW, LAYOUTS, SOAK, SOURCE, WORLDS, Run, components_of,
+from clew_command import (CLEW, LAYOUTS, OTHER_BUILDS, SOAK, SOURCE, WORLDS, Run, components_of,
                           layouts_of, run_graph, wait_until)
 
 TICKS = "6000" if SOAK else "1500"
@@ -48,26 +48,28 @@ class Layouts(unittest.TestCase):
 
             self.assertEqual(len(hashes), 1, f"{graph}: {hashes}")
 
-    def test_debug_and_release_give_the_same_hash(self):
+    def test_other_builds_give_the_same_hash(self):
         for world in all_worlds() if SOAK else WORLDS:
             arguments = ["--world", world, "--layout", "composed", "--max-ticks", TICKS]
-
             release = run_graph("krishna_kalra", *arguments, command=CLEW)
-            debug = run_graph("krishna_kalra", *arguments, command=DEBUG_CLEW)
 
-            self.assertEqual(debug["hash"], release["hash"], world)
+            for build, command in OTHER_BUILDS.items():
+                other = run_graph("krishna_kalra", *arguments, command=command)
 
-    def test_debug_and_release_give_the_same_hash_as_processes(self):
+                self.assertEqual(other["hash"], release["hash"], f"{world}, {build}")
+
+    def test_other_builds_give_the_same_hash_as_processes(self):
         # The two mixed ones have each stage on either vendor.
         names = PROCESS_LAYOUTS if SOAK else ["mixed", "mixed the other way"]
         for world in WORLDS if SOAK else ["u-trap"]:
             arguments = ["--world", world, "--max-ticks", TICKS]
             release = run_graph("krishna_kalra", *arguments, *LAYOUTS["composed"])
 
-            for name in names:
-                debug = run_graph("krishna_kalra", *arguments, *LAYOUTS[name], command=DEBUG_CLEW)
+            for build, command in OTHER_BUILDS.items():
+                for name in names:
+                    other = run_graph("krishna_kalra", *arguments, *LAYOUTS[name], command=command)
 
-                self.assertEqual(debug["hash"], release["hash"], f"{world}, {name}")
+                    self.assertEqual(other["hash"], release["hash"], f"{world}, {name}, {build}")
 
     def test_repeats_under_full_load_give_the_same_hash(self):
         # In tools/soak each layout of processes 20 times in each of the ten worlds; in tools/test 20

@@ -6,12 +6,10 @@ import shutil
 import tempfile
 import unittest
 
-from clew_command import (ASAN_CLEW, DEBUG_CLEW, SOAK, SOURCE, THIRD_PARTY, Run, run_graph,
+from clew_command import (OTHER_BUILDS, SOAK, SOURCE, THIRD_PARTY, Run, run_graph,
                           write_file)
 
 CHANGE = ["--set", "control.guard_turn_deg=20"]  # matters in the comb, from tick 50 on
-
-OTHER_BUILDS = [DEBUG_CLEW, ASAN_CLEW] if SOAK else [DEBUG_CLEW]
 
 
 class Recordings(unittest.TestCase):
@@ -250,7 +248,7 @@ class Builds(unittest.TestCase):
                 with self.subTest(behaviour=choice):
                     recording = pathlib.Path(directory) / f"{choice}.mcap"
                     fitting = next(graph for graph in graphs if recorded(graph, choice, recording))
-                    for command in OTHER_BUILDS:
+                    for command in OTHER_BUILDS.values():
                         replay = Run(["replay", recording, "--json"], command=command)
 
                         self.assertEqual(replay.status, 0, fitting + replay.err + replay.out)

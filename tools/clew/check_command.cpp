@@ -31,7 +31,7 @@ void print_wiring(const Graph& graph) {
       std::string readers;
       for (const GraphStage* reader : graph.readers_of(topic)) {
         readers += (readers.empty() ? "" : ", ") + reader->info->name;
-        if (reader->ports.delayed_inputs[static_cast<std::size_t>(topic)]) {
+        if (reader->ports.delayed_inputs[index_of(topic)]) {
           readers += " (next tick)";
         }
       }

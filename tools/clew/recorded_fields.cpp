@@ -67,7 +67,7 @@ struct CellText {
 
 core::Result<std::vector<Field>> FieldReader::fields_of(const bridge::SampleView& sample) {
   return domain::visit_topic(sample.topic, [&](auto constant) -> core::Result<std::vector<Field>> {
-    constexpr auto kIndex = static_cast<std::size_t>(decltype(constant)::value);
+    constexpr auto kIndex = index_of(decltype(constant)::value);
     auto& message = std::get<kIndex>(messages_);
     const auto decoded = bridge::decode(sample.cdr, &message, bridge::Values::kAny);
     if (decoded.ok()) return bridge::fields_of(message);

@@ -79,8 +79,8 @@ Result<void> read_groups(const bridge::RunRecording& recording, const runtime::R
     return Error{infrareds.error().message, recording.path(), 0, 0};
   }
   runtime::TopicSet topics;
-  topics.set(static_cast<std::size_t>(Topic::kScan));
-  topics.set(static_cast<std::size_t>(Topic::kCommand));
+  topics.set(index_of(Topic::kScan));
+  topics.set(index_of(Topic::kCommand));
   bridge::TickReader reader(recording, topics);
   bridge::Codec<domain::Scan> scans;
   bridge::Codec<domain::Command> commands;
