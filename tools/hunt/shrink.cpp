@@ -17,7 +17,8 @@ using core::Vec2;
 using world::WorldFile;
 
 constexpr double kLeastWall_m = 0.1;
-constexpr std::size_t kMostRounds = 8;
+/// A robot that goes in circles could be started further along for ever.
+constexpr std::size_t kMostAdvances = 3;
 
 /// The world with those of its parts whose numbers are given, in rising order.
 WorldFile with_parts(const WorldFile& world, const std::vector<std::size_t>& parts) {
@@ -111,8 +112,7 @@ class Shrinker {
   Result<Shrunk> run(const RunCase& which) {
     CLEW_RETURN_IF_ERROR(begin(which));
     if (result_.end != Shrunk::End::kMinimal) return result_;
-    for (std::size_t round = 0; round < kMostRounds && goes_on(); ++round) {
-      if (!reduce_once() && goes_on()) break;
+    while (goes_on() && reduce_once()) {
     }
     if (!error_.message.empty()) return error_;
     if (interrupted_) {
@@ -231,7 +231,7 @@ class Shrinker {
 
   /// To the last place on its way from which the robot still fails, of some.
   bool advance_start() {
-    if (!goes_on() || ticks_ < 2) return false;
+    if (!goes_on() || ticks_ < 2 || advances_ == kMostAdvances) return false;
     const auto track = track_of(result_.which, workshop_);
     if (!track.ok()) {
       error_ = track.error();
@@ -244,7 +244,9 @@ class Shrinker {
       candidate.start = (*track)[std::min(tick, track->size() - 1)];
       const double moved_m = core::length(candidate.start.position() - world_.start.position());
       if (moved_m < kLeastWall_m) continue;
-      if (take_if_it_fails(rounded_start(std::move(candidate)))) return true;
+      if (!take_if_it_fails(rounded_start(std::move(candidate)))) continue;
+      ++advances_;
+      return true;
     }
     return false;
   }
@@ -324,6 +326,7 @@ class Shrinker {
   double radius_m_ = 0.0;
   std::optional<bool> solvable_;
   std::uint64_t ticks_ = 0;
+  std::size_t advances_ = 0;
   bool interrupted_ = false;
   core::Error error_;
   Shrunk result_;
