@@ -106,6 +106,11 @@ class Import(unittest.TestCase):
         self.assertEqual(trap["depth_ranges"], trap["depth_m"] / 2)
         self.assertEqual(done.report["severity_ranges"], trap["depth_ranges"])
         self.assertEqual(of_graph.report["range_m"], 1.5)
+        self.assertEqual(done.report["nested_pockets"], 1)
+        self.assertIsNone(trap["inside_of"])
+        # A way beside the U only comes nearer.
+        self.assertEqual(done.report["necessary_backtrack_m"], 0)
+        self.assertEqual(done.report["resolution_m"], 0.05)
 
     def test_a_source_is_refused_with_its_place(self):
         bad = self.directory / "bad.yaml"

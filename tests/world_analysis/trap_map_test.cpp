@@ -79,6 +79,20 @@ TEST(TrapMap, ATrapInATrapIsInsideOfIt) {
   EXPECT_GT(map.traps()[*outer].nodes, map.traps()[*inner].nodes);
 }
 
+TEST(TrapMap, KnowsWhichTrapsTheRobotGetsInto) {
+  // The U is in the start's room; the closed one between x = 8 and 10 is nobody's.
+  const auto world =
+      small_world("walls: [[3, 3, 3, 6], [3, 6, 7, 6], [7, 6, 7, 3], [8, 0, 8, 4], [8, 4, 10, 4]]",
+                  "[5, 2, 1.57]", "[5, 8]");
+  const ClearanceGrid grid(world, 0.0);
+
+  const TrapMap map(grid, kRadius_m, kLeastDepth_m);
+
+  ASSERT_EQ(map.traps().size(), 2u);
+  EXPECT_TRUE(map.traps()[*map.trap_at({5.0, 5.8})].from_start);
+  EXPECT_FALSE(map.traps()[*map.trap_at({9.0, 2.0})].from_start);
+}
+
 TEST(TrapMap, WithoutAWayToTheTargetEveryPlaceIsATrap) {
   const auto world = small_world("walls: [[0, 5, 10, 5]]", "[3, 3, 0]", "[7, 7]");
 

@@ -2,6 +2,7 @@
 #include "clew/command_tables.hpp"
 
 #include <map>
+#include <set>
 
 namespace clew::tools {
 
@@ -34,13 +35,13 @@ bool takes_value(const CLI::Option& option) { return option.get_items_expected_m
 
 std::string list_for(const CLI::App& command, const CLI::Option& option) {
   static const std::map<std::string, std::string> kLists = {
-      {"graph", "graphs"}, {"--graph", "graphs"}, {"--world", "worlds"},
-      {"world", "worlds"}, {"--robot", "robots"}, {"suite", "suites"}};
+      {"graph", "graphs"},   {"--graph", "graphs"}, {"--world", "worlds"}, {"world", "worlds"},
+      {"--robot", "robots"}, {"suite", "suites"},   {"--worlds", "suites"}};
   std::string name = option.get_single_name();
   if (option.nonpositional()) name = "--" + name;
-  if (name == "world" && command.get_name() != "solve" && command.get_name() != "picture") {
-    return {};
-  }
+  static const std::set<std::string> kOfWorlds = {"check", "solve", "severity", "picture",
+                                                  "shrink"};
+  if (name == "world" && kOfWorlds.count(command.get_name()) == 0) return {};
   const auto found = kLists.find(name);
   return found == kLists.end() ? std::string() : found->second;
 }

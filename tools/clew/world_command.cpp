@@ -14,6 +14,7 @@
 #include "plot/plot.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
+#include "world_analysis/backtrack.hpp"
 #include "world_analysis/reachability.hpp"
 #include "world_analysis/shortest_path.hpp"
 #include "world_analysis/trap_map.hpp"
@@ -64,11 +65,32 @@ Result<Subject> read_subject(const WorldOptions& options) {
 struct Findings {
   std::optional<bool> solvable;  ///< none: something moves for ever, or only just as wide gaps
   std::optional<double> shortest_path_m;
-  std::vector<world_analysis::Trap> traps;  ///< no shallower than the robot is wide
-  std::string undecided;                    ///< why; empty if it is decided
+  /// No shallower than the robot is wide, and within the robot's reach.
+  std::vector<world_analysis::Trap> traps;
+  std::optional<double> backtrack_m;  ///< what no way avoids; if asked for
+  std::string undecided;              ///< why; empty if it is decided
 };
 
-Findings find_out(const Subject& subject) {
+enum class Backtrack { kLeaveOut, kFind };
+
+/// Leaves the traps out that the robot cannot get into, such as those of a room that is closed.
+std::vector<world_analysis::Trap> within_reach(const std::vector<world_analysis::Trap>& traps) {
+  std::vector<std::optional<std::size_t>> kept(traps.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < traps.size(); ++i) {
+    if (traps[i].from_start) kept[i] = count++;
+  }
+  std::vector<world_analysis::Trap> reached;
+  for (const world_analysis::Trap& trap : traps) {
+    if (!trap.from_start) continue;
+    reached.push_back(trap);
+    // One inside of another is of the same room.
+    if (trap.inside_of) reached.back().inside_of = kept[*trap.inside_of];
+  }
+  return reached;
+}
+
+Findings find_out(const Subject& subject, Backtrack backtrack = Backtrack::kLeaveOut) {
   Findings findings;
   const auto settled_s = world_analysis::settled_time_s(subject.world);
   if (!settled_s) {
@@ -86,7 +108,11 @@ Findings find_out(const Subject& subject) {
     const auto path = world_analysis::shortest_path(grid, subject.radius_m);
     if (path) findings.shortest_path_m = path->length_m;
   }
-  findings.traps = world_analysis::TrapMap(grid, subject.radius_m, 2.0 * subject.radius_m).traps();
+  const world_analysis::TrapMap map(grid, subject.radius_m, 2.0 * subject.radius_m);
+  findings.traps = within_reach(map.traps());
+  if (backtrack == Backtrack::kFind) {
+    findings.backtrack_m = world_analysis::necessary_backtrack_m(grid, subject.radius_m);
+  }
   return findings;
 }
 
@@ -215,6 +241,17 @@ Result<double> sensing_range_m(const WorldOptions& options) {
   return plan->setup.behaviour.scan.range_max_m;
 }
 
+/// How many traps lie one in the other, at most: 1 without nested ones, 0 without traps.
+std::size_t deepest_nesting(const std::vector<world_analysis::Trap>& traps) {
+  std::size_t most = 0;
+  for (const world_analysis::Trap& trap : traps) {
+    std::size_t levels = 1;
+    for (auto outer = trap.inside_of; outer; outer = traps[*outer].inside_of) ++levels;
+    most = std::max(most, levels);
+  }
+  return most;
+}
+
 void print_severity(const Subject& subject, const Findings& findings, double range_m) {
   fmt::print("{}: robot of {} m, sensor of {} m\n", subject.world.name(), subject.radius_m,
              range_m);
@@ -223,11 +260,42 @@ void print_severity(const Subject& subject, const Findings& findings, double ran
                                   ? fmt::format("{:.2f} m deep, {:.2f} sensing ranges",
                                                 trap.depth_m, trap.depth_m / range_m)
                                   : std::string("without a way out");
-    fmt::print("trap at ({:.2f}, {:.2f}), {}\n", trap.place.x(), trap.place.y(), depth);
+    fmt::print("trap at ({:.2f}, {:.2f}), {}{}\n", trap.place.x(), trap.place.y(), depth,
+               trap.inside_of ? fmt::format(", inside trap {}", *trap.inside_of + 1) : "");
   }
   if (findings.traps.empty()) {
     fmt::print("{}\n", findings.undecided == kNeverSettles ? findings.undecided : "no traps");
   }
+  if (findings.backtrack_m) {
+    fmt::print("necessary backtrack: {:.2f} m, {:.2f} sensing ranges\n", *findings.backtrack_m,
+               *findings.backtrack_m / range_m);
+  }
+}
+
+ordered_json severity_json(const Subject& subject, const Findings& findings, double range_m) {
+  const auto in_ranges = [range_m](double length_m) {
+    return std::isfinite(length_m) ? ordered_json(length_m / range_m) : ordered_json(nullptr);
+  };
+  ordered_json json = to_json(subject, findings);
+  json["range_m"] = range_m;
+  json["resolution_m"] = world_analysis::kSpacing_m;
+  double deepest_m = 0.0;
+  for (std::size_t i = 0; i < findings.traps.size(); ++i) {
+    const world_analysis::Trap& trap = findings.traps[i];
+    ordered_json& line = json["traps"][i];
+    line["depth_ranges"] = in_ranges(trap.depth_m);
+    line["inside_of"] = trap.inside_of ? ordered_json(*trap.inside_of) : ordered_json(nullptr);
+    line["area_m2"] =
+        static_cast<double>(trap.nodes) * world_analysis::kSpacing_m * world_analysis::kSpacing_m;
+    deepest_m = std::max(deepest_m, trap.depth_m);  // a trap without a way out is the worst
+  }
+  json["severity_ranges"] = in_ranges(deepest_m);
+  json["nested_pockets"] = deepest_nesting(findings.traps);
+  const auto& backtrack_m = findings.backtrack_m;
+  json["necessary_backtrack_m"] = backtrack_m ? ordered_json(*backtrack_m) : ordered_json(nullptr);
+  json["necessary_backtrack_ranges"] =
+      backtrack_m ? in_ranges(*backtrack_m) : ordered_json(nullptr);
+  return json;
 }
 
 /// How deep the traps are for a sensor: one that is deeper than the sensor sees cannot be seen
@@ -237,27 +305,12 @@ int severity_command(const WorldOptions& options) {
   if (!subject.ok()) return complain(subject.error());
   const auto range_m = sensing_range_m(options);
   if (!range_m.ok()) return complain(range_m.error());
-  const Findings findings = find_out(*subject);
-  if (!options.json) {
+  const Findings findings = find_out(*subject, Backtrack::kFind);
+  if (options.json) {
+    fmt::print("{}\n", json_line(severity_json(*subject, findings, *range_m)));
+  } else {
     print_severity(*subject, findings, *range_m);
-    return kExitGood;
   }
-  ordered_json json = to_json(*subject, findings);
-  json["range_m"] = *range_m;
-  ordered_json deepest = 0.0;
-  for (ordered_json& trap : json["traps"]) {
-    const ordered_json& depth = trap["depth_m"];
-    trap["depth_ranges"] =
-        depth.is_null() ? ordered_json(nullptr) : ordered_json(depth.get<double>() / *range_m);
-    // A trap without a way out is the worst.
-    if (trap["depth_ranges"].is_null() || deepest.is_null()) {
-      deepest = nullptr;
-    } else {
-      deepest = std::max(deepest.get<double>(), trap["depth_ranges"].get<double>());
-    }
-  }
-  json["severity_ranges"] = deepest;
-  fmt::print("{}\n", json_line(json));
   return kExitGood;
 }
 

@@ -32,6 +32,7 @@ class TrapMap::Flood {
     });
     for (const std::uint32_t node : order) add(node);
     end_what_is_left(order);
+    note_what_the_start_reaches();
   }
 
  private:
@@ -68,7 +69,7 @@ class TrapMap::Flood {
   void end_component(std::uint32_t lowest, double depth_m) {
     if (depth_m < least_depth_m_) return;
     const auto index = static_cast<std::uint32_t>(map_.traps_.size());
-    Trap trap{grid_.position(lowest), distances_m_[lowest], depth_m, 0, std::nullopt};
+    Trap trap{grid_.position(lowest), distances_m_[lowest], depth_m, 0, std::nullopt, false};
     for (std::uint32_t node = lowest; node != kNone; node = next_[node]) {
       ++trap.nodes;
       std::uint32_t& of_node = map_.trap_of_node_[node];
@@ -80,6 +81,7 @@ class TrapMap::Flood {
       }
     }
     map_.traps_.push_back(trap);
+    bottoms_.push_back(lowest);
   }
 
   std::uint32_t outermost_of(std::uint32_t trap) const {
@@ -100,12 +102,23 @@ class TrapMap::Flood {
     }
   }
 
+  /// At the end there is a component for each room of the free space.
+  void note_what_the_start_reaches() {
+    const auto start = map_.free_node_at(grid_.world().start().position());
+    if (!start) return;
+    const std::uint32_t room = find(static_cast<std::uint32_t>(*start));
+    for (std::size_t i = 0; i < bottoms_.size(); ++i) {
+      map_.traps_[i].from_start = find(bottoms_[i]) == room;
+    }
+  }
+
   TrapMap& map_;
   const ClearanceGrid& grid_;
   double least_depth_m_;
-  std::vector<std::uint32_t> parent_;  ///< union-find; the root is the component's lowest node
-  std::vector<std::uint32_t> next_;    ///< a component's nodes as a list that begins at its root
-  std::vector<std::uint32_t> last_;    ///< the list's end, at the root
+  std::vector<std::uint32_t> bottoms_;  ///< the lowest node of each trap
+  std::vector<std::uint32_t> parent_;   ///< union-find; the root is the component's lowest node
+  std::vector<std::uint32_t> next_;     ///< a component's nodes as a list that begins at its root
+  std::vector<std::uint32_t> last_;     ///< the list's end, at the root
   std::vector<double> distances_m_;
 };
 
@@ -117,9 +130,9 @@ TrapMap::TrapMap(const ClearanceGrid& grid, double radius_m, double least_depth_
   Flood(*this, grid, least_depth_m).run();
 }
 
-std::optional<std::size_t> TrapMap::trap_at(const Vec2& position) const {
+std::optional<std::size_t> TrapMap::free_node_at(const Vec2& position) const {
   const std::size_t middle = grid_->nearest(position);
-  std::size_t best = middle;
+  std::optional<std::size_t> best;
   double best_m = Trap::kNoWayOut;
   const auto consider = [&](std::size_t node) {
     if (!is_free_[node]) return;
@@ -130,9 +143,14 @@ std::optional<std::size_t> TrapMap::trap_at(const Vec2& position) const {
     }
   };
   consider(middle);
-  if (best_m == Trap::kNoWayOut) grid_->visit_around(middle, 2, consider);
-  if (best_m == Trap::kNoWayOut || trap_of_node_[best] == kNone) return std::nullopt;
-  return trap_of_node_[best];
+  if (!best) grid_->visit_around(middle, 2, consider);
+  return best;
+}
+
+std::optional<std::size_t> TrapMap::trap_at(const Vec2& position) const {
+  const auto node = free_node_at(position);
+  if (!node || trap_of_node_[*node] == kNone) return std::nullopt;
+  return trap_of_node_[*node];
 }
 
 }  // namespace clew::world_analysis

@@ -33,6 +33,7 @@ struct Trap {
   double depth_m = 0.0;       ///< kNoWayOut where nothing nearer to the target can be reached
   std::size_t nodes = 0;      ///< of the region, those of traps inside it included
   std::optional<std::size_t> inside_of;  ///< the trap whose region contains this one's
+  bool from_start = false;  ///< whether the robot gets into it: there is a way from the start
 };
 
 /// The traps of a world, as obstacles stand at the grid's time.
@@ -52,6 +53,9 @@ class TrapMap {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   class Flood;
+
+  /// The node that stands for a place: the nearest free one within two rows and columns.
+  std::optional<std::size_t> free_node_at(const Vec2& position) const;
 
   const ClearanceGrid* grid_;
   std::vector<Trap> traps_;
