@@ -124,6 +124,33 @@ class BenchShards(unittest.TestCase):
         self.assertEqual(again.status, 0, again.err)
         self.assertEqual(files_of(self.folder / "compressed"), files_of(self.one))
 
+    def test_it_ends_when_enough_is_known_whoever_runs_it(self):
+        suite = write_file("format: clew-suite/1\ngraphs: [reactive]\n"
+                           "set: {sense.noise_stddev_m: 0.02}\n"
+                           "worlds: {open: [open-field]}\nseeds: {count: 400}\n")
+        arguments = ["bench", suite, "--until-width", "0.1", "--out"]
+        done = Run([*arguments, self.folder / "known", "--jobs", "1"])
+        self.assertEqual(done.status, 0, done.err)
+        report = (self.folder / "known/report.md").read_text()
+        # All succeed: (n + 1) 0.9^n falls below 0.05 from 68 to 69; looks are at 62, 69 and 76.
+        self.assertIn("Ended after 69 of 400 batches", report)
+        self.assertIn("69/69 100.00 % [90.03, 100.00]", report)
+        self.assertEqual(len((self.folder / "known/results.jsonl").read_text().splitlines()), 70)
+
+        many = self.folder / "known by many"
+        process = start([*arguments, many, "--jobs", "3"])
+        wait_until(lambda: (many / "results.jsonl").exists()
+                   and (many / "results.jsonl").read_bytes().count(b"\n") > 20)
+        process.send_signal(signal.SIGKILL)
+        process.communicate()
+        again = Run([*arguments, many, "--jobs", "3"])
+
+        self.assertEqual(again.status, 0, again.err)
+        self.assertEqual(files_of(many), files_of(self.folder / "known"))
+        other = Run(["bench", suite, "--until-width", "0.2", "--out", many])
+        self.assertEqual(other.status, 2)
+        self.assertIn("it was made with 'until_width' 0.1, now it is 0.2", other.err)
+
     def test_a_shard_prints_its_runs(self):
         done = self.run_shard("1/3", self.shards[0], "--json")
 
