@@ -29,7 +29,7 @@ add_custom_target(clew_manual ALL DEPENDS ${manual}/done)
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME clew)
 install(TARGETS clew)
-install(TARGETS clew_fastdds_module clew_cyclonedds_module clew_pictures_module
+install(TARGETS clew_fastdds_module clew_cyclonedds_module clew_pictures_module clew_query_module
   LIBRARY DESTINATION ${CLEW_MODULE_DIRECTORY})
 install(DIRECTORY configs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clew)
 install(DIRECTORY idl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clew/idl

@@ -154,5 +154,24 @@ TEST(Variation, NeedsAPathAndValues) {
   }
 }
 
+TEST(Suite, TakesARangeOfSeeds) {
+  const std::string begin =
+      "format: clew-suite/1\ngraphs: [reactive]\nworlds: {open: [open-field]}\nseeds: ";
+  const auto seeds_of = [&](const std::string& text) {
+    return read_suite(core::Resource{"suite.yaml", begin + text + '\n'}, "test");
+  };
+  EXPECT_EQ(seeds_of("{first: 7, count: 3}")->seeds, (std::vector<std::uint64_t>{7, 8, 9}));
+  EXPECT_EQ(seeds_of("{count: 2}")->seeds, (std::vector<std::uint64_t>{1, 2}));
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {"{first: 7}", "count"},
+           {"{count: 0}", "suite.yaml:4:16: found '0'; allowed: 1 to 10000000"},
+           {"{count: 2, last: 4}", "last"},
+           {"{first: -1, count: 2}", "allowed: 0 to "}}) {
+    const auto refused = seeds_of(text);
+    ASSERT_FALSE(refused.ok()) << text;
+    EXPECT_NE(refused.error().text().find(message), std::string::npos) << refused.error().text();
+  }
+}
+
 }  // namespace
 }  // namespace clew::bench

@@ -226,6 +226,17 @@ Result<void> note_worlds(const Suite& suite, const runtime::ConfigPath& configs,
   return {};
 }
 
+/// `1 2 5`, or `1 to 1000` where many follow on each other.
+std::string seeds_text(const std::vector<std::uint64_t>& seeds) {
+  constexpr std::size_t kMany = 10;
+  const bool is_range =
+      std::adjacent_find(seeds.begin(), seeds.end(), [](std::uint64_t a, std::uint64_t b) {
+        return b != a + 1;
+      }) == seeds.end();
+  if (is_range && seeds.size() > kMany) return fmt::format("{} to {}", seeds.front(), seeds.back());
+  return fmt::format("{}", fmt::join(seeds, " "));
+}
+
 }  // namespace
 
 std::string Variant::text() const {
@@ -273,10 +284,7 @@ Result<BenchPlan> plan_bench(const Suite& suite, const BenchChanges& changes,
     CLEW_RETURN_IF_ERROR(check_variant(variant, variations, source, stages, plan));
   }
   plan.configuration["max_ticks"] = std::to_string(suite.max_ticks);
-  std::string& seeds = plan.configuration["seeds"];
-  for (const std::uint64_t seed : suite.seeds) {
-    seeds += (seeds.empty() ? "" : " ") + std::to_string(seed);
-  }
+  plan.configuration["seeds"] = seeds_text(suite.seeds);
   plan.configuration["suite"] = suite.name;
   return plan;
 }

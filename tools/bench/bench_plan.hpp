@@ -45,6 +45,13 @@ struct BenchWorld {
   std::optional<trap_worlds::WorldOrder> order;
 };
 
+/// A bench that looks at its results after each batch and ends when they are known well enough.
+struct Stopping {
+  double width = 0.0;       ///< of the widest anytime_interval of success that is good enough
+  std::size_t batches = 0;  ///< that were run
+  std::size_t of = 0;       ///< all there are
+};
+
 /// All that decides a bench: every variant runs in every world with every seed.
 struct BenchPlan {
   std::string suite;
@@ -54,6 +61,8 @@ struct BenchPlan {
   std::vector<std::uint64_t> seeds;
   /// What the results depend on, named: a bench may be gone on with if this is the same.
   std::map<std::string, std::string> configuration;
+  /// None: all is run.
+  std::optional<Stopping> stopping;
 
   std::size_t runs() const { return variants.size() * worlds.size() * seeds.size(); }
 };

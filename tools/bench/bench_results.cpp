@@ -4,6 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_set>
+
+#include "bench/stopping.hpp"
 
 namespace clew::bench {
 namespace {
@@ -51,6 +55,17 @@ std::string unknown_text(const BenchResults& results) {
       worlds.size(), results.plan->worlds.size(), fmt::join(worlds, ", "));
 }
 
+std::string stopping_text(const BenchResults& results) {
+  const auto& stopping = results.plan->stopping;
+  if (!stopping) return {};
+  const double width = widest(results);
+  return fmt::format(
+      "{} after {} of {} batches: the widest interval of a graph's success is {:.4f}, {:.4f} was "
+      "asked for.",
+      width <= stopping->width ? "Ended" : "Not known well enough", stopping->batches, stopping->of,
+      width, stopping->width);
+}
+
 }  // namespace
 
 std::vector<const RunResult*> BenchResults::of_variant(std::size_t variant) const {
@@ -62,13 +77,12 @@ std::vector<const RunResult*> BenchResults::of_variant(std::size_t variant) cons
 
 std::vector<const RunResult*> BenchResults::samples_of(std::size_t variant) const {
   std::vector<const RunResult*> samples;
-  std::size_t of_world = 0;  // where those of the present world begin
+  std::unordered_set<std::string_view> hashes;  // of the present world
+  const RunResult* last = nullptr;
   for (const RunResult* run : of_variant(variant)) {
-    if (!samples.empty() && samples.back()->key.world != run->key.world) of_world = samples.size();
-    const auto first = samples.begin() + static_cast<std::ptrdiff_t>(of_world);
-    const bool known = std::any_of(first, samples.end(),
-                                   [&](const RunResult* other) { return is_copy(*run, *other); });
-    if (!known) samples.push_back(run);
+    if (last != nullptr && last->key.world != run->key.world) hashes.clear();
+    last = run;
+    if (run->hash.empty() || hashes.insert(run->hash).second) samples.push_back(run);
   }
   return samples;
 }
@@ -77,13 +91,10 @@ bool BenchResults::ignores_seeds(std::size_t variant) const {
   return plan->seeds.size() > 1 && samples_of(variant).size() == plan->worlds.size();
 }
 
-bool is_copy(const RunResult& run, const RunResult& of) {
-  return !run.hash.empty() && run.hash == of.hash && run.key.world == of.key.world;
-}
-
 std::vector<std::string> remarks_on(const BenchResults& results) {
   std::vector<std::string> remarks;
-  for (std::string text : {copies_text(results), seeds_text(results), unknown_text(results)}) {
+  for (std::string text :
+       {copies_text(results), seeds_text(results), unknown_text(results), stopping_text(results)}) {
     if (!text.empty()) remarks.push_back(std::move(text));
   }
   return remarks;

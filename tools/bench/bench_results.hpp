@@ -25,9 +25,6 @@ struct BenchResults {
   bool ignores_seeds(std::size_t variant) const;
 };
 
-/// Whether two runs of a variant are one sample.
-bool is_copy(const RunResult& run, const RunResult& of);
-
 /// What a reader must know of the numbers, in sentences: runs that are copies, graphs that seeds do
 /// not touch, worlds of which nobody knows whether they can be solved.
 std::vector<std::string> remarks_on(const BenchResults& results);

@@ -68,6 +68,7 @@ Report make_report(const BenchResults& results, std::vector<Picture> pictures) {
                              plan.configuration.at("max_ticks"));
   report.remarks = remarks_on(results);
   report.tables.push_back(overall_table(results));
+  if (plan.stopping) report.tables.push_back(sequential_table(results));
   for (Table& table : matrix_tables(results)) report.tables.push_back(std::move(table));
   report.tables.push_back(family_table(results));
   report.tables.push_back(detector_table(results));
@@ -114,30 +115,29 @@ std::string to_html(const Report& report) {
   return text + "</body></html>\n";
 }
 
-std::string to_csv(const BenchResults& results) {
-  std::string text =
-      "graph,variant,family,world,seed,outcome,success,solvable,ticks,sim_time_s,path_length_m,"
-      "shortest_path_m,path_ratio,collisions,hit_by,safety_stops,captures,held_at_end,alarms,"
-      "false_alarms,hash\n";
-  for (const RunResult& run : results.runs) {
-    std::uint32_t alarms = 0;
-    std::uint32_t false_alarms = 0;
-    for (const auto& detector : run.detectors) {
-      if (detector.shadow) continue;
-      alarms += detector.alarms;
-      false_alarms += detector.false_alarms;
-    }
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{}\n",
-                        csv_cell(run.key.graph), csv_cell(run.key.variant), csv_cell(run.family),
-                        csv_cell(run.key.world), run.key.seed, run.outcome,
-                        run.success ? fmt::format("{}", *run.success) : "",
-                        run.solvable ? fmt::format("{}", *run.solvable) : "", run.ticks,
-                        run.sim_time_s, run.path_length_m, number_or_nothing(run.shortest_path_m),
-                        number_or_nothing(run.path_ratio()), run.collisions, run.hit_by,
-                        run.safety_stops, run.captures ? fmt::format("{}", *run.captures) : "",
-                        run.held_at_end, alarms, false_alarms, run.hash);
+std::string csv_header() {
+  return "graph,variant,family,world,seed,outcome,success,solvable,ticks,sim_time_s,path_length_m,"
+         "shortest_path_m,path_ratio,collisions,hit_by,safety_stops,captures,held_at_end,alarms,"
+         "false_alarms,hash\n";
+}
+
+std::string csv_row(const RunResult& run) {
+  std::uint32_t alarms = 0;
+  std::uint32_t false_alarms = 0;
+  for (const auto& detector : run.detectors) {
+    if (detector.shadow) continue;
+    alarms += detector.alarms;
+    false_alarms += detector.false_alarms;
   }
-  return text;
+  return fmt::format("{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{}\n",
+                     csv_cell(run.key.graph), csv_cell(run.key.variant), csv_cell(run.family),
+                     csv_cell(run.key.world), run.key.seed, run.outcome,
+                     run.success ? fmt::format("{}", *run.success) : "",
+                     run.solvable ? fmt::format("{}", *run.solvable) : "", run.ticks,
+                     run.sim_time_s, run.path_length_m, number_or_nothing(run.shortest_path_m),
+                     number_or_nothing(run.path_ratio()), run.collisions, run.hit_by,
+                     run.safety_stops, run.captures ? fmt::format("{}", *run.captures) : "",
+                     run.held_at_end, alarms, false_alarms, run.hash);
 }
 
 }  // namespace clew::bench

@@ -30,7 +30,8 @@ std::string to_markdown(const Table& table);
 std::string to_markdown(const Report& report);
 /// A page that needs nothing but the pictures beside it.
 std::string to_html(const Report& report);
-/// A line a run, with a header.
-std::string to_csv(const BenchResults& results);
+/// The header of a table with a line a run, and such a line.
+std::string csv_header();
+std::string csv_row(const RunResult& run);
 
 }  // namespace clew::bench

@@ -1,35 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/results_file.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
-#include "files/whole_file.hpp"
-
 namespace clew::bench {
-namespace {
 
 using core::Error;
 using core::Result;
-using Configuration = std::map<std::string, std::string>;
 
-constexpr char kResultsFormat[] = "clew-bench/1";
+namespace {
 
-std::string header_text(const Configuration& configuration) {
+constexpr char kResultsFormat[] = "clew-bench/2";
+
+/// The lists of an order, by their names in the file.
+template <typename Order, typename Visit>
+void for_each_list(Order& order, const Visit& visit) {
+  visit("graphs", order.graphs);
+  visit("with", order.with);
+  visit("set", order.set);
+  visit("vary", order.vary);
+  visit("plugins", order.plugins);
+}
+
+nlohmann::ordered_json to_json(const BenchOrder& order) {
+  nlohmann::ordered_json json;
+  json["suite"] = order.suite;
+  for_each_list(order, [&](const char* name, const auto& list) { json[name] = list; });
+  return json;
+}
+
+BenchOrder read_order(const nlohmann::json& json) {
+  BenchOrder order;
+  json.at("suite").get_to(order.suite);
+  for_each_list(order, [&](const char* name, auto& list) { json.at(name).get_to(list); });
+  return order;
+}
+
+}  // namespace
+
+std::string ResultsHeader::text() const {
   nlohmann::ordered_json header;
   header["format"] = kResultsFormat;
   header["configuration"] = configuration;
-  return header.dump();
+  header["order"] = to_json(order);
+  return header.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-/// What one configuration has and the other has not, in words; empty if they are the same.
 std::string difference(const Configuration& made_with, const Configuration& now) {
   for (const auto& [key, value] : made_with) {
     const auto other = now.find(key);
@@ -44,102 +61,52 @@ std::string difference(const Configuration& made_with, const Configuration& now)
   return "";
 }
 
-Result<Configuration> read_header(const std::string& line, const std::string& path) {
-  const auto header = nlohmann::json::parse(line, nullptr, false);
-  if (!header.is_object() || header.value("format", "") != kResultsFormat ||
-      !header.contains("configuration") || !header["configuration"].is_object()) {
-    return Error{std::string("is no file of results; expected format ") + kResultsFormat, path, 1,
-                 0};
-  }
-  Configuration configuration;
-  for (const auto& [key, value] : header["configuration"].items()) {
-    configuration[key] = value.is_string() ? value.get<std::string>() : value.dump();
-  }
-  return configuration;
-}
-
-std::string read_all(int file) {
-  std::string text;
-  char buffer[65536];
-  for (ssize_t got;
-       (got = ::pread(file, buffer, sizeof buffer, static_cast<off_t>(text.size()))) > 0;) {
-    text.append(buffer, static_cast<std::size_t>(got));
-  }
-  return text;
-}
-
-}  // namespace
-
-Result<ResultsFile> ResultsFile::open(const std::string& path, const Configuration& configuration,
-                                      bool restart) {
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor < 0) {
-    return Error{std::string("cannot be written: ") + std::strerror(errno), path, 0, 0};
-  }
-  ResultsFile file(path, descriptor);
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-    return Error{"is being written by another bench", path, 0, 0};
-  }
-  if (restart && ::ftruncate(descriptor, 0) != 0) return file.failed("cannot be emptied");
-  std::string text = read_all(descriptor);
-  // What does not end in a newline was torn off by the end of its process.
-  const std::size_t whole = text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1;
-  if (whole != text.size()) {
-    text.resize(whole);
-    if (::ftruncate(descriptor, static_cast<off_t>(whole)) != 0) {
-      return file.failed("cannot be cut");
+Result<ResultsHeader> read_header(const std::string& line, const std::string& path) {
+  const auto json = nlohmann::json::parse(line, nullptr, false);
+  const auto format = json.is_object() ? json.find("format") : json.end();
+  if (!json.is_object() || format == json.end() || *format != kResultsFormat) {
+    std::string found = "is no file of results";
+    if (json.is_object() && format != json.end() && format->is_string()) {
+      found = "has the format " + format->get<std::string>();
     }
+    return Error{found + "; expected format " + kResultsFormat, path, 1, 0};
   }
-  if (text.empty()) {
-    CLEW_RETURN_IF_ERROR(file.write_line(header_text(configuration)));
-  } else {
-    CLEW_RETURN_IF_ERROR(file.take_in(text, configuration));
+  try {
+    return ResultsHeader{read_order(json.at("order")),
+                         json.at("configuration").get<Configuration>()};
+  } catch (const nlohmann::json::exception& error) {
+    return Error{std::string("is no header of results: ") + error.what(), path, 1, 0};
   }
+}
+
+Result<ResultsFile> ResultsFile::open(const std::string& path, const ResultsHeader& header,
+                                      bool restart, const Take& take, double patience_s) {
+  auto lines = LineFile::open(path, patience_s);
+  if (!lines.ok()) return lines.error();
+  ResultsFile file(std::move(lines).value());
+  if (restart) CLEW_RETURN_IF_ERROR(file.file_.clear());
+  CLEW_RETURN_IF_ERROR(file.take_in(header, take));
   return file;
 }
 
-ResultsFile::ResultsFile(ResultsFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      file_(std::exchange(other.file_, -1)),
-      lines_(std::move(other.lines_)) {}
-
-ResultsFile::~ResultsFile() {
-  if (file_ >= 0) ::close(file_);
-}
-
-Result<void> ResultsFile::take_in(const std::string& text, const Configuration& configuration) {
-  std::istringstream stream(text);
-  std::string line;
-  std::getline(stream, line);
-  const auto made_with = read_header(line, path_);
+Result<void> ResultsFile::take_in(const ResultsHeader& header, const Take& take) {
+  auto reader = LineReader::open(file_.path());
+  if (!reader.ok()) return reader.error();
+  const std::string* first = reader->next();
+  if (first == nullptr) return append(header.text());
+  const auto made_with = read_header(*first, file_.path());
   if (!made_with.ok()) return made_with.error();
-  const std::string other = difference(*made_with, configuration);
+  const std::string other = difference(made_with->configuration, header.configuration);
   if (!other.empty()) {
     return Error{other +
                      "; go on with what it was made with, choose another --out, or begin again "
                      "with --force",
-                 path_, 0, 0};
+                 file_.path(), 0, 0};
   }
-  for (int number = 2; std::getline(stream, line); ++number) {
-    if (!nlohmann::json::accept(line)) return Error{"is no line of JSON", path_, number, 0};
-    lines_.push_back(line);
+  while (const std::string* line = reader->next()) {
+    CLEW_RETURN_IF_ERROR(take(*line, reader->number()));
   }
-  return {};
-}
-
-Result<void> ResultsFile::append(const std::string& line) {
-  CLEW_RETURN_IF_ERROR(write_line(line));
-  lines_.push_back(line);
-  return {};
-}
-
-Result<void> ResultsFile::write_line(const std::string& line) {
-  if (files::write_all(file_, line + '\n')) return {};
-  return failed("cannot be written");
-}
-
-Error ResultsFile::failed(const std::string& what) const {
-  return {what + ": " + std::strerror(errno), path_, 0, 0};
+  return reader->is_whole();
 }
 
 }  // namespace clew::bench

@@ -28,10 +28,14 @@ RunResult::Detector read_detector(const json& object) {
   return detector;
 }
 
+RunKey read_key(const json& object) {
+  return {object.at("graph").get<std::string>(), object.at("variant").get<std::string>(),
+          object.at("world").get<std::string>(), object.at("seed").get<std::uint64_t>()};
+}
+
 RunResult read(const json& object) {
   RunResult run;
-  run.key = {object.at("graph").get<std::string>(), object.at("variant").get<std::string>(),
-             object.at("world").get<std::string>(), object.at("seed").get<std::uint64_t>()};
+  run.key = read_key(object);
   run.family = object.at("family").get<std::string>();
   run.outcome = object.at("outcome").get<std::string>();
   run.success = optional_at<bool>(object, "success");
@@ -43,7 +47,6 @@ RunResult read(const json& object) {
   run.collisions = object.at("collisions").get<std::uint32_t>();
   run.hit_by = object.at("hit_by").get<std::uint32_t>();
   run.safety_stops = object.at("safety_stops").get<std::uint32_t>();
-  run.ticks_per_s = object.at("ticks_per_s").get<double>();
   run.hash = optional_at<std::string>(object, "hash").value_or("");
   run.captures = optional_at<std::uint32_t>(object, "captures");
   run.held_at_end = optional_at<bool>(object, "held_at_end").value_or(false);
@@ -65,12 +68,21 @@ std::optional<double> RunResult::path_ratio() const {
   return path_length_m / *shortest_path_m;
 }
 
-core::Result<RunResult> read_run_result(const std::string& line) {
+namespace {
+
+template <typename Read>
+auto read_line(const std::string& line, const Read& read) -> core::Result<decltype(read(json()))> {
   try {
     return read(json::parse(line));
   } catch (const json::exception& error) {
     return core::Error{std::string("is no line of results: ") + error.what(), {}, 0, 0};
   }
 }
+
+}  // namespace
+
+core::Result<RunKey> read_run_key(const std::string& line) { return read_line(line, read_key); }
+
+core::Result<RunResult> read_run_result(const std::string& line) { return read_line(line, read); }
 
 }  // namespace clew::bench

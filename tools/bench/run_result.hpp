@@ -35,7 +35,6 @@ struct RunResult {
   std::uint32_t collisions = 0;
   std::uint32_t hit_by = 0;
   std::uint32_t safety_stops = 0;
-  double ticks_per_s = 0.0;
   std::string hash;
 
   /// None without a truth about traps.
@@ -57,6 +56,9 @@ struct RunResult {
   /// Path over shortest path; none where either is missing or the target was not reached.
   std::optional<double> path_ratio() const;
 };
+
+/// Reads which run a line of results or of timing is of.
+core::Result<RunKey> read_run_key(const std::string& line);
 
 /// Reads a line of results; refused is one that is not what WorldBench::run writes.
 core::Result<RunResult> read_run_result(const std::string& line);

@@ -24,6 +24,16 @@ double coin_at_most(std::size_t most, std::size_t tosses) {
   return std::min(sum, 1.0);
 }
 
+/// Of a falling or rising condition, the end of the side on which it holds.
+template <typename Holds>
+double bisect(double holds_at, double fails_at, const Holds& holds) {
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (holds_at + fails_at);
+    (holds(middle) ? holds_at : fails_at) = middle;
+  }
+  return fails_at;
+}
+
 }  // namespace
 
 Interval wilson_interval(std::size_t successes, std::size_t trials) {
@@ -36,6 +46,22 @@ Interval wilson_interval(std::size_t successes, std::size_t trials) {
       kNormal975 / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
   // At the ends the formula gives 0 and 1 but for rounding.
   return {successes == 0 ? 0.0 : middle - half, successes == trials ? 1.0 : middle + half};
+}
+
+Interval anytime_interval(std::size_t successes, std::size_t trials) {
+  if (trials == 0) return {0.0, 1.0};
+  const double n = static_cast<double>(trials);
+  const double s = static_cast<double>(successes);
+  const double log_ways = std::lgamma(n + 1.0) - std::lgamma(s + 1.0) - std::lgamma(n - s + 1.0);
+  const double least = std::log(0.05) - std::log(n + 1.0) - log_ways;
+  const auto is_inside = [&](double p) {
+    const double of_successes = successes == 0 ? 0.0 : s * std::log(p);
+    const double of_failures = successes == trials ? 0.0 : (n - s) * std::log1p(-p);
+    return of_successes + of_failures > least;
+  };
+  const double share = s / n;
+  return {successes == 0 ? 0.0 : bisect(share, 0.0, is_inside),
+          successes == trials ? 1.0 : bisect(share, 1.0, is_inside)};
 }
 
 double quantile(std::vector<double> values, double share) {

@@ -17,6 +17,7 @@ using core::YamlNode;
 
 constexpr char kSuiteFormat[] = "clew-suite/1";
 constexpr std::int64_t kMostWorlds = 1000;  // of a family
+constexpr std::int64_t kMostSeeds = 10'000'000;
 constexpr std::int64_t kMostCount = std::int64_t{1} << 53;
 
 /// A list of texts, at least one, none twice.
@@ -152,18 +153,28 @@ Result<void> read_generated(const YamlNode& node, GeneratedWorlds& generated) {
   return {};
 }
 
-Result<void> read_numbers(const YamlNode& root, Suite& suite) {
-  if (const auto node = root.find("max_ticks")) {
-    const auto value = read_count(*node, 1, kMostCount);
-    if (!value.ok()) return value.error();
-    suite.max_ticks = static_cast<std::uint64_t>(*value);
+/// `seeds: {first: 1, count: 1000}`.
+Result<void> read_seed_range(const YamlNode& node, Suite& suite) {
+  CLEW_RETURN_IF_ERROR(node.check_keys({"first", "count"}));
+  const auto count_node = node.at("count");
+  if (!count_node.ok()) return count_node.error();
+  const auto count = read_count(*count_node, 1, kMostSeeds);
+  if (!count.ok()) return count.error();
+  std::uint64_t seed = 1;
+  if (const auto first_node = node.find("first")) {
+    const auto first = read_count(*first_node, 0, kMostCount - kMostSeeds);
+    if (!first.ok()) return first.error();
+    seed = static_cast<std::uint64_t>(*first);
   }
-  const auto node = root.find("seeds");
-  if (!node) return {};
-  const auto items = node->items();
+  for (std::int64_t i = 0; i < *count; ++i) suite.seeds.push_back(seed++);
+  return {};
+}
+
+/// `seeds: [1, 2, 3]`.
+Result<void> read_seeds(const YamlNode& node, Suite& suite) {
+  const auto items = node.items();
   if (!items.ok()) return items.error();
-  if (items->empty()) return node->error("the list is empty; expected at least one seed");
-  suite.seeds.clear();
+  if (items->empty()) return node.error("the list is empty; expected at least one seed");
   for (const YamlNode& item : *items) {
     const auto seed = read_count(item, 0, kMostCount);
     if (!seed.ok()) return seed.error();
@@ -174,6 +185,18 @@ Result<void> read_numbers(const YamlNode& root, Suite& suite) {
     suite.seeds.push_back(value);
   }
   return {};
+}
+
+Result<void> read_numbers(const YamlNode& root, Suite& suite) {
+  if (const auto node = root.find("max_ticks")) {
+    const auto value = read_count(*node, 1, kMostCount);
+    if (!value.ok()) return value.error();
+    suite.max_ticks = static_cast<std::uint64_t>(*value);
+  }
+  const auto node = root.find("seeds");
+  if (!node) return {};
+  suite.seeds.clear();
+  return node->kind() == YamlKind::kMap ? read_seed_range(*node, suite) : read_seeds(*node, suite);
 }
 
 Result<void> read_about(const YamlNode& root, Suite& suite) {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "bench/statistics.hpp"
+#include "bench/stopping.hpp"
 
 namespace clew::bench {
 namespace {
@@ -193,15 +194,12 @@ Table overall_table(const BenchResults& results) {
       "quantile. Time is simulated, of successful runs.";
   table.columns = {
       "graph",      "success",       "solvable: reached", "unsolvable: told", "unknown: reached",
-      "collisions", "hit by moving", "safety stops",      "path / shortest",  "time s",
-      "ticks/s"};
+      "collisions", "hit by moving", "safety stops",      "path / shortest",  "time s"};
   for (std::size_t i = 0; i < results.plan->variants.size(); ++i) {
     const Runs runs = results.samples_of(i);
     std::vector<double> times_s;
-    std::vector<double> speeds;
     for (const RunResult* run : runs) {
       if (run->succeeded()) times_s.push_back(run->sim_time_s);
-      speeds.push_back(run->ticks_per_s);
     }
     table.rows.push_back({results.plan->variants[i].label(), successes(runs),
                           successes(with(runs, true)), successes(with(runs, false)),
@@ -209,8 +207,7 @@ Table overall_table(const BenchResults& results) {
                           std::to_string(sum(runs, [](auto& run) { return run.collisions; })),
                           std::to_string(sum(runs, [](auto& run) { return run.hit_by; })),
                           std::to_string(sum(runs, [](auto& run) { return run.safety_stops; })),
-                          quantiles(path_ratios(runs), "{:.2f}"), quantiles(times_s, "{:.0f}"),
-                          fmt::format("{:.0f}", quantile(speeds, 0.5))});
+                          quantiles(path_ratios(runs), "{:.2f}"), quantiles(times_s, "{:.0f}")});
   }
   return table;
 }
@@ -241,6 +238,28 @@ Table family_table(const BenchResults& results) {
         return run.family == rows[row].first && run.solvable.has_value() == rows[row].second;
       })));
     }
+  }
+  return table;
+}
+
+Table sequential_table(const BenchResults& results) {
+  Table table;
+  table.title = "Success, looked at while it came in";
+  table.note =
+      "Intervals at 95 % that hold however often one looks and whenever one stops (Robbins's "
+      "confidence sequence, uniform mixture). Wilson's, in the other tables, are for a number of "
+      "runs that is fixed beforehand: here they are too narrow.";
+  table.columns = {"graph", "success", "width"};
+  for (std::size_t i = 0; i < results.plan->variants.size(); ++i) {
+    const SequentialShare share = sequential_share(results, i);
+    const double of_all = share.trials == 0 ? 0.0
+                                            : static_cast<double>(share.successes) /
+                                                  static_cast<double>(share.trials);
+    table.rows.push_back(
+        {results.plan->variants[i].label(),
+         fmt::format("{}/{} {:.2f} % [{:.2f}, {:.2f}]", share.successes, share.trials,
+                     100.0 * of_all, 100.0 * share.interval.low, 100.0 * share.interval.high),
+         fmt::format("{:.4f}", share.width())});
   }
   return table;
 }

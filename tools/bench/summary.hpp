@@ -27,6 +27,10 @@ Table overall_table(const BenchResults& results);
 /// A row a family, a column a variant: success.
 Table family_table(const BenchResults& results);
 
+/// A row a variant: success with the interval that holds although the bench looked at its results
+/// and ended when they were known well enough.
+Table sequential_table(const BenchResults& results);
+
 /// A row a variant and detector, in command or in shadow: traps noticed, delays, false alarms.
 Table detector_table(const BenchResults& results);
 

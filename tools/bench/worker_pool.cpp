@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "bench/noted_signals.hpp"
 #include "core/check.hpp"
 
 namespace clew::bench {
@@ -26,31 +27,6 @@ enum class FrameType : std::uint8_t { kLine, kDone, kError };
 struct FrameHead {
   std::uint32_t size = 0;
   FrameType type = FrameType::kLine;
-};
-
-volatile std::sig_atomic_t end_signal = 0;
-void note_signal(int number) { end_signal = number; }
-
-/// While it lives, SIGINT and SIGTERM are noted instead of ending this process.
-class NotedSignals {
- public:
-  NotedSignals() {
-    end_signal = 0;
-    struct sigaction action {};
-    action.sa_handler = note_signal;
-    ::sigaction(SIGINT, &action, &interrupt_);
-    ::sigaction(SIGTERM, &action, &terminate_);
-  }
-  ~NotedSignals() {
-    ::sigaction(SIGINT, &interrupt_, nullptr);
-    ::sigaction(SIGTERM, &terminate_, nullptr);
-  }
-  NotedSignals(const NotedSignals&) = delete;
-  NotedSignals& operator=(const NotedSignals&) = delete;
-
- private:
-  struct sigaction interrupt_ {};
-  struct sigaction terminate_ {};
 };
 
 bool send_all(int socket, const char* bytes, std::size_t size) {
@@ -137,7 +113,7 @@ class Pool {
         polled.push_back({worker.is_busy ? worker.socket : -1, POLLIN, 0});
       }
       const int ready = ::poll(polled.data(), polled.size(), -1);
-      if (end_signal != 0) return PoolEnd{end_signal};
+      if (NotedSignals::noted() != 0) return PoolEnd{NotedSignals::noted()};
       if (ready < 0 && errno == EINTR) continue;
       if (ready < 0) return failed("poll");
       for (std::size_t i = 0; i < workers_.size(); ++i) {

@@ -7,6 +7,8 @@
 #include <thread>
 
 #include "bench/bench.hpp"
+#include "bench/merge.hpp"
+#include "clew/bench_sweep.hpp"
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
@@ -21,16 +23,16 @@ namespace clew::tools {
 namespace {
 
 struct BenchCommandOptions {
-  std::string suite;
-  std::vector<std::string> graphs;  ///< in place of the suite's
-  std::vector<std::string> with;
-  std::vector<std::string> set;
-  std::vector<std::string> vary;  ///< `PATH=VALUE,VALUE,...`
-  std::vector<std::string> plugins;
-  std::size_t jobs = 0;  ///< worker processes; 0: one a core
-  std::string out;       ///< empty: out/bench/SUITE
+  bench::BenchOrder order;
+  std::string shard;               ///< `I/N`; empty: all runs
+  std::vector<std::string> merge;  ///< directories of shards, instead of running
+  BenchSweepOptions sweep;
+  double until_width = 0.0;  ///< 0: all runs
+  std::size_t jobs = 0;      ///< worker processes; 0: one a core
+  std::string out;           ///< empty: out/bench/SUITE
   bool force = false;
   bool json = false;
+  bool compress = false;
   std::string write_worlds;  ///< a directory for the generated worlds, instead of running
 };
 
@@ -50,21 +52,21 @@ Result<std::string> program_text() {
   return fmt::format("{} (build {})", CLEW_VERSION, core::hash128(bytes).hex());
 }
 
-Result<bench::BenchPlan> make_plan(const BenchCommandOptions& options,
+Result<bench::BenchPlan> make_plan(const bench::BenchOrder& order,
                                    const runtime::ConfigPath& configs) {
-  const auto file = configs.find("suites", options.suite);
+  const auto file = configs.find("suites", order.suite);
   if (!file.ok()) return file.error();
-  const auto suite = bench::read_suite(*file, options.suite);
+  const auto suite = bench::read_suite(*file, order.suite);
   if (!suite.ok()) return suite.error();
-  CLEW_RETURN_IF_ERROR(load_plugins_of(options.plugins));
-  for (const std::string& graph : options.graphs.empty() ? suite->graphs : options.graphs) {
+  CLEW_RETURN_IF_ERROR(load_plugins_of(order.plugins));
+  for (const std::string& graph : order.graphs.empty() ? suite->graphs : order.graphs) {
     CLEW_RETURN_IF_ERROR(load_plugins_of({}, graph));
   }
   bench::BenchChanges changes;
-  changes.graphs = options.graphs;
-  changes.with = options.with;
-  changes.set = options.set;
-  for (const std::string& text : options.vary) {
+  changes.graphs = order.graphs;
+  changes.with = order.with;
+  changes.set = order.set;
+  for (const std::string& text : order.vary) {
     auto variation = bench::read_variation(text);
     if (!variation.ok()) return variation.error();
     changes.variations.push_back(std::move(variation).value());
@@ -79,12 +81,6 @@ Result<bench::BenchPlan> make_plan(const BenchCommandOptions& options,
     plan->configuration["plugin " + plugin.name] = plugin.digest;
   }
   return plan;
-}
-
-std::string duration_text(double seconds) {
-  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
 /// A line on the terminal, now and then; nothing in a pipe.
@@ -123,33 +119,138 @@ std::string default_directory(const std::string& suite) {
   return "out/bench/" + name;
 }
 
-int bench_command(const BenchCommandOptions& options) {
-  const auto configs = runtime::ConfigPath::from_environment();
-  const auto plan = make_plan(options, configs);
-  if (!plan.ok()) return complain(plan.error());
-  if (!options.write_worlds.empty()) return write_worlds_of(*plan, options.write_worlds);
+Result<void> print_runs(const std::string& directory) {
+  return bench::visit_runs(directory, [](const std::string& line) { fmt::print("{}\n", line); });
+}
 
-  bench::BenchOptions bench;
-  bench.directory = options.out.empty() ? default_directory(options.suite) : options.out;
-  bench.jobs = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
-  bench.restart = options.force;
-  bench.progress = terminal_progress();
-  const auto end = bench::run_bench(*plan, configs, stages::all(), bench);
-  clear_progress();
-  if (!end.ok()) return complain(end.error());
-  if (end->interrupted_by != 0) {
+/// Says what has come out.
+int tell(const bench::BenchEnd& end, const bench::BenchOptions& bench, bool as_json) {
+  if (end.interrupted_by != 0) {
     std::fprintf(stderr, "clew: interrupted; the same command goes on from %s\n",
                  bench.directory.c_str());
     return kExitInterrupted;
   }
-  if (options.json) {
-    for (const std::string& line : end->lines) fmt::print("{}\n", line);
+  if (as_json) {
+    const auto printed = print_runs(bench.directory);
+    return printed.ok() ? kExitGood : complain(printed.error());
+  }
+  if (bench.shard.count > 1) {
+    fmt::print("shard {}: {} runs in {}; clew bench --merge DIR... --out DIR puts all together\n",
+               bench.shard.text(), end.runs, bench.directory);
     return kExitGood;
   }
-  for (const std::string& remark : end->report.remarks) fmt::print("{}\n\n", remark);
+  for (const std::string& remark : end.report.remarks) fmt::print("{}\n\n", remark);
   fmt::print("{}\n{}/report.html, report.md, results.csv, results.jsonl\n",
-             bench::to_markdown(end->report.tables.front()), bench.directory);
+             bench::to_markdown(end.report.tables.front()), bench.directory);
   return kExitGood;
+}
+
+Result<bench::BenchEnd> merge(const std::vector<std::string>& directories,
+                              const bench::BenchOptions& bench,
+                              const runtime::ConfigPath& configs) {
+  const auto shards = bench::read_shards(directories);
+  if (!shards.ok()) return shards.error();
+  const bench::BenchOrder& order = shards->front().header.order;
+  const auto plan = make_plan(order, configs);
+  if (!plan.ok()) return plan.error();
+  return bench::merge_shards(*plan, order, *shards, configs, stages::all(), bench);
+}
+
+/// Which directory, which shard, how many workers.
+Result<bench::BenchOptions> bench_options(const BenchCommandOptions& options) {
+  bench::BenchOptions bench;
+  bench.directory = options.out.empty() ? default_directory(options.order.suite) : options.out;
+  bench.jobs = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
+  bench.restart = options.force;
+  bench.compress = options.compress;
+  bench.progress = terminal_progress();
+  if (options.shard.empty()) return bench;
+  const auto shard = bench::read_shard(options.shard);
+  if (!shard.ok()) return shard.error();
+  if (options.out.empty()) {
+    return core::Error{"needs --out DIR: each shard has a directory of its own", "--shard", 0, 0};
+  }
+  bench.shard = *shard;
+  return bench;
+}
+
+/// Runs it here or on a cluster, or tells only what it would cost.
+int run(const bench::BenchPlan& plan, const BenchCommandOptions& options,
+        const runtime::ConfigPath& configs, const bench::BenchOptions& bench) {
+  BenchSweepOptions sweep = options.sweep;
+  sweep.json = options.json;
+  if (options.jobs > 0) sweep.cores = options.jobs;
+  if (sweep.dry_run) {
+    const auto printed = print_cost(plan, configs, bench, sweep);
+    return printed.ok() ? kExitGood : complain(printed.error());
+  }
+  const auto end = sweep.on.empty()
+                       ? bench::run_bench(plan, options.order, configs, stages::all(), bench)
+                       : run_on_cluster(plan, options.order, configs, bench, sweep);
+  clear_progress();
+  return end.ok() ? tell(*end, bench, options.json) : complain(end.error());
+}
+
+int bench_command(const BenchCommandOptions& options) {
+  if (options.merge.empty() && options.order.suite.empty()) {
+    return complain({"a suite is required, or --merge; see --help", {}, 0, 0});
+  }
+  if (!options.merge.empty() && options.out.empty()) {
+    return complain({"needs --out DIR for the whole", "--merge", 0, 0});
+  }
+  const auto bench = bench_options(options);
+  if (!bench.ok()) return complain(bench.error());
+  const auto configs = runtime::ConfigPath::from_environment();
+  if (!options.merge.empty()) {
+    const auto end = merge(options.merge, *bench, configs);
+    return end.ok() ? tell(*end, *bench, options.json) : complain(end.error());
+  }
+  auto plan = make_plan(options.order, configs);
+  if (!plan.ok()) return complain(plan.error());
+  if (options.until_width > 0.0) {
+    plan->stopping = bench::Stopping{options.until_width, 0, 0};
+    plan->configuration["until_width"] = fmt::format("{}", options.until_width);
+  }
+  if (!options.write_worlds.empty()) return write_worlds_of(*plan, options.write_worlds);
+  return run(*plan, options, configs, *bench);
+}
+
+/// The options that change a suite.
+void add_order(CLI::App& app, bench::BenchOrder& order) {
+  app.add_option("suite", order.suite, "a name or a path");
+  app.add_option("--graph", order.graphs, "in place of the suite's graphs; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--with", order.with, "STAGE[.PART]=NAME[,NAME...]: in every graph")
+      ->allow_extra_args(false);
+  app.add_option("--set", order.set, "STAGE[.PART][.NAME].PARAM=VALUE: in every graph")
+      ->allow_extra_args(false);
+  app.add_option("--vary", order.vary,
+                 "STAGE.PART=NAME,NAME,... or STAGE...PARAM=VALUE,VALUE,...: every graph with each "
+                 "of them; A+B is the list of A and B; repeated: all combinations, and two make a "
+                 "matrix in the report")
+      ->allow_extra_args(false);
+  add_plugins(app, order.plugins);
+}
+
+/// The options of parts of a bench.
+void add_shards(CLI::App& app, BenchCommandOptions& options) {
+  app.add_option("--shard", options.shard,
+                 "I/N: the I-th of N parts only, in a directory of its own");
+  CLI::Option* merge =
+      app.add_option(
+             "--merge", options.merge,
+             "directories of all shards of a bench, in any order: makes the whole, in --out")
+          ->type_name("DIR");
+  for (const char* other :
+       {"suite", "--graph", "--with", "--set", "--vary", "--plugin", "--shard", "--jobs",
+        "--write-worlds", "--on", "--shards", "--dry-run", "--until-width"}) {
+    merge->excludes(app.get_option(other));
+  }
+  // Whoever looks at results as they come needs all of them.
+  CLI::Option* until_width = app.get_option("--until-width");
+  CLI::Option* on = app.get_option("--on");
+  app.get_option("--shard")->excludes(on)->excludes(until_width);
+  until_width->excludes(on)->excludes(app.get_option("--dry-run"));
 }
 
 }  // namespace
@@ -157,20 +258,7 @@ int bench_command(const BenchCommandOptions& options) {
 void add_bench(CLI::App& main, int& status) {
   const auto options = std::make_shared<BenchCommandOptions>();
   CLI::App* app = main.add_subcommand("bench", "Run graphs in all worlds of a suite, and compare");
-  app->add_option("suite", options->suite, "a name or a path")->required();
-  app->add_option("--graph", options->graphs, "in place of the suite's graphs; may be repeated")
-      ->allow_extra_args(false);
-  app->add_option("--with", options->with, "STAGE[.PART]=NAME[,NAME...]: in every graph")
-      ->allow_extra_args(false);
-  app->add_option("--set", options->set, "STAGE[.PART][.NAME].PARAM=VALUE: in every graph")
-      ->allow_extra_args(false);
-  app->add_option(
-         "--vary", options->vary,
-         "STAGE.PART=NAME,NAME,... or STAGE...PARAM=VALUE,VALUE,...: every graph with each "
-         "of them; A+B is the list of A and B; repeated: all combinations, and two make a "
-         "matrix in the report")
-      ->allow_extra_args(false);
-  add_plugins(*app, options->plugins);
+  add_order(*app, options->order);
   app->add_option("--jobs", options->jobs, "worker processes (one a core)")
       ->check(number_between(1, 1024));
   app->add_option("--out", options->out,
@@ -181,6 +269,14 @@ void add_bench(CLI::App& main, int& status) {
   app->add_flag("--json", options->json, "print one JSON object a run");
   app->add_option("--write-worlds", options->write_worlds,
                   "write the generated worlds and their pictures to a directory, run nothing");
+  app->add_flag("--compress", options->compress,
+                "leave results.jsonl.zst, as by itself where results have 64 MiB and more");
+  app->add_option("--until-width", options->until_width,
+                  "run batch after batch until each graph's success is known to so much, as 0.05, "
+                  "from one end of its interval to the other")
+      ->check(number_between(0.001, 1.0));
+  add_sweep(*app, options->sweep);
+  add_shards(*app, *options);
   app->callback([options, &status] { status = bench_command(*options); });
 }
 

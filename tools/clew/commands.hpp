@@ -16,6 +16,7 @@ void add_component(CLI::App& main, int& status);
 /// Started by runs only.
 void add_recorder(CLI::App& main, int& status);
 void add_plot(CLI::App& main, int& status);
+void add_query(CLI::App& main, int& status);
 void add_info(CLI::App& main, int& status);
 void add_events(CLI::App& main, int& status);
 void add_doctor(CLI::App& main, int& status);
