@@ -44,7 +44,7 @@ set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/clew)
 set(libraries)
 foreach(name core yaml domain world scan map runtime sense classify recover plan control drive stages
         behaviours plugin wire recording plugins dds fastdds fastdds_profiles
-        cyclonedds cyclonedds_configuration vendors run line component recorder supervisor
+        cyclonedds cyclonedds_configuration vendors security run line component recorder supervisor
         replay)
   set_target_properties(clew_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND libraries clew_${name})

@@ -240,8 +240,9 @@ Result<std::unique_ptr<Participant>> join(const Assignment& assignment, const st
                                           StartBarrier& barrier) {
   const auto vendor = vendor_from_name(assignment.middleware);
   if (!vendor) return Error{"unknown middleware '" + assignment.middleware + "'", {}, 0, 0};
-  auto participant =
-      create_unsettled_participant(*vendor, {assignment.domain, name, assignment.lease_s}, barrier);
+  auto participant = create_unsettled_participant(
+      *vendor, {assignment.domain, name, assignment.lease_s, {}, false, assignment.security},
+      barrier);
   if (participant.ok()) {
     // Those that are late are found, too, if not as fast.
     static_cast<void>(barrier.wait_for_participants(assignment.peers, Clock::now() + kMeetTimeout));

@@ -10,6 +10,35 @@
 
 namespace clew::bridge {
 
+namespace {
+
+/// One of Cyclone DDS's three parts of security, with the plug-in that Debian's package brings.
+std::string plug_in(const std::string& element, const std::string& library,
+                    const std::string& functions, const std::string& settings) {
+  return fmt::format(
+      "<{0}><Library path=\"{1}\" initFunction=\"init_{2}\" finalizeFunction=\"finalize_{2}\"/>{3}"
+      "</{0}>",
+      element, library, functions, settings);
+}
+
+std::string security_settings(const SecurityFiles& files) {
+  return "<Security>" +
+         plug_in("Authentication", "dds_security_auth", "authentication",
+                 fmt::format("<IdentityCA>file:{}</IdentityCA>"
+                             "<IdentityCertificate>file:{}</IdentityCertificate>"
+                             "<PrivateKey>file:{}</PrivateKey>",
+                             files.authority, files.certificate, files.private_key)) +
+         plug_in("Cryptographic", "dds_security_crypto", "crypto", "") +
+         plug_in("AccessControl", "dds_security_ac", "access_control",
+                 fmt::format("<PermissionsCA>file:{}</PermissionsCA>"
+                             "<Governance>file:{}</Governance>"
+                             "<Permissions>file:{}</Permissions>",
+                             files.authority, files.governance, files.permissions)) +
+         "</Security>";
+}
+
+}  // namespace
+
 // Why each setting:
 // - ExternalDomainId is the number on the wire; participants of one process have domains of their
 //   own.
@@ -35,10 +64,11 @@ std::string cyclonedds_configuration(const ParticipantConfig& config) {
       "<Internal><GenerateKeyhash>true</GenerateKeyhash>"
       "<WriterLingerDuration>{} ms</WriterLingerDuration>"
       "<Watermarks><WhcHigh>1 MiB</WhcHigh><WhcHighInit>1 MiB</WhcHighInit>"
-      "<WhcAdaptive>false</WhcAdaptive></Watermarks></Internal>"
+      "<WhcAdaptive>false</WhcAdaptive></Watermarks></Internal>{}"
       "</Domain></CycloneDDS>",
       config.on_network ? "" : kLoopback, config.domain, kMaxParticipantIndex, kLoopbackAddress,
-      static_cast<std::int64_t>(config.lease_s * 1e3), kLinger.count());
+      static_cast<std::int64_t>(config.lease_s * 1e3), kLinger.count(),
+      config.security ? security_settings(*config.security) : "");
 }
 
 }  // namespace clew::bridge

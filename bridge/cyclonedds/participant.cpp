@@ -7,6 +7,7 @@
 #include "cyclonedds/configuration.hpp"
 #include "cyclonedds/endpoint.hpp"
 #include "cyclonedds/loopback_sockets.hpp"
+#include "cyclonedds/refusal_log.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -96,6 +97,7 @@ class CycloneParticipant : public Participant {
   explicit CycloneParticipant(DiscoveryListener& listener) : listener_(listener) {}
 
   core::Result<void> open(const ParticipantConfig& config) {
+    if (config.security) quieten_refusals();
     // A domain of Cyclone's own for each participant, so that two in one process have a network
     // between them like all others; on the wire it is config.domain.
     static std::atomic<dds_domainid_t> next_domain{0};

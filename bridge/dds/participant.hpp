@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "dds/security_files.hpp"
 
 namespace clew::bridge {
 
@@ -112,6 +113,8 @@ struct ParticipantConfig {
   std::string user_data{};  ///< USER_DATA of the participant, as `enclave=/;`
   /// Whether it speaks on every network of the host, with multicast, or on 127.0.0.1 only.
   bool on_network = false;
+  /// With it, the participant takes part in a secured domain only; without, in an open one.
+  std::optional<SecurityFiles> security{};
 };
 
 /// A participant that speaks on 127.0.0.1 only, by unicast, and finds up to 100 others there,

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "dds/rtps_ports.hpp"
+#include "fastdds/security_properties.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -14,6 +15,15 @@ std::string duration(double seconds) {
   const auto whole = static_cast<std::int64_t>(seconds);
   const auto rest = static_cast<std::int64_t>((seconds - static_cast<double>(whole)) * 1e9);
   return fmt::format("<sec>{}</sec><nanosec>{}</nanosec>", whole, rest);
+}
+
+std::string security_properties(const std::optional<SecurityFiles>& security) {
+  if (!security) return {};
+  std::string text = "<propertiesPolicy><properties>";
+  for (const auto& [name, value] : fastdds_security_properties(*security)) {
+    text += fmt::format("<property><name>{}</name><value>{}</value></property>", name, value);
+  }
+  return text + "</properties></propertiesPolicy>";
 }
 
 std::string participant_profile(const ParticipantConfig& config) {
@@ -30,10 +40,10 @@ std::string participant_profile(const ParticipantConfig& config) {
       "<initialAnnouncements><count>10</count><period>{}</period></initialAnnouncements>"
       "</discovery_config>"
       "<metatrafficUnicastLocatorList>{}</metatrafficUnicastLocatorList>"
-      "<initialPeersList>{}</initialPeersList></builtin>"
+      "<initialPeersList>{}</initialPeersList></builtin>{}"
       "</rtps></participant>",
       config.domain, loopback, duration(config.lease_s), duration(0.4), duration(0.02), loopback,
-      loopback);
+      loopback, security_properties(config.security));
 }
 
 /// `tag` is data_writer or data_reader; `times` what only one of them has.

@@ -15,6 +15,7 @@
 
 #include "dds/remote_endpoints.hpp"
 #include "dds/rtps_ports.hpp"
+#include "fastdds/security_properties.hpp"
 
 namespace clew::bridge {
 
@@ -98,6 +99,11 @@ DomainParticipantQos fastdds_participant_qos(const ParticipantConfig& config) {
   discovery.initial_announcements.count = 10;
   discovery.initial_announcements.period = Duration_t(0.02L);
   qos.properties().properties().emplace_back(kProcessIdProperty, std::to_string(getpid()), true);
+  if (config.security) {
+    for (const auto& [name, value] : fastdds_security_properties(*config.security)) {
+      qos.properties().properties().emplace_back(name, value);
+    }
+  }
   return qos;
 }
 

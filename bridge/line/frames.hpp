@@ -12,6 +12,7 @@
 
 #include "core/archive.hpp"
 #include "core/hash128.hpp"
+#include "dds/security_files.hpp"
 #include "domain/intervention.hpp"
 #include "run/limits.hpp"
 #include "run/pace.hpp"
@@ -93,6 +94,7 @@ struct Assignment {
   std::vector<std::string> stages;  ///< that this process is
   runtime::Bundle bundle;
   std::string middleware;
+  std::optional<SecurityFiles> security;  ///< of its participant; none: the run is open
   std::int32_t domain = 0;
   double lease_s = kLease_s;
   Pace pace = Pace::kLockstep;
@@ -190,8 +192,12 @@ void visit_fields(V& v, Checkpoint& m) {
   v(m.tick, m.node, m.account, m.last_outputs, m.successors);
 }
 template <typename V>
+void visit_fields(V& v, SecurityFiles& m) {
+  v(m.authority, m.certificate, m.private_key, m.governance, m.permissions);
+}
+template <typename V>
 void visit_fields(V& v, Assignment& m) {
-  v(m.run_id, m.run_key, m.stages, m.bundle, m.middleware, m.domain, m.lease_s, m.pace,
+  v(m.run_id, m.run_key, m.stages, m.bundle, m.middleware, m.security, m.domain, m.lease_s, m.pace,
     m.pace_factor, m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected,
     m.waits_for_go, m.has_lead, m.peers, m.resumes, m.checkpoint, m.interventions,
     m.input_histories);

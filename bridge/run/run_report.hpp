@@ -37,6 +37,7 @@ struct RunReport {
   std::optional<RecordingAccount> recording;  ///< none: it was not recorded
   std::string aborted;        ///< why the run ended without an outcome; empty if it has one
   bool goal_changed = false;  ///< while it went on: the world's shortest path is another's
+  bool secured = false;       ///< DDS Security protected what was on the wire
   int interrupted_by = 0;     ///< the signal that ended the run, if one did
 };
 

@@ -11,6 +11,7 @@
 #include "component/json_lines.hpp"
 #include "plugins/plugin_loader.hpp"
 #include "run/limits.hpp"
+#include "supervisor/run_participants.hpp"
 #include "wire/codec.hpp"
 
 namespace clew::bridge {
@@ -148,7 +149,7 @@ std::string how_to_start(const runtime::RunPlan& plan, const GraphStage& stage,
 }
 
 Launcher::Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,
-                   Spooling spooling, StartProcess start)
+                   Spooling spooling, StartProcess start, RunSecurity::Shared security)
     : plan_(plan),
       layout_(layout),
       domain_(domain),
@@ -156,13 +157,35 @@ Launcher::Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, in
       start_(std::move(start)),
       run_id_(std::to_string(::getpid()) + '-' + std::to_string(domain)),
       run_key_(RunKey::make()),
-      environment_(domain, kLease_s, run_id_) {}
+      security_(std::move(security)),
+      environment_(domain, kLease_s, run_id_) {
+  if (security_ == nullptr) return;
+  for (const GraphStage& stage : plan.graph.stages) {
+    if (!is_third_party(stage)) continue;
+    const std::string& name = stage.info->name;
+    const ThirdPartyIdentity identity{security_->files(name, Vendor::kCycloneDds),
+                                      security_->files(name, Vendor::kFastDds)};
+    secured_environments_.try_emplace(name, domain, kLease_s, run_id_, identity);
+  }
+}
+
+const ThirdPartyEnvironment& Launcher::environment_of(const Member& member) const {
+  const auto found = secured_environments_.find(member.stage);
+  return found != secured_environments_.end() ? found->second : environment_;
+}
+
+std::optional<SecurityFiles> Launcher::security_of(const std::string& name,
+                                                   const std::string& middleware) const {
+  if (security_ == nullptr) return std::nullopt;
+  return security_->files(name, vendor_from_name(middleware).value());
+}
 
 core::Result<void> Launcher::start(Member& member) const {
-  if (member.third_party && !environment_.failure().empty()) {
-    return core::Error{member.stage + ": " + environment_.failure(), {}, 0, 0};
+  const ThirdPartyEnvironment& environment = environment_of(member);
+  if (member.third_party && !environment.failure().empty()) {
+    return core::Error{member.stage + ": " + environment.failure(), {}, 0, 0};
   }
-  auto child = start_(command_of(member, plan_, layout_, environment_));
+  auto child = start_(command_of(member, plan_, layout_, environment));
   if (!child.ok()) return core::Error{member.stage + ": " + child.error().text(), {}, 0, 0};
   member.child = std::move(child).value();
   member.down = false;
@@ -178,7 +201,7 @@ ChildCommand Launcher::recorder_command() const {
 
 std::string Launcher::how_to_start(const Member& member) const {
   return bridge::how_to_start(plan_, *plan_.graph.find(member.stages.front()), layout_.program,
-                              domain_, environment_);
+                              domain_, environment_of(member));
 }
 
 core::Result<Member*> Launcher::admit(const Hello& hello, std::vector<Member>& members) const {
@@ -210,9 +233,16 @@ Assignment Launcher::assignment_for(const std::vector<std::string>& stages,
 }
 
 Assignment Launcher::assignment_for(const Member& member) const {
-  Assignment assignment = assignment_for(
-      member.stages, middleware_of(*plan_.graph.find(member.stages.front()), layout_));
+  const std::string middleware = middleware_of(*plan_.graph.find(member.stages.front()), layout_);
+  Assignment assignment = assignment_for(member.stages, middleware);
+  assignment.security = security_of(member.stage, middleware);
   if (!member.checkpoints.empty()) assignment.checkpoint = member.checkpoints.back();
+  return assignment;
+}
+
+Assignment Launcher::assignment_for_observer() const {
+  Assignment assignment = assignment_for({}, layout_.middleware);
+  assignment.security = security_of(kObserverIdentity, layout_.middleware);
   return assignment;
 }
 
@@ -221,6 +251,7 @@ Assignment Launcher::assignment_for_watcher() const {
   assignment.run_id = run_id_;
   assignment.bundle = plan_.bundle;
   assignment.middleware = layout_.middleware;
+  assignment.security = security_of(kWatcherName, layout_.middleware);
   assignment.domain = domain_;
   assignment.pace = layout_.pace;
   assignment.pace_factor = layout_.pace_factor;

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "line/frames.hpp"
 #include "line/run_key.hpp"
 #include "runtime/run_plan.hpp"
+#include "security/run_security.hpp"
 #include "supervisor/member.hpp"
 #include "supervisor/process_layout.hpp"
 #include "vendors/third_party_environment.hpp"
@@ -44,8 +47,9 @@ using StartProcess = std::function<core::Result<ChildProcess>(const ChildCommand
 /// Starts the processes of a run, and gives each that reports its assignment.
 class Launcher {
  public:
+  /// `security` may be null: the run is open.
   Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain, Spooling spooling,
-           StartProcess start = ChildProcess::start);
+           StartProcess start = ChildProcess::start, RunSecurity::Shared security = nullptr);
 
   /// Starts a member's process.
   core::Result<void> start(Member& member) const;
@@ -60,6 +64,8 @@ class Launcher {
   Assignment assignment_for(const std::vector<std::string>& stages,
                             const std::string& middleware) const;
   Assignment assignment_for(const Member& member) const;
+  /// Of the run's own participant, which reads what third-party components write.
+  Assignment assignment_for_observer() const;
   /// With every file of the run, the world too.
   Assignment assignment_for_watcher() const;
 
@@ -69,6 +75,11 @@ class Launcher {
   std::chrono::steady_clock::duration start_timeout() const;
 
  private:
+  /// Of a participant of the run; none if the run is open.
+  std::optional<SecurityFiles> security_of(const std::string& name,
+                                           const std::string& middleware) const;
+  const ThirdPartyEnvironment& environment_of(const Member& member) const;
+
   const runtime::RunPlan& plan_;
   const ProcessLayout& layout_;
   int domain_;
@@ -76,7 +87,9 @@ class Launcher {
   StartProcess start_;
   std::string run_id_;
   RunKey run_key_;
+  RunSecurity::Shared security_;
   ThirdPartyEnvironment environment_;
+  std::map<std::string, ThirdPartyEnvironment> secured_environments_;  ///< by stage
 };
 
 }  // namespace clew::bridge

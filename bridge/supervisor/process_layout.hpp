@@ -23,6 +23,8 @@ struct ProcessLayout {
   Pace pace = Pace::kLockstep;
   double pace_factor = 1.0;
   int realtime_priority = 0;  ///< of component processes: 1 to 99, first in, first out; 0: none
+  /// A directory of keys, or empty: keys for this run alone. None: as the graph says.
+  std::optional<std::string> security;
   bool hash = true;
   OnRecordError on_record_error = OnRecordError::kStop;
   std::set<std::string> external;             ///< stages that a person starts

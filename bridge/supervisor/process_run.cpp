@@ -14,6 +14,7 @@
 #include "line/domain_lock.hpp"
 #include "run/end_signals.hpp"
 #include "run/limits.hpp"
+#include "supervisor/run_participants.hpp"
 #include "supervisor/supervisor.hpp"
 #include "supervisor/watchers.hpp"
 
@@ -50,6 +51,16 @@ void take_arrivals(Supervisor& supervisor, Doors& doors) {
   doors.watchers.turn();
 }
 
+/// The identities that the layout asks for, or else the graph; null if neither does.
+core::Result<RunSecurity::Shared> security_of(const runtime::Graph& graph,
+                                              const ProcessLayout& layout) {
+  const auto& directory = layout.security ? layout.security : graph.security;
+  if (!directory) return RunSecurity::Shared();
+  const auto participants = run_participants(graph, layout);
+  return directory->empty() ? RunSecurity::mint(participants)
+                            : RunSecurity::read(*directory, participants);
+}
+
 }  // namespace
 
 core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const ProcessLayout& layout,
@@ -66,13 +77,16 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
     name.emplace(std::move(taken).value());
     listening.push_back(name->socket());
   }
+  const auto security = security_of(plan.graph, layout);
+  if (!security.ok()) return security.error();
   Doors doors{Acceptor(listening), {}};
   EndSignals signals;  // before any thread of a vendor's
   const auto say = [](const std::string& line) {
     std::fprintf(stderr, "clew: %s\n", line.c_str());
   };
   Supervisor supervisor(plan, layout, lock->domain(), recording, start,
-                        {say, display, ChildProcess::start, control, watch}, Clock::now());
+                        {say, display, ChildProcess::start, control, watch, *security},
+                        Clock::now());
   supervisor.start();
   while (!supervisor.over()) {
     wait_for_something(supervisor, doors, signals);
@@ -87,7 +101,9 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
     take_arrivals(supervisor, doors);
     supervisor.turn_recording(Clock::now());
   }
-  return supervisor.finish(Clock::now());
+  RunReport report = supervisor.finish(Clock::now());
+  report.secured = *security != nullptr;
+  return report;
 }
 
 }  // namespace clew::bridge

@@ -38,7 +38,7 @@ Supervisor::Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout
       outside_(std::move(outside)),
       members_(list_members(plan, layout)),
       launcher_(plan, layout, domain, spooling_for(recording, outside_.watch != nullptr),
-                outside_.start),
+                outside_.start, outside_.security),
       restart_policy_(members_, plan.graph),
       live_control_(outside_.control, members_, layout.pace == Pace::kRealtime),
       started_at_(now),
@@ -79,7 +79,7 @@ void Supervisor::start() {
       start_child(member);
     }
   }
-  Assignment assignment = launcher_.assignment_for({}, layout_.middleware);
+  Assignment assignment = launcher_.assignment_for_observer();
   assignment.checkpoint = std::move(observed_before_);
   auto observer = ThirdPartyObserver::create(plan_, std::move(assignment));
   if (!observer.ok()) return abort(observer.error().text());

@@ -41,6 +41,7 @@ class Supervisor {
     StartProcess start = ChildProcess::start;  ///< starts a program
     RunControl* control = nullptr;  ///< what is changed while the run goes on; null: nothing may be
     WatchSamples watch = nullptr;   ///< sees what the recorder gets; may be null
+    RunSecurity::Shared security = nullptr;  ///< null: the run is open
   };
 
   Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain,

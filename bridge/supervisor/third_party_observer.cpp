@@ -46,8 +46,9 @@ core::Result<std::unique_ptr<ThirdPartyObserver>> ThirdPartyObserver::create(
   self->barrier_ = std::make_unique<StartBarrier>(
       kName, assignment.expected, StartBarrier::Handlers{[] {}, on_refused, on_fatal});
   self->barrier_->demand_seals(RunKey(assignment.run_key));
-  auto participant =
-      create_participant(*vendor, {assignment.domain, kName, assignment.lease_s}, *self->barrier_);
+  auto participant = create_participant(
+      *vendor, {assignment.domain, kName, assignment.lease_s, {}, false, assignment.security},
+      *self->barrier_);
   if (!participant.ok()) return participant.error();
   self->participant_ = std::make_unique<SealedParticipant>(std::move(participant).value(),
                                                            RunKey(assignment.run_key));

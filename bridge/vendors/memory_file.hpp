@@ -5,8 +5,8 @@
 
 namespace clew::bridge {
 
-/// A text that other processes of the same user can read as a file, while this object lives. It is
-/// on no disk, so nothing is left of it, however the process ends.
+/// A text that other processes of the same user can read as a file, and nobody change, while this
+/// object lives. It is on no disk, so nothing is left of it, however the process ends.
 class MemoryFile {
  public:
   MemoryFile(const std::string& name, const std::string& text);

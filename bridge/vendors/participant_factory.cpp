@@ -16,6 +16,11 @@ namespace {
 // heartbeats, a second later, unless both know each other by then.
 constexpr std::chrono::milliseconds kSettlingTime{100};
 
+/// A library built without security passes over all that asks for it. With it, a GUID is made from
+/// the certificate, and its first bit is 1 (DDS Security 1.1, table 52); else the GUID begins with
+/// the number of the vendor.
+bool is_secured(const Participant& participant) { return participant.guid().front() >= '8'; }
+
 }  // namespace
 
 std::string_view vendor_name(Vendor vendor) {
@@ -39,6 +44,11 @@ core::Result<std::unique_ptr<Participant>> create_unsettled_participant(
   if (!create.ok()) return create.error();
   core::Result<std::unique_ptr<Participant>> participant = std::unique_ptr<Participant>();
   (*create)(config, discovery, participant);
+  if (config.security && participant.ok() && !is_secured(**participant)) {
+    return core::Error{"participant " + config.name + ": " + std::string(vendor_name(vendor)) +
+                           " was built without DDS Security",
+                       {}};
+  }
   return participant;
 }
 

@@ -8,11 +8,14 @@ namespace clew::bridge {
 
 // A file of profiles in the working directory would be read after ours, and a discovery server make
 // clients of the participants.
-ThirdPartyEnvironment::ThirdPartyEnvironment(int domain, double lease_s, const std::string& run_id)
-    : fastdds_profiles_("clew-fastdds-profiles", fastdds_profiles({domain, {}, lease_s})),
+ThirdPartyEnvironment::ThirdPartyEnvironment(int domain, double lease_s, const std::string& run_id,
+                                             const ThirdPartyIdentity& identity)
+    : fastdds_profiles_("clew-fastdds-profiles",
+                        fastdds_profiles({domain, {}, lease_s, {}, false, identity.fastdds})),
       variables_{{"CLEW_DOMAIN_ID", std::to_string(domain)},
                  {"CLEW_RUN_ID", run_id},
-                 {"CYCLONEDDS_URI", cyclonedds_configuration({domain, {}, lease_s})},
+                 {"CYCLONEDDS_URI",
+                  cyclonedds_configuration({domain, {}, lease_s, {}, false, identity.cyclonedds})},
                  {"FASTRTPS_DEFAULT_PROFILES_FILE", fastdds_profiles_.path()},
                  {"SKIP_DEFAULT_XML_FILE", "1"},
                  {"ROS_DISCOVERY_SERVER", ""}} {}

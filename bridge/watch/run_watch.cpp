@@ -41,7 +41,8 @@ core::Result<void> RunWatch::take_assignment(Time deadline) {
 core::Result<void> RunWatch::listen() {
   const auto vendor = vendor_from_name(run_.middleware);
   CLEW_CHECK(vendor.has_value(), run_.middleware);
-  auto participant = create_participant(*vendor, {run_.domain, kWatcherName, kLease_s}, *this);
+  auto participant = create_participant(
+      *vendor, {run_.domain, kWatcherName, kLease_s, {}, false, run_.security}, *this);
   if (!participant.ok()) return participant.error();
   participant_ = std::move(participant).value();
   const std::string user_data = UserData{std::string(idl_fingerprint()), {}}.to_text();

@@ -75,6 +75,9 @@ struct GraphStage {
   std::string expanded_yaml() const;
 };
 
+/// What a graph's `security` says if each run is to have keys of its own.
+inline constexpr char kMintedKeys[] = "minted";
+
 /// A graph, complete: every default filled in, every port wired.
 struct Graph {
   std::string name;
@@ -85,6 +88,8 @@ struct Graph {
   double start_timeout_s = 10.0;
   std::optional<world::Goal> goal;   ///< in the place of the world's target
   std::string layout = "processes";  ///< or `composed`; the command line outranks it
+  /// What protects its wire: a directory of keys, or empty, keys for the run alone. None: nothing.
+  std::optional<std::string> security;
   double tick_s = 0.0;
   /// In an order in which an input of the same tick is written before it is read.
   std::vector<GraphStage> stages;

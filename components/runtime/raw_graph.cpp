@@ -162,6 +162,29 @@ Result<world::Goal> read_goal(const YamlNode& node) {
   return goal;
 }
 
+/// `security: minted`, or `security: {directory: DIR}`.
+Result<void> read_security(const YamlNode& root, Graph& head) {
+  const auto node = root.find("security");
+  if (!node) return {};
+  if (node->kind() == YamlKind::kMap) {
+    CLEW_RETURN_IF_ERROR(node->check_keys({"directory"}));
+    const auto directory = node->at("directory");
+    if (!directory.ok()) return directory.error();
+    auto path = directory->string();
+    if (!path.ok()) return path.error();
+    if (path->empty()) return directory->error("found no path of a directory of keys");
+    head.security = std::move(path).value();
+    return {};
+  }
+  const auto word = node->string();
+  if (!word.ok() || *word != kMintedKeys) {
+    return node->error("security is " + node->found() + "; allowed: " + kMintedKeys +
+                       ", {directory: DIR}");
+  }
+  head.security.emplace();
+  return {};
+}
+
 Result<void> read_head(const YamlNode& root, Graph& head) {
   const auto text = [&](const char* key, std::string& field, bool required) -> Result<void> {
     if (!required && !root.find(key)) return {};
@@ -209,7 +232,7 @@ Result<void> read_head(const YamlNode& root, Graph& head) {
       return node->error(core::unknown_name("layout", head.layout, kLayouts));
     }
   }
-  return {};
+  return read_security(root, head);
 }
 
 /// A mission's word, and the stage that it is short for.
@@ -325,7 +348,7 @@ Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& n
   if (!root.ok()) return root.error();
   std::vector<std::string> keys = {"name", "about",     "world",           "robot",
                                    "seed", "max_ticks", "start_timeout_s", "mission",
-                                   "goal", "layout",    "plugins"};
+                                   "goal", "layout",    "security",        "plugins"};
   for (const StageInfo& stage : stages) keys.push_back(stage.name);
   if (const auto format = root->find("format")) {
     return format->error("found a file of the format " + format->found() +

@@ -79,6 +79,8 @@ void ticks(benchmark::State& state, const std::string& graph, const std::string&
   }
 }
 
+constexpr char kSecured[] = " --secure";
+
 // What a user waits before the robot moves: until the first tick is done.
 void start(benchmark::State& state, const std::string& options) {
   for (auto _ : state) {
@@ -94,6 +96,12 @@ void start(benchmark::State& state, const std::string& options) {
 void register_ticks(const std::string& name, const std::string& options, int max_ticks,
                     const std::string& graph = "krishna_kalra") {
   benchmark::RegisterBenchmark(name.c_str(), ticks, graph, options, max_ticks)
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+void register_start(const std::string& name, const std::string& options) {
+  benchmark::RegisterBenchmark(("start/" + name).c_str(), start, options)
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond);
 }
@@ -131,9 +139,9 @@ int main(int argc, char** argv) {
     }
     register_ticks("ticks/" + name + "/recorded",
                    layout.options + endless + " --record /tmp/clew-benchmark.mcap --force", 10000);
-    benchmark::RegisterBenchmark(("start/" + name).c_str(), start, std::string(layout.options))
-        ->UseManualTime()
-        ->Unit(benchmark::kMillisecond);
+    register_ticks("ticks/" + name + "/secured", layout.options + endless + kSecured, 10000);
+    register_start(name, layout.options);
+    register_start(name + "/secured", std::string(layout.options) + kSecured);
   }
   benchmark::RunSpecifiedBenchmarks();
   std::remove("/tmp/clew-benchmark.mcap");

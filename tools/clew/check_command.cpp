@@ -44,6 +44,10 @@ void print_wiring(const Graph& graph) {
 /// How the graph is spread over processes, where it is not one for each stage.
 void print_layout(const Graph& graph) {
   if (graph.layout != "processes") fmt::print("layout: {}\n", graph.layout);
+  if (graph.security) {
+    fmt::print("security: {}\n",
+               graph.security->empty() ? "keys for each run alone" : "keys in " + *graph.security);
+  }
   std::map<std::string, std::string> stages_of;
   for (const GraphStage& stage : graph.stages) {
     std::string& stages = stages_of[stage.deployment.group];

@@ -30,6 +30,9 @@ void add_world_import(CLI::App& world, int& status);
 void add_hunt(CLI::App& main, int& status);
 void add_bisect(CLI::App& main, int& status);
 void add_shrink(CLI::App& main, int& status);
+/// init, mint, check: the keys of secured runs.
+void add_keys(CLI::App& main, int& status);
+void add_sign(CLI::App& main, int& status);
 void add_diff(CLI::App& main, int& status);
 void add_replay(CLI::App& main, int& status);
 /// swap, goal, pause, step, resume, stop: what is done to a run that goes on.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -9,6 +10,7 @@
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/plugin_options.hpp"
+#include "clew/signature_facts.hpp"
 #include "clew/stage_text.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/recorded_plan.hpp"
@@ -21,6 +23,7 @@ namespace {
 struct InfoOptions {
   std::string recording;
   std::vector<std::string> plugins;
+  std::string signed_by;  ///< the file of a certificate, or empty
   bool json = false;
 };
 
@@ -48,6 +51,7 @@ struct RecordingFacts {
   bool types_match = false;
   std::string no_plan;  ///< why this version cannot make the run's components; empty if it can
   std::optional<std::uint64_t> branch_tick;
+  SignatureFacts signature;
 };
 
 bool was_aborted(const RunRecording& recording) {
@@ -92,7 +96,7 @@ RecordingFacts gather(const RunRecording& recording, const RunSurvey& survey) {
 
 bool is_good(const RunRecording& recording, const RecordingFacts& facts) {
   return recording.complete() && facts.missing_samples == 0 && facts.hash_matches &&
-         facts.no_plan.empty();
+         facts.no_plan.empty() && facts.signature.good();
 }
 
 std::string state_text(const RunRecording& recording, const RecordingFacts& facts) {
@@ -157,6 +161,9 @@ void print(const RunRecording& recording, const RecordingFacts& facts) {
                *facts.branch_tick);
   }
   fmt::print("hash       {}\nseed       {}\n", hash_text(recording, facts), description.seed);
+  if (const std::string text = facts.signature.text(); !text.empty()) {
+    fmt::print("signature  {}\n", text);
+  }
   for (const auto& [program, version] : description.versions) {
     fmt::print("version    {} {}\n", program, version);
   }
@@ -235,6 +242,7 @@ ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts)
   json["hash"] = facts.hash.hex();
   json["recorded_hash"] =
       recording.end() ? ordered_json(recording.end()->hash.hex()) : ordered_json(nullptr);
+  facts.signature.add_to(json);
   json["seed"] = description.seed;
   json["versions"] = description.versions;
   json["idl_fingerprint"] = description.idl_fingerprint;
@@ -251,14 +259,23 @@ ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts)
 }
 
 int info_command(const InfoOptions& options) {
+  auto signature = read_signature_facts(options.recording, options.signed_by);
   const auto recording = RunRecording::open(options.recording);
-  if (!recording.ok()) return complain(recording.error());
+  if (!recording.ok()) {
+    // What cannot be read may be what somebody changed.
+    if (signature.ok() && !signature->good()) {
+      std::fprintf(stderr, "clew: signature %s\n", signature->text().c_str());
+    }
+    return complain(recording.error());
+  }
+  if (!signature.ok()) return complain(signature.error());
   const auto survey = recording->survey_samples();
   if (!survey.ok()) return complain(survey.error());
   const auto branch = bridge::branch_of(*recording);
   if (!branch.ok()) return complain(branch.error());
   RecordingFacts facts = gather(*recording, *survey);
   if (*branch) facts.branch_tick = (*branch)->tick;
+  facts.signature = std::move(signature).value();
   const auto plugins = load_plugins_for(*recording, options.plugins);
   if (!plugins.ok()) return complain(plugins.error());
   if (facts.types_match) {
@@ -281,6 +298,9 @@ void add_info(CLI::App& main, int& status) {
       main.add_subcommand("info", "Show what a recording holds, and whether it is complete");
   app->add_option("recording", options->recording)->required();
   add_plugins(*app, options->plugins);
+  app->add_option("--signed-by", options->signed_by,
+                  "the file of a certificate: it must be signed by its owner, or by somebody that "
+                  "he vouches for");
   app->add_flag("--json", options->json, "print it as one JSON object");
   app->callback([options, &status] { status = info_command(*options); });
 }

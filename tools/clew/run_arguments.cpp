@@ -21,6 +21,12 @@ void add_ways(CLI::App& app, RunOptions& options) {
       ->group("How it runs");
   app.add_option("--domain", options.domain, "DDS domain, 0 to 99 (a free one)")
       ->group("How it runs");
+  // A flag with a value, so that it does not take the word after it.
+  app.add_flag(
+         "--secure{minted}", options.secure,
+         "protect what is on the wire (DDS Security) with keys for this run alone, or those of "
+         "--secure=DIR; see 'clew keys'")
+      ->group("How it runs");
   app.add_option("--name", options.name, "what 'clew swap', 'clew goal' and others call the run")
       ->group("How it runs");
   app.add_option(

@@ -82,11 +82,12 @@ Result<void> check_options(const RunOptions& options) {
 }
 
 Result<void> check_ways(const RunOptions& options, bool composed) {
-  if (composed && (!options.external.empty() || !options.prefix.empty() || options.domain ||
-                   options.realtime_priority || !options.middleware.empty())) {
+  if (composed &&
+      (!options.external.empty() || !options.prefix.empty() || options.domain ||
+       options.realtime_priority || !options.middleware.empty() || !options.secure.empty())) {
     return Error{
-        "--external, --prefix, --domain, --realtime-priority and --middleware need --layout "
-        "processes",
+        "--external, --prefix, --domain, --realtime-priority, --middleware and --secure need "
+        "--layout processes",
         {},
         0,
         0};

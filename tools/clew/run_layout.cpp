@@ -123,6 +123,9 @@ Result<bridge::ProcessLayout> read_layout(const RunOptions& options, const runti
   layout.pace = speed.pace;
   layout.pace_factor = speed.factor;
   layout.realtime_priority = options.realtime_priority.value_or(0);
+  if (!options.secure.empty()) {
+    layout.security = options.secure == runtime::kMintedKeys ? "" : options.secure;
+  }
   layout.hash = !options.no_hash;
   layout.on_record_error = options.on_record_error == "stop" ? bridge::OnRecordError::kStop
                                                              : bridge::OnRecordError::kContinue;

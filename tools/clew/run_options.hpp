@@ -17,6 +17,7 @@ struct RunOptions {
   std::vector<std::string> middleware;  ///< `VENDOR` or `STAGE=VENDOR`
   std::string pace = "lockstep";
   std::optional<int> domain;
+  std::string secure;           ///< `minted`, or a directory of keys; empty: as the graph says
   std::string name;             ///< under which the run is found while it goes on
   std::vector<std::string> at;  ///< `TICK:CHANGE`
   std::optional<int> realtime_priority;

@@ -192,6 +192,7 @@ std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
   json["ticks_per_s"] = report.ticks_per_s;
   json["layout"] = facts.layout;
   json["middleware"] = facts.middleware;
+  json["secured"] = report.secured;
   json["seed"] = plan.graph.seed;
   json["hash"] = report.hash ? nlohmann::ordered_json(report.hash->hex()) : nullptr;
   json["recording"] = facts.recording.empty() ? nullptr : nlohmann::ordered_json(facts.recording);
