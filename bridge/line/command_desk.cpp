@@ -10,20 +10,17 @@
 #include "run/limits.hpp"
 
 namespace clew::bridge {
-namespace {
 
-bool is_number(const std::string& text) {
-  return !text.empty() && text.size() <= 3 &&
-         std::all_of(text.begin(), text.end(),
-                     [](unsigned char c) { return std::isdigit(c) != 0; });
+bool is_domain_number(const std::string& run) {
+  return !run.empty() && run.size() <= 3 &&
+         std::all_of(run.begin(), run.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-core::Result<int> connect(const std::string& run) {
+core::Result<int> connect_to_run(const std::string& run) {
   const auto deadline = Link::Time::clock::now() + kSilence;
-  return is_number(run) ? Link::connect(std::stoi(run), deadline) : Link::connect(run, deadline);
+  return is_domain_number(run) ? Link::connect(std::stoi(run), deadline)
+                               : Link::connect(run, deadline);
 }
-
-}  // namespace
 
 void CommandDesk::welcome(std::unique_ptr<Link> link, Time now) {
   link->allow_payload(kMostHelloBytes);
@@ -63,7 +60,7 @@ void CommandDesk::serve(const std::function<std::optional<CommandAnswer>(RunComm
 }
 
 core::Result<CommandAnswer> command_run(const std::string& run, const RunCommand& command) {
-  const auto socket = connect(run);
+  const auto socket = connect_to_run(run);
   if (!socket.ok()) return socket.error();
   Link link(*socket);
   link.post(FrameType::kHello, Hello{kCommander, ::getpid(), {}});
