@@ -256,7 +256,9 @@ void NodeHost::step() {
   if (rests_) present &= ~node_.ports().delayed_inputs;
   note_successions(tick);
   stepping_ = true;
+  const Time began = Time::clock::now();
   node_.step(tick, present, messages_);
+  steps_.add(Time::clock::now() - began);
   stepping_ = false;
   publish();
   keep_tick(tick, present);

@@ -19,6 +19,7 @@
 #include "dds/participant.hpp"
 #include "line/frames.hpp"
 #include "run/sample_account.hpp"
+#include "run/step_times.hpp"
 #include "run/tick_clock.hpp"
 #include "runtime/input_buffer.hpp"
 #include "runtime/node_succession.hpp"
@@ -94,6 +95,8 @@ class NodeHost {
   bool starts_ticks() const { return node_.ports().delayed_inputs.any(); }
   /// Whether a step is under way. Does not wait for it.
   bool is_stepping() const { return stepping_.load(); }
+  /// How long its last steps took. Does not wait for one that is under way.
+  StepTimes step_times() const { return steps_.times(); }
   /// Reports progress, and hands over what is spooled.
   void flush();
   /// What the node wrote, if it has stepped `last_tick` and every write was taken; else none yet.
@@ -137,6 +140,7 @@ class NodeHost {
   SampleAccount account_;
   TickClock clock_;
   std::atomic<bool> stepping_{false};
+  RecentSteps steps_;
   bool started_ = false;
   bool rests_ = false;
   bool stopped_ = false;  ///< a write failed, or the run has its outcome

@@ -157,6 +157,12 @@ bool ProcessHost::is_stepping() const {
                      [](const auto& host) { return host->is_stepping(); });
 }
 
+std::map<std::string, StepTimes> ProcessHost::step_times() const {
+  std::map<std::string, StepTimes> times;
+  for (const auto& host : hosts_) times.emplace(host->name(), host->step_times());
+  return times;
+}
+
 void ProcessHost::flush() {
   for (const auto& host : hosts_) host->flush();
 }

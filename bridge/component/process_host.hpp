@@ -45,6 +45,8 @@ class ProcessHost {
   void poll(Time now);
   std::optional<Time> next_due() const;
   bool is_stepping() const;
+  /// By stage.
+  std::map<std::string, StepTimes> step_times() const;
   void flush();
   std::optional<Finished> finished(std::uint64_t last_tick) const;
   /// The stages of the process.

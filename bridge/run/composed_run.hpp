@@ -53,6 +53,8 @@ class ComposedOrders {
   virtual bool may_begin(std::uint64_t tick) const = 0;
   /// Why the run is to end; empty if it is not.
   virtual std::string stopped() const = 0;
+  /// Who is to be told where the time goes from now on; null: nobody asks.
+  virtual RunProfile* profile() { return nullptr; }
 };
 
 /// Runs a plan composed, until it has an outcome or SIGINT or SIGTERM arrives. Samples are

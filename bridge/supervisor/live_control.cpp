@@ -15,10 +15,12 @@ LiveControl::LiveControl(RunControl* control, std::vector<Member>& members, bool
 }
 
 void LiveControl::serve(const Situation& situation, Time now) {
-  desk_.serve([&](RunCommand& command) { return decide(command, situation); }, now);
+  desk_.serve([&](RunCommand& command) { return decide(command, situation, now); }, now);
 }
 
-std::optional<CommandAnswer> LiveControl::decide(RunCommand& command, const Situation& situation) {
+std::optional<CommandAnswer> LiveControl::decide(RunCommand& command, const Situation& situation,
+                                                 Time now) {
+  if (command.kind == RunCommand::Kind::kStatus) return status(situation, now);
   if (control_ == nullptr) return CommandAnswer::refused("this run takes no commands");
   if (command.kind == RunCommand::Kind::kStop) {
     stopped_ = "stopped by a command after tick " + std::to_string(situation.ticks);
@@ -35,9 +37,19 @@ std::optional<CommandAnswer> LiveControl::decide(RunCommand& command, const Situ
       return step(command, situation);
     case RunCommand::Kind::kResume:
     case RunCommand::Kind::kStop:
+    case RunCommand::Kind::kStatus:
       break;
   }
   return resume();
+}
+
+CommandAnswer LiveControl::status(const Situation& situation, Time now) const {
+  CommandAnswer answer = CommandAnswer::from(situation.ticks);
+  answer.held = holds();
+  for (const Member& member : members_) {
+    for (ComponentStatus& each : member.status(now)) answer.components.push_back(std::move(each));
+  }
+  return answer;
 }
 
 CommandAnswer LiveControl::change(const RunCommand& command, const Situation& situation) {

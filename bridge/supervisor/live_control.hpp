@@ -60,7 +60,8 @@ class LiveControl {
   }
 
  private:
-  std::optional<CommandAnswer> decide(RunCommand& command, const Situation& situation);
+  std::optional<CommandAnswer> decide(RunCommand& command, const Situation& situation, Time now);
+  CommandAnswer status(const Situation& situation, Time now) const;
   CommandAnswer change(const RunCommand& command, const Situation& situation);
   std::optional<CommandAnswer> pause(const Situation& situation);
   std::optional<CommandAnswer> step(RunCommand& command, const Situation& situation);

@@ -18,6 +18,7 @@ void add_recorder(CLI::App& main, int& status);
 void add_plot(CLI::App& main, int& status);
 void add_info(CLI::App& main, int& status);
 void add_events(CLI::App& main, int& status);
+void add_top(CLI::App& main, int& status);
 /// topic list, info, find, echo, hz, bw, delay.
 void add_topic(CLI::App& main, int& status);
 void add_doctor(CLI::App& main, int& status);
