@@ -84,6 +84,8 @@ class NodeHost {
   bool has_come_to_rest() const;
   /// Ends a hold.
   void release(Time now);
+  /// Starts ticks at another pace, unless that is real time. PaceChange::factor.
+  void set_pace(double factor, Time now);
   /// Ticks up to this one, not included, may start.
   void allow_until(std::uint64_t tick);
   /// Does what is due by the clock, and tries waiting writes again.
@@ -130,6 +132,7 @@ class NodeHost {
   const std::string user_data_;
   const int history_depth_;
   const bool lockstep_;
+  const double tick_s_;
   const bool spools_states_;
   const bool waits_for_go_;
   const bool has_lead_;

@@ -127,6 +127,10 @@ void ProcessHost::release(Time now) {
   if (starter_ != nullptr) starter_->release(now);
 }
 
+void ProcessHost::set_pace(double factor, Time now) {
+  if (starter_ != nullptr) starter_->set_pace(factor, now);
+}
+
 void ProcessHost::rest() {
   if (starter_ != nullptr) starter_->rest();
 }

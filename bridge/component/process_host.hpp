@@ -39,6 +39,7 @@ class ProcessHost {
   bool starts_ticks() const { return starter_ != nullptr; }
   std::uint64_t hold(std::uint64_t tick);
   void release(Time now);
+  void set_pace(double factor, Time now);
   void rest();
   bool has_come_to_rest() const;
   void allow_until(std::uint64_t tick);

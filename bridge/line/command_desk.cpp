@@ -59,20 +59,28 @@ void CommandDesk::serve(const std::function<std::optional<CommandAnswer>(RunComm
                   visitors_.end());
 }
 
+void post_command(Link& link, const RunCommand& command) {
+  link.post(FrameType::kHello, Hello{kCommander, ::getpid(), {}});
+  link.post(FrameType::kCommand, command);
+}
+
+core::Result<CommandAnswer> answer_of(const Frame& frame) {
+  const auto answer = frame.as<CommandAnswer>();
+  if (frame.type != FrameType::kAnswer || !answer) {
+    return core::Error{"the run takes no commands", {}, 0, 0};
+  }
+  if (!answer->done) return core::Error{answer->text, {}, 0, 0};
+  return *answer;
+}
+
 core::Result<CommandAnswer> command_run(const std::string& run, const RunCommand& command) {
   const auto socket = connect_to_run(run);
   if (!socket.ok()) return socket.error();
   Link link(*socket);
-  link.post(FrameType::kHello, Hello{kCommander, ::getpid(), {}});
-  link.post(FrameType::kCommand, command);
+  post_command(link, command);
   const auto frame = link.wait_for_frame(Link::Time::clock::now() + kAssignmentTimeout);
   if (!frame.ok()) return frame.error();
-  const auto answer = frame->as<CommandAnswer>();
-  if (frame->type != FrameType::kAnswer || !answer) {
-    return core::Error{"run " + run + " takes no commands", {}, 0, 0};
-  }
-  if (!answer->done) return core::Error{answer->text, {}, 0, 0};
-  return *answer;
+  return answer_of(*frame);
 }
 
 }  // namespace clew::bridge

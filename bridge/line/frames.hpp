@@ -47,6 +47,7 @@ enum class FrameType : std::uint8_t {
   kIntervention,  ///< what changes at a later tick
   kHold,          ///< start no tick from this one on
   kRelease,       ///< start ticks again
+  kPace,          ///< start them at another pace
   kRest,          ///< in real time: take no command any more, so that the robot comes to rest
   // to the recorder, besides kSamples
   kRecord,        ///< what to record
@@ -120,11 +121,12 @@ struct Assignment {
 
 /// What somebody wants of a run while it goes on.
 struct RunCommand {
-  enum class Kind : std::uint8_t { kChange, kPause, kStep, kResume, kStop, kStatus };
+  enum class Kind : std::uint8_t { kChange, kPause, kStep, kResume, kStop, kPace, kStatus };
   Kind kind = Kind::kChange;
-  std::vector<std::string> changes;  ///< domain::Intervention::changes
-  std::optional<std::uint64_t> at;   ///< the tick; none: as soon as can be
-  std::uint64_t ticks = 1;           ///< with kStep
+  std::vector<std::string> changes = {};           ///< domain::Intervention::changes
+  std::optional<std::uint64_t> at = std::nullopt;  ///< the tick; none: as soon as can be
+  std::uint64_t ticks = 1;                         ///< with kStep
+  double pace_factor = 0.0;  ///< with kPace: simulated over wall-clock time; 0: no limit
 };
 
 /// How a component of a run is, to somebody who asks.
@@ -144,10 +146,13 @@ struct CommandAnswer {
   std::string text;        ///< why not, if it was not
   std::uint64_t tick = 0;  ///< from which on it holds; with kStatus, that the run has come to
   bool held = false;       ///< with kStatus: the run is paused
+  std::string page = {};   ///< with kStatus: where the run's page is; empty: it has none
   std::vector<ComponentStatus> components = {};  ///< with kStatus
 
-  static CommandAnswer refused(std::string why) { return {false, std::move(why), 0, false, {}}; }
-  static CommandAnswer from(std::uint64_t tick) { return {true, {}, tick, false, {}}; }
+  static CommandAnswer refused(std::string why) {
+    return {false, std::move(why), 0, false, {}, {}};
+  }
+  static CommandAnswer from(std::uint64_t tick) { return {true, {}, tick, false, {}, {}}; }
 };
 
 /// A successor has taken over, `late` if it was not ready at its tick.
@@ -187,6 +192,11 @@ struct Tick {
   std::uint64_t tick = 0;
 };
 
+/// Simulated over wall-clock time; 0: no limit.
+struct PaceChange {
+  double factor = 0.0;
+};
+
 /// How far a recorder is.
 struct Kept {
   std::uint64_t ticks = 0;          ///< below this one nobody needs to wait for it
@@ -214,7 +224,7 @@ void visit_fields(V& v, Assignment& m) {
 }
 template <typename V>
 void visit_fields(V& v, RunCommand& m) {
-  v(m.kind, m.changes, m.at, m.ticks);
+  v(m.kind, m.changes, m.at, m.ticks, m.pace_factor);
 }
 template <typename V>
 void visit_fields(V& v, ComponentStatus& m) {
@@ -222,7 +232,7 @@ void visit_fields(V& v, ComponentStatus& m) {
 }
 template <typename V>
 void visit_fields(V& v, CommandAnswer& m) {
-  v(m.done, m.text, m.tick, m.held, m.components);
+  v(m.done, m.text, m.tick, m.held, m.page, m.components);
 }
 template <typename V>
 void visit_fields(V& v, TookOver& m) {
@@ -251,6 +261,10 @@ void visit_fields(V& v, Text& m) {
 template <typename V>
 void visit_fields(V& v, Tick& m) {
   v(m.tick);
+}
+template <typename V>
+void visit_fields(V& v, PaceChange& m) {
+  v(m.factor);
 }
 template <typename V>
 void visit_fields(V& v, Kept& m) {

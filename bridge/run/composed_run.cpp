@@ -97,6 +97,7 @@ class ComposedLoop {
         profile_(layout.profile),
         profiled_(bookkeeper_, profile_),
         executor_(std::move(start.nodes), observer(), start.next_tick, std::move(start.messages)),
+        tick_s_(plan.graph.tick_s),
         clock_(layout.pace, layout.pace_factor, plan.graph.tick_s) {
     clock_.start(displayed_at_, start.next_tick);
   }
@@ -152,6 +153,10 @@ class ComposedLoop {
       orders_->serve(executor_.next_tick(), executor_.nodes(), bookkeeper_.recording(), patience);
       if (report_.aborted.empty()) report_.aborted = orders_->stopped();
       if (layout_.profile == nullptr) profile_ = orders_->profile();
+      if (const auto factor = orders_->take_pace()) {
+        clock_ = TickClock::at_pace(*factor, tick_s_);
+        clock_.start(Clock::now(), executor_.next_tick());
+      }
     }
     next_look_ = Clock::now() + kSignalPeriod;
     report_.interrupted_by = signals_.take();
@@ -181,6 +186,7 @@ class ComposedLoop {
   ProfiledObserver profiled_;
   runtime::ComposedExecutor executor_;
   Clock::time_point displayed_at_ = Clock::now();
+  const double tick_s_;
   TickClock clock_;
   Clock::time_point next_look_ = displayed_at_;
   EndSignals signals_;

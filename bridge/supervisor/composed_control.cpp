@@ -66,6 +66,10 @@ std::optional<CommandAnswer> ComposedControl::decide(RunCommand& command, std::u
       record({*held_from_, 0, {}, "resume", {}});
       held_from_.reset();
       return CommandAnswer::from(next_tick);
+    case RunCommand::Kind::kPace:
+      pace_factor_ = command.pace_factor;
+      record({next_tick, 0, {}, "pace", {}});
+      return CommandAnswer::from(next_tick);
     case RunCommand::Kind::kStatus:
       return status(next_tick, nodes);
     case RunCommand::Kind::kStop:
@@ -79,6 +83,7 @@ CommandAnswer ComposedControl::status(std::uint64_t next_tick,
                                       const std::vector<runtime::NodeSuccession>& nodes) {
   CommandAnswer answer = CommandAnswer::from(next_tick);
   answer.held = held_from_.has_value();
+  answer.page = control_.page();
   std::vector<RunProfile::Writer> writers;
   for (const runtime::NodeSuccession& node : nodes) {
     ComponentStatus status;

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "component/input_history.hpp"
@@ -30,6 +31,7 @@ class ComposedControl : public ComposedOrders {
             const domain::Messages& messages) override;
   bool may_begin(std::uint64_t tick) const override { return !held_from_ || tick < *held_from_; }
   std::string stopped() const override { return stopped_; }
+  std::optional<double> take_pace() override { return std::exchange(pace_factor_, std::nullopt); }
   RunProfile* profile() override { return profile_ ? &*profile_ : nullptr; }
 
  private:
@@ -50,6 +52,7 @@ class ComposedControl : public ComposedOrders {
   std::map<std::string, InputHistory> histories_;  ///< by stage
   std::optional<std::uint64_t> held_from_;
   std::string stopped_;
+  std::optional<double> pace_factor_;
   std::optional<RunProfile> profile_;
   std::vector<domain::Intervention> to_record_;
 };

@@ -31,7 +31,7 @@ void add_world(CLI::App& main, int& status);
 void add_world_import(CLI::App& world, int& status);
 void add_diff(CLI::App& main, int& status);
 void add_replay(CLI::App& main, int& status);
-/// swap, goal, pause, step, resume, stop: what is done to a run that goes on.
+/// swap, goal, pause, step, resume, pace, stop: what is done to a run that goes on.
 void add_live(CLI::App& main, int& status);
 void add_check_plugin(CLI::App& main, int& status);
 void add_new(CLI::App& main, int& status);

@@ -55,7 +55,7 @@ struct Row {
 };
 
 Result<Look> look_at(const std::string& run) {
-  auto answer = bridge::command_run(run, {bridge::RunCommand::Kind::kStatus, {}, {}, 1});
+  auto answer = bridge::command_run(run, {bridge::RunCommand::Kind::kStatus});
   if (!answer.ok()) return answer.error();
   Look look{std::move(answer).value(), {}, steady_clock::now()};
   for (const ComponentStatus& status : look.answer.components) {
