@@ -25,6 +25,7 @@ void add_doctor(CLI::App& main, int& status);
 void add_explain(CLI::App& main, int& status);
 void add_echo(CLI::App& main, int& status);
 void add_import(CLI::App& main, int& status);
+void add_rules(CLI::App& main, int& status);
 void add_export(CLI::App& main, int& status);
 void add_world(CLI::App& main, int& status);
 /// To the command `world`.
