@@ -102,6 +102,9 @@ class ComponentLoop {
       }
     }
     if (frame.type == FrameType::kRelease) host_.release(Clock::now());
+    if (frame.type == FrameType::kPace) {
+      if (const auto pace = frame.as<PaceChange>()) host_.set_pace(pace->factor, Clock::now());
+    }
     if (frame.type == FrameType::kRest) host_.rest();
     if (frame.type == FrameType::kFinish) {
       if (const auto last = frame.as<Tick>()) finish_at_ = last->tick;
@@ -297,8 +300,10 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
   CLEW_RETURN_IF_ERROR(open_stages(host, assignment, participant, inside, barrier));
   SuccessionWorker succession(host.stages(), prepared->reader, prepared->last, stages,
                               say(link, FrameType::kFatal));
-  alive.emplace(
-      [&] { link.post(FrameType::kAlive, Alive{host.is_stepping() || succession.is_busy()}); });
+  alive.emplace([&] {
+    link.post(FrameType::kAlive,
+              Alive{host.is_stepping() || succession.is_busy(), host.step_times()});
+  });
   report_missing(barrier);
   const bool brings_to_rest = assignment.pace == Pace::kRealtime && host.starts_ticks();
   if (brings_to_rest) outlive_supervisor_for_a_moment();

@@ -28,6 +28,7 @@ NodeHost::NodeHost(runtime::NodeSuccession node, const Assignment& assignment,
       user_data_(UserData{std::string(idl_fingerprint()), node_.name()}.to_text()),
       history_depth_(static_cast<int>(assignment.history_depth)),
       lockstep_(assignment.pace != Pace::kRealtime),
+      tick_s_(plan.graph.tick_s),
       spools_states_(assignment.spooling == Spooling::kSamplesAndStates),
       waits_for_go_(assignment.waits_for_go),
       has_lead_(assignment.has_lead),
@@ -179,6 +180,14 @@ void NodeHost::release(Time now) {
   run_ready(now);
 }
 
+void NodeHost::set_pace(double factor, Time now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (clock_.is_realtime()) return;
+  clock_ = TickClock::at_pace(factor, tick_s_);
+  clock_.start(now, buffer_.next_tick());
+  run_ready(now);
+}
+
 void NodeHost::go(Time now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   started_ = true;
@@ -256,7 +265,9 @@ void NodeHost::step() {
   if (rests_) present &= ~node_.ports().delayed_inputs;
   note_successions(tick);
   stepping_ = true;
+  const Time began = Time::clock::now();
   node_.step(tick, present, messages_);
+  steps_.add(Time::clock::now() - began);
   stepping_ = false;
   publish();
   keep_tick(tick, present);

@@ -19,6 +19,7 @@
 #include "dds/participant.hpp"
 #include "line/frames.hpp"
 #include "run/sample_account.hpp"
+#include "run/step_times.hpp"
 #include "run/tick_clock.hpp"
 #include "runtime/input_buffer.hpp"
 #include "runtime/node_succession.hpp"
@@ -83,6 +84,8 @@ class NodeHost {
   bool has_come_to_rest() const;
   /// Ends a hold.
   void release(Time now);
+  /// Starts ticks at another pace, unless that is real time. PaceChange::factor.
+  void set_pace(double factor, Time now);
   /// Ticks up to this one, not included, may start.
   void allow_until(std::uint64_t tick);
   /// Does what is due by the clock, and tries waiting writes again.
@@ -94,6 +97,8 @@ class NodeHost {
   bool starts_ticks() const { return node_.ports().delayed_inputs.any(); }
   /// Whether a step is under way. Does not wait for it.
   bool is_stepping() const { return stepping_.load(); }
+  /// How long its last steps took. Does not wait for one that is under way.
+  StepTimes step_times() const { return steps_.times(); }
   /// Reports progress, and hands over what is spooled.
   void flush();
   /// What the node wrote, if it has stepped `last_tick` and every write was taken; else none yet.
@@ -127,6 +132,7 @@ class NodeHost {
   const std::string user_data_;
   const int history_depth_;
   const bool lockstep_;
+  const double tick_s_;
   const bool spools_states_;
   const bool waits_for_go_;
   const bool has_lead_;
@@ -137,6 +143,7 @@ class NodeHost {
   SampleAccount account_;
   TickClock clock_;
   std::atomic<bool> stepping_{false};
+  RecentSteps steps_;
   bool started_ = false;
   bool rests_ = false;
   bool stopped_ = false;  ///< a write failed, or the run has its outcome

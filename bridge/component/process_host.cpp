@@ -127,6 +127,10 @@ void ProcessHost::release(Time now) {
   if (starter_ != nullptr) starter_->release(now);
 }
 
+void ProcessHost::set_pace(double factor, Time now) {
+  if (starter_ != nullptr) starter_->set_pace(factor, now);
+}
+
 void ProcessHost::rest() {
   if (starter_ != nullptr) starter_->rest();
 }
@@ -155,6 +159,12 @@ std::optional<ProcessHost::Time> ProcessHost::next_due() const {
 bool ProcessHost::is_stepping() const {
   return std::any_of(hosts_.begin(), hosts_.end(),
                      [](const auto& host) { return host->is_stepping(); });
+}
+
+std::map<std::string, StepTimes> ProcessHost::step_times() const {
+  std::map<std::string, StepTimes> times;
+  for (const auto& host : hosts_) times.emplace(host->name(), host->step_times());
+  return times;
 }
 
 void ProcessHost::flush() {

@@ -39,12 +39,15 @@ class ProcessHost {
   bool starts_ticks() const { return starter_ != nullptr; }
   std::uint64_t hold(std::uint64_t tick);
   void release(Time now);
+  void set_pace(double factor, Time now);
   void rest();
   bool has_come_to_rest() const;
   void allow_until(std::uint64_t tick);
   void poll(Time now);
   std::optional<Time> next_due() const;
   bool is_stepping() const;
+  /// By stage.
+  std::map<std::string, StepTimes> step_times() const;
   void flush();
   std::optional<Finished> finished(std::uint64_t last_tick) const;
   /// The stages of the process.

@@ -34,6 +34,16 @@ std::string user_data_of(const dds_qos_t* qos) {
   return text;
 }
 
+bool is_reliable(const dds_qos_t* qos) {
+  dds_reliability_kind_t kind = DDS_RELIABILITY_BEST_EFFORT;
+  return dds_qget_reliability(qos, &kind, nullptr) && kind == DDS_RELIABILITY_RELIABLE;
+}
+
+bool is_transient_local(const dds_qos_t* qos) {
+  dds_durability_kind_t kind = DDS_DURABILITY_VOLATILE;
+  return dds_qget_durability(qos, &kind) && kind != DDS_DURABILITY_VOLATILE;
+}
+
 }  // namespace
 
 std::string cyclone_guid(dds_entity_t entity) {
@@ -78,6 +88,8 @@ std::shared_ptr<const RemoteEndpoint> CycloneDiscovery::describe(
   remote.user_data = user_data_of(endpoint.qos);
   remote.guid = hex(endpoint.key);
   remote.process_id = process_id(endpoint.participant_instance_handle);
+  remote.reliable = is_reliable(endpoint.qos);
+  remote.transient_local = is_transient_local(endpoint.qos);
   return std::make_shared<const RemoteEndpoint>(std::move(remote));
 }
 

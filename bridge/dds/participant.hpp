@@ -47,6 +47,8 @@ struct RemoteEndpoint {
   std::string user_data;
   std::string guid;    ///< 32 hexadecimal digits
   int process_id = 0;  ///< 0 where the vendor does not tell
+  bool reliable = false;
+  bool transient_local = false;  ///< or keeps its samples for longer
 };
 
 /// What a reader or a participant has to say. Calls come on the vendor's threads, and for what was
@@ -75,6 +77,9 @@ class DiscoveryListener {
                                    const std::string& policy) = 0;
   /// A remote endpoint uses one of our topics with another type name.
   virtual void on_inconsistent_type(const RemoteEndpoint& remote) = 0;
+  /// A remote endpoint is there, on any topic, or no longer: for who tells what there is.
+  virtual void on_discovered(const RemoteEndpoint&) {}
+  virtual void on_lost(const RemoteEndpoint&) {}
 };
 
 enum class WriteStatus : std::uint8_t {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dds/participant.hpp"
@@ -46,6 +47,7 @@ class RemoteEndpoints {
 
   void add(const Key& key, const std::shared_ptr<const RemoteEndpoint>& remote) {
     bool is_inconsistent = false;
+    listener_.on_discovered(*remote);
     {
       const std::lock_guard lock(mutex_);
       const bool is_new = remotes_.insert_or_assign(key, remote).second;
@@ -57,8 +59,15 @@ class RemoteEndpoints {
     if (is_inconsistent) listener_.on_inconsistent_type(*remote);
   }
   void remove(const Key& key) {
-    const std::lock_guard lock(mutex_);
-    remotes_.erase(key);
+    std::shared_ptr<const RemoteEndpoint> gone;
+    {
+      const std::lock_guard lock(mutex_);
+      const auto known = remotes_.find(key);
+      if (known == remotes_.end()) return;
+      gone = std::move(known->second);
+      remotes_.erase(known);
+    }
+    listener_.on_lost(*gone);
   }
   /// Null if it is unknown.
   std::shared_ptr<const RemoteEndpoint> find(const Key& key) const {

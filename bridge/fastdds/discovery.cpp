@@ -78,6 +78,9 @@ void FastDiscovery::add_remote(const ProxyData& endpoint, bool is_writer) {
   const auto& user_data = endpoint.m_qos.m_userData.data_vec();
   remote->user_data.assign(user_data.begin(), user_data.end());
   remote->guid = fastdds_guid(endpoint.guid());
+  using namespace eprosima::fastdds::dds;  // NOLINT(google-build-using-namespace): of two kinds
+  remote->reliable = endpoint.m_qos.m_reliability.kind == RELIABLE_RELIABILITY_QOS;
+  remote->transient_local = endpoint.m_qos.m_durability.kind != VOLATILE_DURABILITY_QOS;
   {
     const std::lock_guard lock(mutex_);
     const auto process = processes_.find(endpoint.guid().guidPrefix);

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "core/archive.hpp"
+#include "gateway/json_text.hpp"
 #include "gateway/live_stream.hpp"
+#include "gateway/run_orders.hpp"
 #include "gateway/view_content.hpp"
 #include "line/link.hpp"
 
@@ -20,14 +22,50 @@ constexpr auto kPassOnPeriod = std::chrono::milliseconds(16);
 /// So long a viewer may take to ask for what it has missed, when the run has ended.
 constexpr int kQuietTurns = 30;
 
-void take(const Frame& frame, LiveStream& stream) {
+/// How soon a page hears what the run answers.
+constexpr auto kOrderPeriod = std::chrono::milliseconds(5);
+
+WebResponse json_response(unsigned status, const nlohmann::ordered_json& json) {
+  return {status, "application/json", json_text(json), {}};
+}
+
+/// Passes on what pages ask of the run. Who may ask was checked by then.
+class OrderDesk {
+ public:
+  OrderDesk(const GatewayPage& page, const std::string& run) : page_(page), run_(run) {}
+
+  void serve_with(WebServer& server) { server_ = &server; }
+
+  void take(const std::string& body, const WebContent::Answer& answer) {
+    const auto asked = page_.read_command(body, run_);
+    if (!asked.ok()) return answer(json_response(400, {{"error", asked.error().message}}));
+    const auto done = [answer, line = asked->line](const core::Result<CommandAnswer>& answered) {
+      if (!answered.ok()) return answer(json_response(409, {{"error", answered.error().message}}));
+      answer(json_response(200, {{"tick", answered->tick}, {"command", line}}));
+    };
+    const auto sent = orders_.send(run_, asked->command, std::chrono::steady_clock::now(), done);
+    if (!sent.ok()) return answer(json_response(409, {{"error", sent.error().message}}));
+    if (std::exchange(polls_, true)) return;
+    server_->repeat(kOrderPeriod,
+                    [this] { return polls_ = orders_.poll(std::chrono::steady_clock::now()); });
+  }
+
+ private:
+  const GatewayPage& page_;
+  const std::string& run_;
+  WebServer* server_ = nullptr;
+  RunOrders orders_;
+  bool polls_ = false;
+};
+
+void take(const Frame& frame, LiveStream& stream, std::string& run) {
   if (frame.type == FrameType::kSamples) {
     stream.add(frame.payload);
   } else if (frame.type == FrameType::kRecord) {
     std::string name;
     RunDescription description;
     core::StateReader reader(frame.payload);
-    reader(name, description);
+    reader(name, run, description);
     if (reader.complete()) stream.describe(description, name);
   } else if (frame.type == FrameType::kRecordingEnd) {
     stream.end(frame.as<Text>().value_or(Text{}).text);
@@ -36,21 +74,28 @@ void take(const Frame& frame, LiveStream& stream) {
 
 }  // namespace
 
-int run_gateway_process(int socket, int port, std::string_view page) {
+int run_gateway_process(int socket, int port, const GatewayPage& page) {
   Link link(socket);
   LiveStream stream(kMostHeldBytes);
-  ViewContent content(page, {});
+  ViewContent content(page.html, {});
   content.show_live(stream);
+  content.offer("/choices", page.choices);
+  std::string run;
+  OrderDesk desk(page, run);
+  content.on_post("/control", [&desk](const std::string& body, const WebContent::Answer& answer) {
+    desk.take(body, answer);
+  });
   const auto server = WebServer::listen(port, content);
   if (!server.ok()) {
     link.post(FrameType::kFatal, Text{server.error().text()});
     return 1;
   }
+  desk.serve_with(**server);
   link.post(FrameType::kNotice, Text{(*server)->access().address()});
   bool told = false;
   (*server)->watch(socket, [&] {
     const bool open = link.receive();
-    while (const auto frame = link.next()) take(*frame, stream);
+    while (const auto frame = link.next()) take(*frame, stream, run);
     if (!open) (*server)->stop();
     return open;
   });

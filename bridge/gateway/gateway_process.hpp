@@ -1,13 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <string>
 #include <string_view>
 
+#include "core/result.hpp"
+#include "line/frames.hpp"
+
 namespace clew::bridge {
+
+/// A command of a page, and the line to type that does the same.
+struct PageCommandLine {
+  RunCommand command;
+  std::string line;
+};
+
+/// The page that a gateway serves, and what the page needs to command the run.
+struct GatewayPage {
+  std::string_view html;
+  std::string choices;  ///< of behaviours and their parameters, as JSON
+  /// Reads what a page asks of the run that is called so. Refused: what a page may not ask.
+  std::function<core::Result<PageCommandLine>(const std::string& body, const std::string& run)>
+      read_command;
+};
 
 /// Serves `page` and the run that is told of on `socket`, at `port` (0: any free one). First it
 /// says where on the socket. When the run has ended it serves on, until a signal. Returns the exit
 /// status.
-int run_gateway_process(int socket, int port, std::string_view page);
+int run_gateway_process(int socket, int port, const GatewayPage& page);
 
 }  // namespace clew::bridge

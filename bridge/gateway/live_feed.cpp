@@ -32,7 +32,8 @@ constexpr auto kBatchPeriod = std::chrono::milliseconds(16);
 
 core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(const std::string& program, int port,
                                                         const RunDescription& description,
-                                                        const std::string& name) {
+                                                        const std::string& name,
+                                                        const std::string& run) {
   int sockets[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) {
     return core::Error{std::strerror(errno), "--view", 0, 0};
@@ -50,7 +51,8 @@ core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(const std::string& progr
   RunDescription told = description;
   core::StateWriter writer;
   std::string named = name;
-  writer(named, told);
+  std::string called = run;
+  writer(named, called, told);
   feed->link_->post_bytes(FrameType::kRecord, writer.bytes());
   return feed;
 }

@@ -21,10 +21,12 @@ namespace clew::bridge {
 /// never waits for. What it does not take in time is dropped and counted.
 class LiveFeed {
  public:
-  /// Starts `program gateway`; `port` 0: any free one.
+  /// Starts `program gateway`; `port` 0: any free one. `name` is what the page shows; under `run`
+  /// it finds the run when somebody commands it.
   static core::Result<std::unique_ptr<LiveFeed>> start(const std::string& program, int port,
                                                        const RunDescription& description,
-                                                       const std::string& name);
+                                                       const std::string& name,
+                                                       const std::string& run);
 
   /// Where the page is.
   const std::string& address() const { return address_; }

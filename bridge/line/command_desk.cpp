@@ -10,20 +10,17 @@
 #include "run/limits.hpp"
 
 namespace clew::bridge {
-namespace {
 
-bool is_number(const std::string& text) {
-  return !text.empty() && text.size() <= 3 &&
-         std::all_of(text.begin(), text.end(),
-                     [](unsigned char c) { return std::isdigit(c) != 0; });
+bool is_domain_number(const std::string& run) {
+  return !run.empty() && run.size() <= 3 &&
+         std::all_of(run.begin(), run.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-core::Result<int> connect(const std::string& run) {
+core::Result<int> connect_to_run(const std::string& run) {
   const auto deadline = Link::Time::clock::now() + kSilence;
-  return is_number(run) ? Link::connect(std::stoi(run), deadline) : Link::connect(run, deadline);
+  return is_domain_number(run) ? Link::connect(std::stoi(run), deadline)
+                               : Link::connect(run, deadline);
 }
-
-}  // namespace
 
 void CommandDesk::welcome(std::unique_ptr<Link> link, Time now) {
   link->allow_payload(kMostHelloBytes);
@@ -62,20 +59,28 @@ void CommandDesk::serve(const std::function<std::optional<CommandAnswer>(RunComm
                   visitors_.end());
 }
 
-core::Result<CommandAnswer> command_run(const std::string& run, const RunCommand& command) {
-  const auto socket = connect(run);
-  if (!socket.ok()) return socket.error();
-  Link link(*socket);
+void post_command(Link& link, const RunCommand& command) {
   link.post(FrameType::kHello, Hello{kCommander, ::getpid(), {}});
   link.post(FrameType::kCommand, command);
-  const auto frame = link.wait_for_frame(Link::Time::clock::now() + kAssignmentTimeout);
-  if (!frame.ok()) return frame.error();
-  const auto answer = frame->as<CommandAnswer>();
-  if (frame->type != FrameType::kAnswer || !answer) {
-    return core::Error{"run " + run + " takes no commands", {}, 0, 0};
+}
+
+core::Result<CommandAnswer> answer_of(const Frame& frame) {
+  const auto answer = frame.as<CommandAnswer>();
+  if (frame.type != FrameType::kAnswer || !answer) {
+    return core::Error{"the run takes no commands", {}, 0, 0};
   }
   if (!answer->done) return core::Error{answer->text, {}, 0, 0};
   return *answer;
+}
+
+core::Result<CommandAnswer> command_run(const std::string& run, const RunCommand& command) {
+  const auto socket = connect_to_run(run);
+  if (!socket.ok()) return socket.error();
+  Link link(*socket);
+  post_command(link, command);
+  const auto frame = link.wait_for_frame(Link::Time::clock::now() + kAssignmentTimeout);
+  if (!frame.ok()) return frame.error();
+  return answer_of(*frame);
 }
 
 }  // namespace clew::bridge

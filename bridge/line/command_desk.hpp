@@ -41,6 +41,17 @@ class CommandDesk {
   std::deque<Visitor> visitors_;  ///< the first to come first
 };
 
+/// Whether what somebody calls a run is the number of a domain; else it is a name.
+bool is_domain_number(const std::string& run);
+
+/// A socket on the line of the run that `run` is. Refused: when there is no such run.
+core::Result<int> connect_to_run(const std::string& run);
+
+/// The two halves of it, for who does not wait: says on the line of a run who it is and what it
+/// wants, and reads what the run says to that.
+void post_command(Link& link, const RunCommand& command);
+core::Result<CommandAnswer> answer_of(const Frame& frame);
+
 /// Tells the run that `run` is, the number of a domain or a name, and waits for its answer.
 /// Refused: when there is no such run, and what the run refuses.
 core::Result<CommandAnswer> command_run(const std::string& run, const RunCommand& command);

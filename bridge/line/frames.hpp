@@ -17,6 +17,7 @@
 #include "run/limits.hpp"
 #include "run/pace.hpp"
 #include "run/run_statistics.hpp"
+#include "run/step_times.hpp"
 #include "runtime/config_source.hpp"
 
 namespace clew::bridge {
@@ -47,6 +48,7 @@ enum class FrameType : std::uint8_t {
   kIntervention,  ///< what changes at a later tick
   kHold,          ///< start no tick from this one on
   kRelease,       ///< start ticks again
+  kPace,          ///< start them at another pace
   kRest,          ///< in real time: take no command any more, so that the robot comes to rest
   // to the recorder, besides kSamples
   kRecord,        ///< what to record
@@ -121,20 +123,38 @@ struct Assignment {
 
 /// What somebody wants of a run while it goes on.
 struct RunCommand {
-  enum class Kind : std::uint8_t { kChange, kPause, kStep, kResume, kStop };
+  enum class Kind : std::uint8_t { kChange, kPause, kStep, kResume, kStop, kPace, kStatus };
   Kind kind = Kind::kChange;
-  std::vector<std::string> changes;  ///< domain::Intervention::changes
-  std::optional<std::uint64_t> at;   ///< the tick; none: as soon as can be
-  std::uint64_t ticks = 1;           ///< with kStep
+  std::vector<std::string> changes = {};           ///< domain::Intervention::changes
+  std::optional<std::uint64_t> at = std::nullopt;  ///< the tick; none: as soon as can be
+  std::uint64_t ticks = 1;                         ///< with kStep
+  double pace_factor = 0.0;  ///< with kPace: simulated over wall-clock time; 0: no limit
+};
+
+/// How a component of a run is, to somebody who asks.
+struct ComponentStatus {
+  std::string stage;
+  std::string process;          ///< itself, or the group of stages whose process it is in
+  std::int64_t process_id = 0;  ///< 0: it is not there
+  std::uint64_t ticks = 0;      ///< that it has done
+  StepTimes steps;
+  std::uint64_t restarts = 0;
+  std::uint64_t refused_samples = 0;  ///< of its process
+  double silent_s = 0.0;              ///< since its process was last heard of
 };
 
 struct CommandAnswer {
   bool done = false;
   std::string text;        ///< why not, if it was not
-  std::uint64_t tick = 0;  ///< from which on it holds
+  std::uint64_t tick = 0;  ///< from which on it holds; with kStatus, that the run has come to
+  bool held = false;       ///< with kStatus: the run is paused
+  std::string page = {};   ///< with kStatus: where the run's page is; empty: it has none
+  std::vector<ComponentStatus> components = {};  ///< with kStatus
 
-  static CommandAnswer refused(std::string why) { return {false, std::move(why), 0}; }
-  static CommandAnswer from(std::uint64_t tick) { return {true, {}, tick}; }
+  static CommandAnswer refused(std::string why) {
+    return {false, std::move(why), 0, false, {}, {}};
+  }
+  static CommandAnswer from(std::uint64_t tick) { return {true, {}, tick, false, {}, {}}; }
 };
 
 /// A successor has taken over, `late` if it was not ready at its tick.
@@ -149,7 +169,8 @@ struct Waiting {
 };
 
 struct Alive {
-  bool busy = false;  ///< with a step
+  bool busy = false;                            ///< with a step
+  std::map<std::string, StepTimes> steps = {};  ///< by stage
 };
 
 struct Progress {
@@ -171,6 +192,11 @@ struct Text {
 
 struct Tick {
   std::uint64_t tick = 0;
+};
+
+/// Simulated over wall-clock time; 0: no limit.
+struct PaceChange {
+  double factor = 0.0;
 };
 
 /// How far a recorder is.
@@ -204,11 +230,15 @@ void visit_fields(V& v, Assignment& m) {
 }
 template <typename V>
 void visit_fields(V& v, RunCommand& m) {
-  v(m.kind, m.changes, m.at, m.ticks);
+  v(m.kind, m.changes, m.at, m.ticks, m.pace_factor);
+}
+template <typename V>
+void visit_fields(V& v, ComponentStatus& m) {
+  v(m.stage, m.process, m.process_id, m.ticks, m.steps, m.restarts, m.refused_samples, m.silent_s);
 }
 template <typename V>
 void visit_fields(V& v, CommandAnswer& m) {
-  v(m.done, m.text, m.tick);
+  v(m.done, m.text, m.tick, m.held, m.page, m.components);
 }
 template <typename V>
 void visit_fields(V& v, TookOver& m) {
@@ -220,7 +250,7 @@ void visit_fields(V& v, Waiting& m) {
 }
 template <typename V>
 void visit_fields(V& v, Alive& m) {
-  v(m.busy);
+  v(m.busy, m.steps);
 }
 template <typename V>
 void visit_fields(V& v, Progress& m) {
@@ -237,6 +267,10 @@ void visit_fields(V& v, Text& m) {
 template <typename V>
 void visit_fields(V& v, Tick& m) {
   v(m.tick);
+}
+template <typename V>
+void visit_fields(V& v, PaceChange& m) {
+  v(m.factor);
 }
 template <typename V>
 void visit_fields(V& v, Kept& m) {

@@ -62,21 +62,21 @@ class Bookkeeper : public runtime::SampleObserver {
   std::string failure_;
 };
 
-/// Tells a profile when samples come and go, besides.
+/// Tells a profile when samples come and go, besides, while there is one.
 class ProfiledObserver : public runtime::SampleObserver {
  public:
-  ProfiledObserver(runtime::SampleObserver& observer, RunProfile& profile)
+  ProfiledObserver(runtime::SampleObserver& observer, RunProfile* const& profile)
       : observer_(observer), profile_(profile) {}
 
   void on_output(runtime::Topic topic, const domain::Messages& messages) override {
-    profile_.begin_sample(topic, Clock::now());
+    if (profile_ != nullptr) profile_->begin_sample(topic, Clock::now());
     observer_.on_output(topic, messages);
-    profile_.end_sample(Clock::now());
+    if (profile_ != nullptr) profile_->end_sample(Clock::now());
   }
 
  private:
   runtime::SampleObserver& observer_;
-  RunProfile& profile_;
+  RunProfile* const& profile_;
 };
 
 double seconds_since(Clock::time_point start) {
@@ -94,8 +94,10 @@ class ComposedLoop {
         started_at_(start.started_at),
         first_tick_(start.next_tick),
         bookkeeper_(std::move(start.account), recording),
-        profiled_(profiled(bookkeeper_, layout.profile)),
+        profile_(layout.profile),
+        profiled_(bookkeeper_, profile_),
         executor_(std::move(start.nodes), observer(), start.next_tick, std::move(start.messages)),
+        tick_s_(plan.graph.tick_s),
         clock_(layout.pace, layout.pace_factor, plan.graph.tick_s) {
     clock_.start(displayed_at_, start.next_tick);
   }
@@ -126,22 +128,18 @@ class ComposedLoop {
     return !statistics().truth || statistics().truth->outcome == domain::Outcome::kRunning;
   }
 
-  static std::optional<ProfiledObserver> profiled(Bookkeeper& bookkeeper, RunProfile* profile) {
-    if (profile == nullptr) return std::nullopt;
-    return ProfiledObserver(bookkeeper, *profile);
-  }
+  /// With orders, somebody may ask where the time goes later on.
   runtime::SampleObserver* observer() {
-    return profiled_ ? static_cast<runtime::SampleObserver*>(&*profiled_) : &bookkeeper_;
+    const bool may_be_profiled = profile_ != nullptr || orders_ != nullptr;
+    return may_be_profiled ? static_cast<runtime::SampleObserver*>(&profiled_) : &bookkeeper_;
   }
 
   void step() {
     if (!clock_.is_free()) std::this_thread::sleep_until(clock_.due(executor_.next_tick()));
     bookkeeper_.checkpoint(executor_.nodes(), executor_.next_tick());
-    if (layout_.profile != nullptr) {
-      layout_.profile->begin_tick(executor_.next_tick(), Clock::now());
-    }
+    if (profile_ != nullptr) profile_->begin_tick(executor_.next_tick(), Clock::now());
     executor_.step();
-    if (layout_.profile != nullptr) layout_.profile->end_tick(Clock::now());
+    if (profile_ != nullptr) profile_->end_tick(Clock::now());
     if (executor_.next_tick() == first_tick_ + 1) rate_.note(executor_.next_tick(), Clock::now());
     if (orders_ != nullptr) {
       orders_->note(executor_.next_tick() - 1, executor_.nodes(), executor_.messages());
@@ -154,6 +152,11 @@ class ComposedLoop {
     if (orders_ != nullptr) {
       orders_->serve(executor_.next_tick(), executor_.nodes(), bookkeeper_.recording(), patience);
       if (report_.aborted.empty()) report_.aborted = orders_->stopped();
+      if (layout_.profile == nullptr) profile_ = orders_->profile();
+      if (const auto factor = orders_->take_pace()) {
+        clock_ = TickClock::at_pace(*factor, tick_s_);
+        clock_.start(Clock::now(), executor_.next_tick());
+      }
     }
     next_look_ = Clock::now() + kSignalPeriod;
     report_.interrupted_by = signals_.take();
@@ -179,9 +182,11 @@ class ComposedLoop {
   const Clock::time_point started_at_;
   const std::uint64_t first_tick_;
   Bookkeeper bookkeeper_;
-  std::optional<ProfiledObserver> profiled_;
+  RunProfile* profile_;  ///< null: nobody asks where the time goes
+  ProfiledObserver profiled_;
   runtime::ComposedExecutor executor_;
   Clock::time_point displayed_at_ = Clock::now();
+  const double tick_s_;
   TickClock clock_;
   Clock::time_point next_look_ = displayed_at_;
   EndSignals signals_;

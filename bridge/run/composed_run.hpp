@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,11 @@ class ComposedOrders {
   virtual bool may_begin(std::uint64_t tick) const = 0;
   /// Why the run is to end; empty if it is not.
   virtual std::string stopped() const = 0;
+  /// Another pace from now on, if somebody wants one since the last call: simulated over wall-clock
+  /// time, 0 for no limit.
+  virtual std::optional<double> take_pace() { return std::nullopt; }
+  /// Who is to be told where the time goes from now on; null: nobody asks.
+  virtual RunProfile* profile() { return nullptr; }
 };
 
 /// Runs a plan composed, until it has an outcome or SIGINT or SIGTERM arrives. Samples are

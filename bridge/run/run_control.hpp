@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/result.hpp"
@@ -30,6 +31,10 @@ class RunControl {
   /// The first tick at which a change may follow those that are known.
   std::uint64_t next_free_tick() const;
 
+  /// Where the page is that shows the run; empty: it has none.
+  const std::string& page() const { return page_; }
+  void set_page(std::string address) { page_ = std::move(address); }
+
   const runtime::RunPlan& first() const { return first_; }
   /// In the order of their ticks, and the plan from each of them on.
   const std::vector<domain::Intervention>& interventions() const { return interventions_; }
@@ -49,6 +54,7 @@ class RunControl {
   std::vector<domain::Intervention> interventions_;
   runtime::PlanSequence plans_;
   std::uint64_t first_tick_ = 0;
+  std::string page_;
 };
 
 }  // namespace clew::bridge

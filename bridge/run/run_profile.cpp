@@ -45,7 +45,8 @@ double Durations::quantile_us(double share) const {
   return 0.0;
 }
 
-RunProfile::RunProfile(const std::vector<Writer>& writers) {
+RunProfile::RunProfile(const std::vector<Writer>& writers, std::size_t most_spans)
+    : most_spans_(most_spans) {
   for (const Writer& writer : writers) {
     for (const domain::Topic topic : writer.topics) {
       writer_[index_of(topic)] = rows_.size();
@@ -80,10 +81,18 @@ void RunProfile::end_tick(Clock::time_point now) {
 void RunProfile::spend(std::size_t row, Clock::time_point until) {
   const nanoseconds length = until - last_;
   rows_[row].in_tick += length;
-  if (spans_.size() < kMostSpans) {
+  if (spans_.size() < most_spans_) {
     spans_.push_back({static_cast<std::uint32_t>(row), tick_, last_ - began_, length});
   }
   last_ = until;
+}
+
+StepTimes RunProfile::step_times(const std::string& name) const {
+  for (const Row& row : rows_) {
+    if (row.name != name) continue;
+    return {row.durations.count(), row.durations.quantile_us(0.5), row.durations.quantile_us(0.99)};
+  }
+  return {};
 }
 
 std::string RunProfile::table() const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "domain/topics.hpp"
+#include "run/step_times.hpp"
 
 namespace clew::bridge {
 
@@ -48,8 +49,10 @@ class RunProfile {
     std::vector<domain::Topic> topics;
   };
 
-  /// In the order of their steps; each topic has one writer at most.
-  explicit RunProfile(const std::vector<Writer>& writers);
+  static constexpr std::size_t kMostSpans = 200000;
+
+  /// In the order of their steps; each topic has one writer at most. The trace has `most_spans`.
+  explicit RunProfile(const std::vector<Writer>& writers, std::size_t most_spans = kMostSpans);
 
   void begin_tick(std::uint64_t tick, Clock::time_point now);
   /// A component has written to `topic`: what has passed since the last call was its step.
@@ -58,6 +61,8 @@ class RunProfile {
   void end_sample(Clock::time_point now);
   void end_tick(Clock::time_point now);
 
+  /// Of a component; none has stepped, or none is called so: of none.
+  StepTimes step_times(const std::string& name) const;
   /// A row each for components, samples and ticks: mean, median, 99th percentile, greatest, share.
   std::string table() const;
   /// The trace of the first ticks in Chrome's format, for chrome://tracing or Perfetto.
@@ -75,10 +80,10 @@ class RunProfile {
     std::chrono::nanoseconds from{0};  // since the first tick began
     std::chrono::nanoseconds length{0};
   };
-  static constexpr std::size_t kMostSpans = 200000;
 
   void spend(std::size_t row, Clock::time_point until);
 
+  const std::size_t most_spans_;
   std::vector<Row> rows_;                                  // components, samples, ticks
   std::array<std::size_t, domain::kTopicCount> writer_{};  // row by topic
   std::vector<Span> spans_;

@@ -20,6 +20,11 @@ class TickClock {
         period_(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
             std::chrono::duration<double>(pace == Pace::kLockstep ? 0.0 : tick_s / factor))) {}
 
+  /// From simulated over wall-clock time; 0: no limit.
+  static TickClock at_pace(double factor, double tick_s) {
+    return {factor == 0.0 ? Pace::kLockstep : Pace::kScaled, factor, tick_s};
+  }
+
   /// Tick `first` begins at `now`.
   void start(Time now, std::uint64_t first = 0) {
     start_ = now;

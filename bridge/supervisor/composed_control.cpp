@@ -2,6 +2,7 @@
 #include "supervisor/composed_control.hpp"
 
 #include <poll.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <utility>
@@ -65,11 +66,37 @@ std::optional<CommandAnswer> ComposedControl::decide(RunCommand& command, std::u
       record({*held_from_, 0, {}, "resume", {}});
       held_from_.reset();
       return CommandAnswer::from(next_tick);
+    case RunCommand::Kind::kPace:
+      pace_factor_ = command.pace_factor;
+      record({next_tick, 0, {}, "pace", {}});
+      return CommandAnswer::from(next_tick);
+    case RunCommand::Kind::kStatus:
+      return status(next_tick, nodes);
     case RunCommand::Kind::kStop:
       break;
   }
   stopped_ = "stopped by a command after tick " + std::to_string(next_tick);
   return CommandAnswer::from(next_tick);
+}
+
+CommandAnswer ComposedControl::status(std::uint64_t next_tick,
+                                      const std::vector<runtime::NodeSuccession>& nodes) {
+  CommandAnswer answer = CommandAnswer::from(next_tick);
+  answer.held = held_from_.has_value();
+  answer.page = control_.page();
+  std::vector<RunProfile::Writer> writers;
+  for (const runtime::NodeSuccession& node : nodes) {
+    ComponentStatus status;
+    status.stage = node.name();
+    status.process = node.name();
+    status.process_id = ::getpid();
+    status.ticks = next_tick;
+    if (profile_) status.steps = profile_->step_times(node.name());
+    answer.components.push_back(std::move(status));
+    writers.push_back({node.name(), node.ports().output_order});
+  }
+  profile_.emplace(writers, 0);
+  return answer;
 }
 
 // The command is kept until the tick has been: `ticks` becomes 0 once it was passed on.

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "component/input_history.hpp"
@@ -30,10 +31,14 @@ class ComposedControl : public ComposedOrders {
             const domain::Messages& messages) override;
   bool may_begin(std::uint64_t tick) const override { return !held_from_ || tick < *held_from_; }
   std::string stopped() const override { return stopped_; }
+  std::optional<double> take_pace() override { return std::exchange(pace_factor_, std::nullopt); }
+  RunProfile* profile() override { return profile_ ? &*profile_ : nullptr; }
 
  private:
   std::optional<CommandAnswer> decide(RunCommand& command, std::uint64_t next_tick,
                                       std::vector<runtime::NodeSuccession>& nodes);
+  /// Steps are timed from the first question on, and told since the question before.
+  CommandAnswer status(std::uint64_t next_tick, const std::vector<runtime::NodeSuccession>& nodes);
   CommandAnswer change(const RunCommand& command, std::uint64_t next_tick,
                        std::vector<runtime::NodeSuccession>& nodes);
   CommandAnswer step(RunCommand& command, std::uint64_t next_tick);
@@ -47,6 +52,8 @@ class ComposedControl : public ComposedOrders {
   std::map<std::string, InputHistory> histories_;  ///< by stage
   std::optional<std::uint64_t> held_from_;
   std::string stopped_;
+  std::optional<double> pace_factor_;
+  std::optional<RunProfile> profile_;
   std::vector<domain::Intervention> to_record_;
 };
 

@@ -15,10 +15,12 @@ LiveControl::LiveControl(RunControl* control, std::vector<Member>& members, bool
 }
 
 void LiveControl::serve(const Situation& situation, Time now) {
-  desk_.serve([&](RunCommand& command) { return decide(command, situation); }, now);
+  desk_.serve([&](RunCommand& command) { return decide(command, situation, now); }, now);
 }
 
-std::optional<CommandAnswer> LiveControl::decide(RunCommand& command, const Situation& situation) {
+std::optional<CommandAnswer> LiveControl::decide(RunCommand& command, const Situation& situation,
+                                                 Time now) {
+  if (command.kind == RunCommand::Kind::kStatus) return status(situation, now);
   if (control_ == nullptr) return CommandAnswer::refused("this run takes no commands");
   if (command.kind == RunCommand::Kind::kStop) {
     stopped_ = "stopped by a command after tick " + std::to_string(situation.ticks);
@@ -33,11 +35,24 @@ std::optional<CommandAnswer> LiveControl::decide(RunCommand& command, const Situ
       return pause(situation);
     case RunCommand::Kind::kStep:
       return step(command, situation);
+    case RunCommand::Kind::kPace:
+      return pace(command, situation);
     case RunCommand::Kind::kResume:
     case RunCommand::Kind::kStop:
+    case RunCommand::Kind::kStatus:
       break;
   }
   return resume();
+}
+
+CommandAnswer LiveControl::status(const Situation& situation, Time now) const {
+  CommandAnswer answer = CommandAnswer::from(situation.ticks);
+  answer.held = holds();
+  if (control_ != nullptr) answer.page = control_->page();
+  for (const Member& member : members_) {
+    for (ComponentStatus& each : member.status(now)) answer.components.push_back(std::move(each));
+  }
+  return answer;
 }
 
 CommandAnswer LiveControl::change(const RunCommand& command, const Situation& situation) {
@@ -99,6 +114,17 @@ CommandAnswer LiveControl::resume() {
   return CommandAnswer::from(tick);
 }
 
+CommandAnswer LiveControl::pace(const RunCommand& command, const Situation& situation) {
+  if (realtime_ || keeps_own_pace(members_)) {
+    return CommandAnswer::refused(realtime_ ? "a run in real time keeps its pace"
+                                            : "a drive of somebody else's keeps its own pace");
+  }
+  pace_factor_ = command.pace_factor;
+  tell_starter(FrameType::kPace, PaceChange{command.pace_factor});
+  to_record_.push_back({situation.ticks, 0, {}, "pace", {}});
+  return CommandAnswer::from(situation.ticks);
+}
+
 void LiveControl::fill(Assignment& assignment) const {
   if (control_ == nullptr) return;
   for (const domain::Intervention& known : control_->interventions()) {
@@ -109,6 +135,9 @@ void LiveControl::fill(Assignment& assignment) const {
 void LiveControl::join(Member& member) {
   forget(member.stage);
   if (held_from_ && member.starts_ticks) member.link->post(FrameType::kHold, Tick{*held_from_});
+  if (pace_factor_ && member.starts_ticks) {
+    member.link->post(FrameType::kPace, PaceChange{*pace_factor_});
+  }
 }
 
 std::uint64_t LiveControl::credit() const {

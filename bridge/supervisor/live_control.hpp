@@ -51,6 +51,8 @@ class LiveControl {
   std::uint64_t credit() const;
   /// Whether no tick is to be expected.
   bool holds() const { return held_from_.has_value(); }
+  /// PaceChange::factor, if somebody has changed the pace.
+  std::optional<double> pace_factor() const { return pace_factor_; }
   /// Why the run is to end; empty if it is not.
   const std::string& stopped() const { return stopped_; }
   /// What is to be recorded since the last call.
@@ -60,11 +62,13 @@ class LiveControl {
   }
 
  private:
-  std::optional<CommandAnswer> decide(RunCommand& command, const Situation& situation);
+  std::optional<CommandAnswer> decide(RunCommand& command, const Situation& situation, Time now);
+  CommandAnswer status(const Situation& situation, Time now) const;
   CommandAnswer change(const RunCommand& command, const Situation& situation);
   std::optional<CommandAnswer> pause(const Situation& situation);
   std::optional<CommandAnswer> step(RunCommand& command, const Situation& situation);
   CommandAnswer resume();
+  CommandAnswer pace(const RunCommand& command, const Situation& situation);
   /// The stage knows of the change at `tick`, or of all.
   void forget(const std::string& stage, std::optional<std::uint64_t> tick = std::nullopt);
   template <typename Message>
@@ -76,6 +80,7 @@ class LiveControl {
   CommandDesk desk_;
   std::optional<std::uint64_t> held_from_;  ///< 0: not known yet, but asked for
   bool hold_confirmed_ = false;
+  std::optional<double> pace_factor_;
   std::string stopped_;
   std::map<std::uint64_t, std::set<std::string>>
       not_noted_;  ///< by tick: stages that have not said

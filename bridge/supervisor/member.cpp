@@ -2,6 +2,7 @@
 #include "supervisor/member.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "component/process_host.hpp"
 #include "run/limits.hpp"
@@ -59,10 +60,34 @@ void Member::note(const Frame& frame, std::chrono::steady_clock::time_point now)
     checkpoints.push_back(*std::move(checkpoint));
     if (checkpoints.size() > kCheckpointsKept) checkpoints.pop_front();
   } else if (frame.type == FrameType::kAlive) {
-    busy = frame.as<Alive>().value_or(Alive{}).busy;
+    auto alive = frame.as<Alive>().value_or(Alive{});
+    busy = alive.busy;
+    steps = std::move(alive.steps);
   } else if (frame.type == FrameType::kFinished) {
     finished = frame.as<Finished>();
   }
+}
+
+std::vector<ComponentStatus> Member::status(std::chrono::steady_clock::time_point now) const {
+  ComponentStatus status;
+  status.process = stage;
+  if (link) {
+    status.process_id = process_id;
+    status.silent_s = std::chrono::duration<double>(now - heard_at).count();
+  } else if (child && child->running()) {
+    status.process_id = child->process_id();
+  }
+  status.ticks = progress.ticks;
+  status.restarts = restarts;
+  status.refused_samples = progress.refused_samples;
+  std::vector<ComponentStatus> all;
+  for (const std::string& each : stages) {
+    status.stage = each;
+    const auto known = steps.find(each);
+    status.steps = known == steps.end() ? StepTimes{} : known->second;
+    all.push_back(status);
+  }
+  return all;
 }
 
 Member* find_member(std::vector<Member>& members, const std::string& stage) {

@@ -34,9 +34,11 @@ struct Member {
   bool starts_ticks = false;
   std::optional<ChildProcess> child;
   std::unique_ptr<Link> link;
+  std::int64_t process_id = 0;       ///< of the process at the other end of its line
   std::vector<std::string> missing;  ///< what it still waits for
   bool ready = false;
-  bool busy = false;  ///< with a step
+  bool busy = false;                       ///< with a step
+  std::map<std::string, StepTimes> steps;  ///< by stage
   Progress progress;
   std::optional<Finished> finished;
   std::chrono::steady_clock::time_point joined_at{};  ///< when it began to wait for the others
@@ -63,6 +65,8 @@ struct Member {
   std::map<std::string, std::string> input_files() const;
   /// Notes what a frame says of the member alone: for whom it waits, its checkpoints, its end.
   void note(const Frame& frame, std::chrono::steady_clock::time_point now);
+  /// How each of its stages is.
+  std::vector<ComponentStatus> status(std::chrono::steady_clock::time_point now) const;
   /// The checkpoint at `tick`, if it is kept.
   const Checkpoint* checkpoint_at(std::uint64_t tick) const;
 };

@@ -122,6 +122,7 @@ void Supervisor::welcome(std::unique_ptr<Link> link, const Hello& hello, Time no
   member->joined_at = now;
   member->heard_at = now;
   member->link = std::move(link);
+  member->process_id = hello.process_id;
   live_control_.join(*member);
 }
 

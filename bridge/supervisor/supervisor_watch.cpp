@@ -88,8 +88,9 @@ Clock::duration Supervisor::stall_timeout() const {
   if (launcher_.patient()) return launcher_.start_timeout();
   const bool busy = std::any_of(members_.begin(), members_.end(),
                                 [](const Member& member) { return member.busy; });
-  const double tick_s =
-      layout_.pace == Pace::kLockstep ? 0.0 : plan_.graph.tick_s / layout_.pace_factor;
+  const double own_factor = layout_.pace == Pace::kLockstep ? 0.0 : layout_.pace_factor;
+  const double factor = live_control_.pace_factor().value_or(own_factor);
+  const double tick_s = factor == 0.0 ? 0.0 : plan_.graph.tick_s / factor;
   return (busy ? kLongestStep : kStallTimeout) +
          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(2.0 * tick_s));
 }

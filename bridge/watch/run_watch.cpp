@@ -13,30 +13,31 @@
 
 namespace clew::bridge {
 
-core::Result<std::unique_ptr<RunWatch>> RunWatch::join(int domain, Time deadline) {
-  const auto socket = Link::connect(domain, deadline);
-  if (!socket.ok()) return socket.error();
-  std::unique_ptr<RunWatch> self(new RunWatch(*socket));
-  CLEW_RETURN_IF_ERROR(self->take_assignment(deadline));
-  CLEW_RETURN_IF_ERROR(self->listen());
-  return self;
-}
-
-RunWatch::~RunWatch() = default;
-
-core::Result<void> RunWatch::take_assignment(Time deadline) {
-  line_.post(FrameType::kHello, Hello{kWatcherName, ::getpid(), std::string(idl_fingerprint())});
-  const auto frame = line_.wait_for_frame(deadline);
+core::Result<Assignment> ask_what_runs(Link& line, std::chrono::steady_clock::time_point deadline) {
+  line.post(FrameType::kHello, Hello{kWatcherName, ::getpid(), std::string(idl_fingerprint())});
+  const auto frame = line.wait_for_frame(deadline);
   if (!frame.ok()) return frame.error();
   if (auto assignment = frame->as<Assignment>();
       frame->type == FrameType::kAssignment && assignment) {
-    run_ = *std::move(assignment);
-    return {};
+    return *std::move(assignment);
   }
   const auto why = frame->as<Text>();
   return core::Error{
       why && !why->text.empty() ? why->text : "the run lets nobody look on", {}, 0, 0};
 }
+
+core::Result<std::unique_ptr<RunWatch>> RunWatch::join(int domain, Time deadline) {
+  const auto socket = Link::connect(domain, deadline);
+  if (!socket.ok()) return socket.error();
+  std::unique_ptr<RunWatch> self(new RunWatch(*socket));
+  auto run = ask_what_runs(self->line_, deadline);
+  if (!run.ok()) return run.error();
+  self->run_ = std::move(run).value();
+  CLEW_RETURN_IF_ERROR(self->listen());
+  return self;
+}
+
+RunWatch::~RunWatch() = default;
 
 core::Result<void> RunWatch::listen() {
   const auto vendor = vendor_from_name(run_.middleware);

@@ -19,6 +19,10 @@
 
 namespace clew::bridge {
 
+/// Asks at the other end of a run's line what the run is, as somebody who only looks on. Refused: a
+/// run of other message types, and one without processes.
+core::Result<Assignment> ask_what_runs(Link& line, std::chrono::steady_clock::time_point deadline);
+
 /// A live run as somebody sees it who only looks on: what the run is made of, and the samples that
 /// its components write. It holds up nothing: what it does not take in time, it loses. Only
 /// `event`, which tells what happens once, comes for certain; a watch that is stopped holds up
@@ -59,7 +63,6 @@ class RunWatch : private DiscoveryListener {
   };
 
   explicit RunWatch(int socket) : line_(socket) {}
-  core::Result<void> take_assignment(Time deadline);
   core::Result<void> listen();
   void keep(domain::Topic topic, std::string_view cdr, const RemoteEndpoint& writer);
   void on_participants(const std::set<std::string>&) override {}

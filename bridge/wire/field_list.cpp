@@ -75,6 +75,36 @@ class FieldLister {
   std::vector<Field> fields_;
 };
 
+/// Collects the names of the fields that a message can have; `path_` is where it is at the moment.
+class NameLister {
+ public:
+  template <typename Member>
+  void operator()(const char* name, const Member& member) {
+    const std::size_t outer = path_.size();
+    if (outer > 0) path_ += '.';
+    path_ += name;
+    list(member);
+    path_.resize(outer);
+  }
+
+  std::vector<std::string> take() { return std::move(names_); }
+
+ private:
+  template <typename Member>
+  void list(const Member& member) {
+    if constexpr (domain::kIsStruct<Member>) {
+      domain::visit_named_fields(*this, member);
+    } else if constexpr (domain::kIsSequence<Member> || domain::kIsArray<Member>) {
+      list(std::decay_t<decltype(*member.begin())>{});
+    } else {
+      names_.push_back(path_);
+    }
+  }
+
+  std::string path_;
+  std::vector<std::string> names_;
+};
+
 std::uint64_t bits_of(double value) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &value, sizeof bits);
@@ -155,6 +185,15 @@ std::vector<Field> fields_of(domain::ConstMessagePointer message) {
   FieldLister lister;
   std::visit([&](const auto* m) { domain::visit_named_fields(lister, *m); }, message);
   return lister.take();
+}
+
+std::vector<std::string> field_names(domain::Topic topic) {
+  return domain::visit_topic(topic, [](auto constant) {
+    NameLister lister;
+    const typename decltype(constant)::Message message{};
+    domain::visit_named_fields(lister, message);
+    return lister.take();
+  });
 }
 
 std::vector<FieldDifference> differences(domain::ConstMessagePointer a,

@@ -37,6 +37,10 @@ std::vector<Field> fields_of(const Message& message) {
   return fields_of(domain::ConstMessagePointer(&message));
 }
 
+/// The paths that the fields of a topic's messages can have, in the order of idl/, without indices
+/// and lengths: `entries.rule`.
+std::vector<std::string> field_names(domain::Topic topic);
+
 /// A field in which two messages differ; one that only one of them has (of a longer list) has no
 /// value in the other.
 struct FieldDifference {

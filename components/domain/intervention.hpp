@@ -15,7 +15,7 @@ struct Intervention {
   /// `STAGE.PART=NAME[,NAME...]`, `STAGE[.PART][.NAME].PARAM=VALUE` or `goal=X,Y[,RADIUS]`; all of
   /// them at once.
   std::vector<std::string> changes;
-  /// `pause`, `step` or `resume`: changes nothing but when ticks begin. Empty with `changes`.
+  /// `pause`, `step`, `resume`, `pace`: change only when ticks begin. Empty with `changes`.
   std::string order;
   /// Data files that the changes name and the run did not have, named as in a runtime::Bundle.
   std::map<std::string, std::string> files;

@@ -67,6 +67,16 @@ TEST(RunProfile, TellsWhoSpentATick) {
             "tick               7.00       5.89       7.94       8.00  100.0%\n");
 }
 
+TEST(RunProfile, TellsTheStepsOfAComponent) {
+  const StepTimes sense = two_ticks().step_times("sense");
+
+  EXPECT_EQ(sense.count, 2U);
+  // As in the table, which rounds them.
+  EXPECT_NEAR(sense.p50_us, 2.94, 0.01);
+  EXPECT_NEAR(sense.p99_us, 4.99, 0.01);
+  EXPECT_EQ(two_ticks().step_times("nobody").count, 0U);
+}
+
 TEST(RunProfile, TracesEachStepAtItsTime) {
   const std::string trace = two_ticks().trace();
 

@@ -72,6 +72,32 @@ TYPED_TEST(FieldList, AreAllThatTheMessageHasByTheirNamesInTheIdl) {
   }
 }
 
+/// `entries.rule` for `entries[3].rule`.
+std::string without_indices(std::string path) {
+  for (std::size_t at = path.find('['); at != std::string::npos; at = path.find('[')) {
+    path.erase(at, path.find(']') + 1 - at);
+  }
+  return path;
+}
+
+TYPED_TEST(FieldList, NamesTheFieldsThatAMessageCanHave) {
+  RandomMessages random(2);
+  std::set<std::string> seen;
+  for (unsigned i = 0; i < kRandomMessages; ++i) {
+    TypeParam message;
+    random.fill(message);
+    for (const Field& field : fields_of(message)) {
+      const std::string path = without_indices(field.path);
+      const std::size_t length = path.rfind(".length");
+      if (length == std::string::npos || length + 7 != path.size()) seen.insert(path);
+    }
+  }
+
+  const auto names = field_names(domain::topic_of<TypeParam>());
+
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()), seen);
+}
+
 /// Changes the n-th value of a message by its last bit; an enumerator to the one before.
 class BitFlipper {
  public:

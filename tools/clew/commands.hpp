@@ -19,10 +19,14 @@ void add_plot(CLI::App& main, int& status);
 void add_query(CLI::App& main, int& status);
 void add_info(CLI::App& main, int& status);
 void add_events(CLI::App& main, int& status);
+void add_top(CLI::App& main, int& status);
+/// topic list, info, find, echo, hz, bw, delay.
+void add_topic(CLI::App& main, int& status);
 void add_doctor(CLI::App& main, int& status);
 void add_explain(CLI::App& main, int& status);
 void add_echo(CLI::App& main, int& status);
 void add_import(CLI::App& main, int& status);
+void add_rules(CLI::App& main, int& status);
 void add_export(CLI::App& main, int& status);
 void add_world(CLI::App& main, int& status);
 /// To the command `world`.
@@ -35,7 +39,7 @@ void add_keys(CLI::App& main, int& status);
 void add_sign(CLI::App& main, int& status);
 void add_diff(CLI::App& main, int& status);
 void add_replay(CLI::App& main, int& status);
-/// swap, goal, pause, step, resume, stop: what is done to a run that goes on.
+/// swap, goal, pause, step, resume, pace, stop: what is done to a run that goes on.
 void add_live(CLI::App& main, int& status);
 void add_check_plugin(CLI::App& main, int& status);
 void add_new(CLI::App& main, int& status);

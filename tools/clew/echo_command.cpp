@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
-#include "clew/difference_output.hpp"
 #include "clew/exit_status.hpp"
-#include "clew/json_line.hpp"
 #include "clew/recorded_fields.hpp"
+#include "clew/sample_output.hpp"
 #include "core/nearest_name.hpp"
 #include "replay/live_checks.hpp"
 #include "replay/recorded_plan.hpp"
@@ -20,7 +18,6 @@ namespace {
 using bridge::Field;
 using core::Error;
 using core::Result;
-using nlohmann::ordered_json;
 
 struct EchoOptions {
   std::string recording;
@@ -48,18 +45,6 @@ Result<void> for_each_sample(const bridge::RunRecording& recording,
   }
 }
 
-/// `entries.rule` for `entries[3].rule`.
-std::string without_indices(const std::string& path) {
-  std::string name;
-  bool inside = false;
-  for (const char c : path) {
-    inside = inside || c == '[';
-    if (!inside) name += c;
-    if (c == ']') inside = false;
-  }
-  return name;
-}
-
 /// A field must be in one sample at least: lists may be empty in most.
 Result<void> check_field(const bridge::RunRecording& recording, const bridge::SampleFilter& filter,
                          const std::string& wanted) {
@@ -78,34 +63,11 @@ Result<void> check_field(const bridge::RunRecording& recording, const bridge::Sa
   return Error{core::unknown_name("field of " + topic, wanted, names), "--field", 0, 0};
 }
 
-std::vector<Field> chosen(const std::vector<Field>& fields,
-                          const std::vector<std::string>& wanted) {
-  if (wanted.empty()) return fields;
-  std::vector<Field> kept;
-  for (const std::string& name : wanted) {
-    for (const Field& field : fields) {
-      if (lies_in(field.path, name)) kept.push_back(field);
-    }
-  }
-  return kept;
-}
-
-void print_json(const bridge::SampleView& sample, const std::vector<Field>& fields,
-                const std::vector<std::string>& wanted) {
-  ordered_json json = {{"tick", sample.tick}, {"sequence", sample.sequence}};
-  if (wanted.empty()) {
-    json.update(fields_json(fields));
-  } else {
-    for (const std::string& name : wanted) json[name] = field_json(fields, name);
-  }
-  fmt::print("{}\n", json_line(json));
-}
-
 Result<void> print_csv(const bridge::RunRecording& recording, const bridge::SampleFilter& filter,
                        const std::vector<std::string>& wanted) {
   FieldColumns columns;
   CLEW_RETURN_IF_ERROR(for_each_sample(recording, filter, [&](const auto&, const auto& fields) {
-    columns.add(chosen(fields, wanted));
+    columns.add(chosen_fields(fields, wanted));
     return true;
   }));
   fmt::print("tick,sequence");
@@ -130,10 +92,9 @@ Result<void> echo(const bridge::RunRecording& recording, const EchoOptions& opti
   if (options.csv) return print_csv(recording, filter, options.fields);
   return for_each_sample(recording, filter, [&](const auto& sample, const auto& fields) {
     if (options.jsonl) {
-      print_json(sample, fields, options.fields);
+      fmt::print("{}\n", sample_json(sample, fields, options.fields));
     } else {
-      fmt::print("tick {}, sequence {}\n", sample.tick, sample.sequence);
-      print_fields("  ", chosen(fields, options.fields));
+      print_sample(sample, chosen_fields(fields, options.fields));
     }
     return true;
   });

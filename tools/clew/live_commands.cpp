@@ -10,6 +10,7 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/run_layout.hpp"
 #include "line/command_desk.hpp"
 
 namespace clew::tools {
@@ -26,6 +27,7 @@ struct LiveOptions {
   std::optional<double> radius_m;
   std::optional<std::uint64_t> at;
   std::uint64_t ticks = 1;
+  std::string pace;
   bool json = false;
 };
 
@@ -42,7 +44,7 @@ int tell(const LiveOptions& options, const RunCommand& command, const std::strin
 }
 
 int swap_command(const LiveOptions& options) {
-  RunCommand command{RunCommand::Kind::kChange, options.with, options.at, 1};
+  RunCommand command{RunCommand::Kind::kChange, options.with, options.at};
   command.changes.insert(command.changes.end(), options.set.begin(), options.set.end());
   if (command.changes.empty()) {
     return complain(
@@ -54,7 +56,19 @@ int swap_command(const LiveOptions& options) {
 int goal_command(const LiveOptions& options) {
   std::string goal = fmt::format("goal={},{}", options.x_m, options.y_m);
   if (options.radius_m) goal += fmt::format(",{}", *options.radius_m);
-  return tell(options, {RunCommand::Kind::kChange, {goal}, options.at, 1}, "new goal");
+  return tell(options, {RunCommand::Kind::kChange, {goal}, options.at}, "new goal");
+}
+
+int pace_command(const LiveOptions& options) {
+  const auto speed = read_pace(options.pace);
+  if (!speed.ok()) return complain(speed.error());
+  if (speed->pace == bridge::Pace::kRealtime) {
+    return complain(
+        {"a run is in real time from its beginning or not at all; 1x is as fast", "--pace", 0, 0});
+  }
+  RunCommand command{RunCommand::Kind::kPace};
+  command.pace_factor = speed->pace == bridge::Pace::kLockstep ? 0.0 : speed->factor;
+  return tell(options, command, "another pace");
 }
 
 CLI::App* add_command(CLI::App& main, const char* name, const char* about,
@@ -74,7 +88,9 @@ void add_order(CLI::App& main, int& status, const char* name, const char* about,
     app->add_option("ticks", options->ticks, "how many (1)")->check(number_between(1, 1e9));
   }
   app->callback([options, &status, kind, done] {
-    status = tell(*options, {kind, {}, {}, options->ticks}, done);
+    RunCommand command{kind};
+    command.ticks = options->ticks;
+    status = tell(*options, command, done);
   });
 }
 
@@ -100,6 +116,11 @@ void add_live(CLI::App& main, int& status) {
   app->add_option("radius", goal->radius_m, "m (the world's)");
   add_tick(*app, *goal);
   app->callback([goal, &status] { status = goal_command(*goal); });
+
+  const auto pace = std::make_shared<LiveOptions>();
+  app = add_command(main, "pace", "Let a run go faster or slower", pace);
+  app->add_option("pace", pace->pace, "lockstep, or a factor of simulated time: 10x")->required();
+  app->callback([pace, &status] { status = pace_command(*pace); });
 
   using Kind = RunCommand::Kind;
   add_order(main, status, "pause", "Hold a run before its next tick", Kind::kPause, "paused");

@@ -11,6 +11,7 @@
 
 #include "clew/json_line.hpp"
 #include "clew/own_program.hpp"
+#include "clew/typed_line.hpp"
 #include "files/whole_file.hpp"
 #include "runtime/config_source.hpp"
 #include "stages/all.hpp"
@@ -30,24 +31,6 @@ constexpr auto kPollPeriod = std::chrono::milliseconds(5);
 
 WebResponse refusal(const std::string& why) {
   return {400, "application/json", json_line({{"error", why}}), {}};
-}
-
-/// As a person types it: words that a shell would take apart stand in quotes.
-std::string typed(const std::vector<std::string>& words) {
-  constexpr char kPlain[] =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
-  std::string line = "clew";
-  for (const std::string& word : words) {
-    line += ' ';
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
-      line += word;
-      continue;
-    }
-    line += '\'';
-    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    line += '\'';
-  }
-  return line;
 }
 
 /// The last line that the program printed, if it is an object.
@@ -128,7 +111,7 @@ void PageRuns::explain(const std::string& body, Answer answer) {
   if (!command.ok()) return answer(refusal(command.error().message));
   std::vector<std::string> words = {"explain", paths_[command->recording]};
   words.insert(words.end(), command->words.begin(), command->words.end());
-  const std::string line = typed(words);
+  const std::string line = typed_line(words);
   start(std::move(words), answer, [line, answer](const bridge::ProgramEnd& end) {
     const ordered_json stages = all_objects(end.out);
     if (end.status != 0 || !stages.is_array()) {
@@ -156,7 +139,7 @@ void PageRuns::run(const std::string& body, Answer answer) {
 void PageRuns::record(std::vector<std::string> words, const std::string& what, Answer answer) {
   const std::string file = folder_ + "/run-" + std::to_string(++count_) + ".mcap";
   words.insert(words.end(), {"--record", file, "--json"});
-  const std::string line = typed(words);
+  const std::string line = typed_line(words);
   start(std::move(words), answer, [this, line, file, what, answer](const bridge::ProgramEnd& end) {
     finish(end, line, file, what, answer);
   });

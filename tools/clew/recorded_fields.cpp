@@ -15,11 +15,6 @@ using nlohmann::ordered_json;
 
 constexpr std::string_view kLength = ".length";
 
-bool is_length(const std::string& path) {
-  return path.size() > kLength.size() &&
-         path.compare(path.size() - kLength.size(), kLength.size(), kLength) == 0;
-}
-
 struct PlainJson {
   ordered_json operator()(double value) const {
     return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
@@ -77,6 +72,11 @@ core::Result<std::vector<Field>> FieldReader::fields_of(const bridge::SampleView
                        0,
                        0};
   });
+}
+
+bool is_length(const std::string& path) {
+  return path.size() > kLength.size() &&
+         path.compare(path.size() - kLength.size(), kLength.size(), kLength) == 0;
 }
 
 bool lies_in(const std::string& path, const std::string& wanted) {

@@ -22,6 +22,9 @@ class FieldReader {
   domain::Messages messages_;
 };
 
+/// Whether a field is the length of a list.
+bool is_length(const std::string& path);
+
 /// Whether a field is `wanted`, or lies in it: `ranges_m[3]` in `ranges_m`, `stamp.tick` in
 /// `stamp`.
 bool lies_in(const std::string& path, const std::string& wanted);

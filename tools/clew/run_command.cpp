@@ -312,8 +312,9 @@ int run_command(const RunOptions& options) {
   if (const auto planned = plan_changes(options, *job, control); !planned.ok()) {
     return complain(planned.error());
   }
-  const auto feed = start_view(options, job->plan);
+  const auto feed = start_view(options, job->plan, layout->name);
   if (!feed.ok()) return complain(feed.error());
+  if (*feed) control.set_page((*feed)->address());
   const auto claimed = claim_files(options, *job);
   if (!claimed.ok()) return complain(claimed.error());
 

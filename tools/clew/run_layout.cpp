@@ -2,6 +2,7 @@
 #include "clew/run_layout.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
@@ -120,6 +121,8 @@ Result<bridge::ProcessLayout> read_layout(const RunOptions& options, const runti
   layout.program = own_program();
   layout.domain = options.domain;
   layout.name = options.name;
+  // The page of a run finds it by its name.
+  if (options.view && layout.name.empty()) layout.name = fmt::format("view-{}", ::getpid());
   layout.pace = speed.pace;
   layout.pace_factor = speed.factor;
   layout.realtime_priority = options.realtime_priority.value_or(0);

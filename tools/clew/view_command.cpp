@@ -4,13 +4,17 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/page_runs.hpp"
-#include "gateway/gateway_process.hpp"
 #include "gateway/view_content.hpp"
+#include "line/command_desk.hpp"
+#include "line/domain_lock.hpp"
+#include "line/wake_up.hpp"
 #include "recording/run_recording.hpp"
+#include "run/end_signals.hpp"
 #include "run/spool.hpp"
 #include "view/page_file.hpp"
 
@@ -24,10 +28,46 @@ constexpr std::size_t kMostHeldBytes = 256 * 1024 * 1024;
 constexpr std::size_t kBatchBytes = 1024 * 1024;
 constexpr auto kPassOnPeriod = std::chrono::milliseconds(16);
 
+/// How often it is asked whether a run still goes on.
+constexpr auto kAskPeriod = std::chrono::milliseconds(500);
+
 struct ViewOptions {
   std::vector<std::string> recordings;
   int port = 0;
 };
+
+/// Whether somebody means a run: no file, and what a domain or a run can be called.
+bool is_run(const std::string& text) {
+  std::error_code code;
+  if (std::filesystem::exists(text, code)) return false;
+  return text.size() <= bridge::RunName::kMostNameBytes &&
+         text.find_first_not_of(
+             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.") ==
+             std::string::npos;
+}
+
+/// Tells where the page of a run is, and stays until the run is over or a signal comes.
+int view_run(const std::string& run) {
+  bridge::EndSignals signals;
+  const bridge::RunCommand question{bridge::RunCommand::Kind::kStatus};
+  auto answer = bridge::command_run(run, question);
+  if (!answer.ok()) {
+    return complain({answer.error().message + "; nor is there a file '" + run + "'", {}, 0, 0});
+  }
+  if (answer->page.empty()) {
+    return complain(
+        {"run " + run + " has no page; 'clew run ... --view' starts one with a run", {}, 0, 0});
+  }
+  fmt::print("view {}\n", answer->page);
+  std::fflush(stdout);
+  const bridge::WakeUp clock;
+  while (answer.ok()) {
+    clock.wait_beside({signals.descriptor()}, kAskPeriod);
+    if (signals.take() != 0) return kExitInterrupted;
+    answer = bridge::command_run(run, question);
+  }
+  return kExitGood;
+}
 
 /// Refused is here what a page could only fail to read.
 Result<std::vector<bridge::ServedFile>> open_all(const std::vector<std::string>& paths) {
@@ -61,6 +101,12 @@ void fill(bridge::LiveStream& stream, const std::string& path) {
 
 int view_command(const ViewOptions& options) {
   if (view::page().empty()) return complain({view::kNoPage, {}, 0, 0}, kExitFailed);
+  for (const std::string& each : options.recordings) {
+    if (!is_run(each)) continue;
+    if (options.recordings.size() == 1 && options.port == 0) return view_run(each);
+    return complain(
+        {"run " + each + " has a page of its own, at a port of its own: name it alone", {}, 0, 0});
+  }
   auto files = open_all(options.recordings);
   if (!files.ok()) return complain(files.error());
   bridge::ViewContent content(view::page(), std::move(files).value());
@@ -87,28 +133,14 @@ int view_command(const ViewOptions& options) {
 
 void add_view(CLI::App& main, int& status) {
   const auto options = std::make_shared<ViewOptions>();
-  CLI::App* app =
-      main.add_subcommand("view", "Show recordings on a web page of this machine, until Ctrl-C");
+  CLI::App* app = main.add_subcommand(
+      "view", "Show recordings or a run on a web page of this machine, until Ctrl-C");
   app->add_option("recording", options->recordings,
-                  "laid over each other; none: draw a world and run a graph");
+                  "laid over each other; or a run, by its name or domain; none: draw a world and "
+                  "run a graph");
   app->add_option("--port", options->port, "of 127.0.0.1 (a free one)")
       ->check(CLI::Range(1, 65535));
   app->callback([options, &status] { status = view_command(*options); });
-}
-
-void add_gateway(CLI::App& main, int& status) {
-  struct Ends {
-    int socket = -1;
-    int port = 0;
-  };
-  const auto ends = std::make_shared<Ends>();
-  CLI::App* app = main.add_subcommand("gateway", "Serve the page of a run as this process");
-  app->group("");
-  app->add_option("--socket", ends->socket, "to the run")->required();
-  app->add_option("--port", ends->port, "of 127.0.0.1")->required();
-  app->callback([ends, &status] {
-    status = bridge::run_gateway_process(ends->socket, ends->port, view::page());
-  });
 }
 
 }  // namespace clew::tools

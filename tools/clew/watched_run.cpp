@@ -36,11 +36,12 @@ const char* outcome_word(const bridge::RunReport& report) {
 }  // namespace
 
 Result<std::unique_ptr<bridge::LiveFeed>> start_view(const RunOptions& options,
-                                                     const runtime::RunPlan& plan) {
+                                                     const runtime::RunPlan& plan,
+                                                     const std::string& run) {
   if (!options.view) return std::unique_ptr<bridge::LiveFeed>();
   if (view::page().empty()) return Error{view::kNoPage, "--view", 0, 0};
   auto feed = bridge::LiveFeed::start(own_program(), *options.view, bridge::describe_run(plan),
-                                      plan.graph.name);
+                                      plan.graph.name, run);
   if (!feed.ok()) return feed.error();
   fmt::print("view {}\n", (*feed)->address());
   std::fflush(stdout);

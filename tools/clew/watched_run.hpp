@@ -12,9 +12,11 @@
 
 namespace clew::tools {
 
-/// Starts the page of a run that asks for one, and prints where it is; null for others.
+/// Starts the page of a run that asks for one, and prints where it is; null for others. The page
+/// commands the run under the name `run`.
 core::Result<std::unique_ptr<bridge::LiveFeed>> start_view(const RunOptions& options,
-                                                           const runtime::RunPlan& plan);
+                                                           const runtime::RunPlan& plan,
+                                                           const std::string& run);
 
 /// Tells the page how the run ended. On a terminal the page stays until Ctrl-C, since a run is
 /// often over before anybody has looked; elsewhere it ends with the run.

@@ -21,7 +21,7 @@ core::Result<void> check_ending(const std::string& output) {
   return core::Error{"found ending '" + ending + "'; allowed: .svg, .png, .pdf", output, 0, 0};
 }
 
-core::Result<void> write_picture(std::string picture, const std::string& output) {
+core::Result<void> render_to(std::string picture, const std::string& output) {
   const std::filesystem::path ending = std::filesystem::path(output).extension();
   if (ending != ".svg") {
     auto rendered = ending == ".png" ? render_png(picture) : render_pdf(picture);
@@ -48,7 +48,7 @@ core::Result<void> plot_recordings(const std::vector<std::string>& recordings,
   }
   const auto world = world::World::parse(tracks.front().world, tracks.front().path + ":world.yaml");
   if (!world) return world.error();
-  return write_picture(draw_runs(*world, tracks), output);
+  return render_to(draw_runs(*world, tracks), output);
 }
 
 core::Result<void> plot_tick(const std::string& recording, const InsideView& inside,
@@ -61,13 +61,18 @@ core::Result<void> plot_tick(const std::string& recording, const InsideView& ins
   }
   const auto world = world::World::parse(track->world, track->path + ":world.yaml");
   if (!world) return world.error();
-  return write_picture(draw_tick(*world, *track, inside), output);
+  return render_to(draw_tick(*world, *track, inside), output);
 }
 
 core::Result<void> plot_world(const world::World& world, double robot_radius_m,
                               const std::vector<core::Vec2>& traps, const std::string& output) {
   CLEW_RETURN_IF_ERROR(check_ending(output));
-  return write_picture(draw_empty_world(world, robot_radius_m, traps), output);
+  return render_to(draw_empty_world(world, robot_radius_m, traps), output);
+}
+
+core::Result<void> write_picture(const std::string& svg, const std::string& output) {
+  CLEW_RETURN_IF_ERROR(check_ending(output));
+  return render_to(svg, output);
 }
 
 }  // namespace clew::plot

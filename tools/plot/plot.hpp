@@ -37,4 +37,8 @@ struct InsideView {
 core::Result<void> plot_tick(const std::string& recording, const InsideView& inside,
                              const std::string& output);
 
+/// Writes an SVG picture as such, or rendered. Refused: another ending, and an output that cannot
+/// be written.
+core::Result<void> write_picture(const std::string& svg, const std::string& output);
+
 }  // namespace clew::plot

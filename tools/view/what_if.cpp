@@ -9,6 +9,7 @@
 
 #include "core/nearest_name.hpp"
 #include "runtime/raw_graph.hpp"
+#include "view/page_order.hpp"
 
 namespace clew::view {
 namespace {
@@ -20,6 +21,9 @@ using nlohmann::json;
 constexpr std::uint64_t kMostTicks = 100000;
 constexpr std::size_t kMostWalls = 2000;
 constexpr double kMostCoordinate_m = 100000.0;
+constexpr double kLeastPace = 0.001;
+constexpr double kMostPace = 1000.0;
+constexpr std::string_view kWith = "--with=";
 
 Error bad(const std::string& what) { return {what, "request", 0, 0}; }
 
@@ -126,24 +130,28 @@ Result<std::string> read_set(const json& entry, const std::vector<runtime::Stage
 }
 
 Result<void> read_changes(const json& request, const std::vector<runtime::StageInfo>& stages,
-                          PageCommand& command) {
+                          std::vector<std::string>& words) {
   const json with = request.value("with", json::object());
   const json set = request.value("set", json::array());
   if (!with.is_object() || !set.is_array()) return bad("with is an object, set is a list");
   for (const auto& [place, names] : with.items()) {
     auto option = read_with(place, names, stages);
     if (!option.ok()) return option.error();
-    command.words.push_back(std::move(option).value());
+    words.push_back(std::move(option).value());
   }
   for (const json& entry : set) {
     if (!entry.is_object()) return bad("set is a list of objects");
     auto option = read_set(entry, stages);
     if (!option.ok()) return option.error();
-    command.words.push_back(std::move(option).value());
+    words.push_back(std::move(option).value());
   }
+  return {};
+}
+
+Result<void> read_max_ticks(const json& request, std::vector<std::string>& words) {
   const auto max_ticks = count_of(request, "max_ticks", kMostTicks);
   if (!max_ticks.ok()) return max_ticks.error();
-  command.words.push_back(fmt::format("--max-ticks={}", *max_ticks));
+  words.push_back(fmt::format("--max-ticks={}", *max_ticks));
   return {};
 }
 
@@ -196,6 +204,38 @@ Result<std::string> world_file(const json& world) {
   return text + "]\n";
 }
 
+Result<PageOrder> read_step(const json& request, PageOrder order) {
+  const auto ticks = count_of(request, "ticks", kMostTicks);
+  if (!ticks.ok() || *ticks == 0) return bad(fmt::format("ticks: from 1 to {}", kMostTicks));
+  order.ticks = *ticks;
+  order.words = {std::to_string(*ticks)};
+  return order;
+}
+
+Result<PageOrder> read_pace(const json& request, PageOrder order) {
+  const json factor = request.value("factor", json());
+  const bool in_range = factor.is_number() && factor.get<double>() <= kMostPace &&
+                        (factor.get<double>() == 0.0 || factor.get<double>() >= kLeastPace);
+  if (!in_range) {
+    return bad(fmt::format("factor: 0, or from {} to {}", kLeastPace, kMostPace));
+  }
+  order.pace_factor = factor.get<double>();
+  order.words = {order.pace_factor == 0.0 ? "lockstep" : fmt::format("{}x", order.pace_factor)};
+  return order;
+}
+
+Result<PageOrder> read_goal(const json& request, PageOrder order) {
+  for (const char* key : {"x", "y"}) {
+    const json number = request.value(key, json());
+    if (!number.is_number() || !(std::fabs(number.get<double>()) <= kMostCoordinate_m)) {
+      return bad("a target needs coordinates x and y");
+    }
+    order.words.push_back(fmt::format("{}", number.get<double>()));
+  }
+  order.changes = {"goal=" + order.words[0] + ',' + order.words[1]};
+  return order;
+}
+
 Result<std::string> known_name(const char* what, const json& request,
                                const std::vector<std::string>& names) {
   const std::string name = text_of(request, what);
@@ -213,7 +253,8 @@ Result<PageCommand> read_branch(std::string_view text, std::size_t recordings,
   const auto tick = read_moment(*request, recordings, command);
   if (!tick.ok()) return tick.error();
   command.words.push_back(fmt::format("--branch={}", *tick));
-  CLEW_RETURN_IF_ERROR(read_changes(*request, stages, command));
+  CLEW_RETURN_IF_ERROR(read_changes(*request, stages, command.words));
+  CLEW_RETURN_IF_ERROR(read_max_ticks(*request, command.words));
   const std::string changes = changes_text(command.words);
   command.what = fmt::format("branch at {}{}", *tick, changes.empty() ? "" : ": " + changes);
   return command;
@@ -246,11 +287,32 @@ Result<PageCommand> read_run(std::string_view text, const KnownNames& names,
     if (!name.ok()) return name.error();
     command.world = std::move(name).value();
   }
-  CLEW_RETURN_IF_ERROR(read_changes(*request, stages, command));
+  CLEW_RETURN_IF_ERROR(read_changes(*request, stages, command.words));
+  CLEW_RETURN_IF_ERROR(read_max_ticks(*request, command.words));
   command.what = command.graph + " in " + (command.world.empty() ? "a drawn world" : command.world);
   const std::string changes = changes_text(command.words);
   if (!changes.empty()) command.what += ": " + changes;
   return command;
+}
+
+Result<PageOrder> read_order(std::string_view text, const std::vector<runtime::StageInfo>& stages) {
+  const auto request = parse(text);
+  if (!request.ok()) return request.error();
+  PageOrder order;
+  order.order = text_of(*request, "order");
+  if (order.order == "pause" || order.order == "resume" || order.order == "stop") return order;
+  if (order.order == "step") return read_step(*request, std::move(order));
+  if (order.order == "pace") return read_pace(*request, std::move(order));
+  if (order.order == "goal") return read_goal(*request, std::move(order));
+  if (order.order != "swap") return bad("there is no order '" + order.order + "'");
+  CLEW_RETURN_IF_ERROR(read_changes(*request, stages, order.words));
+  for (std::string& word : order.words) {
+    order.changes.push_back(word.substr(word.find('=') + 1));
+    // `clew swap` takes behaviours without an option.
+    if (word.compare(0, kWith.size(), kWith) == 0) word = order.changes.back();
+  }
+  if (order.changes.empty()) return bad("nothing is to be changed");
+  return order;
 }
 
 }  // namespace clew::view

@@ -31,6 +31,18 @@ export class ChangesForm {
     return { with: Object.fromEntries(this.withs), set: [...this.sets.values()] };
   }
 
+  /// Whether there is nothing to choose from, as long as nobody has told of the run's graph.
+  get empty(): boolean {
+    return this.stage.options.length === 0;
+  }
+
+  /// What was chosen has been done.
+  clear(): void {
+    this.withs.clear();
+    this.sets.clear();
+    this.show_part();
+  }
+
   /// Another run may have other stages.
   refresh(): void {
     const stages = this.choices.stages.filter((stage) => stage.parts.some((part) => this.current(stage.name, part.name) !== undefined));

@@ -3,6 +3,7 @@ import "uplot/dist/uPlot.min.css";
 import "./style.css";
 
 import { field_text } from "./cdr_fields";
+import { Control } from "./control";
 import { first_difference } from "./difference";
 import type { Difference } from "./difference";
 import { button, by_id, element } from "./elements";
@@ -37,6 +38,7 @@ function notice(text: string): void {
 // ---- panels ----
 
 let what_if: WhatIf | undefined;
+let control: Control | undefined;
 
 function add_panel(name: string, title: string): HTMLElement {
   const panel = element("div", { id: `panel-${name}`, role: "tabpanel", "aria-label": title });
@@ -152,7 +154,7 @@ async function open_served(id: number, name: string): Promise<Run> {
 }
 
 /// Follows a run under way, at its newest tick unless somebody looks elsewhere.
-function watch(): void {
+async function watch(): Promise<void> {
   let run: Run | undefined;
   const newest = (): void => {
     const follows = session.tick >= session.last_tick;
@@ -164,12 +166,16 @@ function watch(): void {
     again: (recording) => run?.restart(recording),
     ended: (how, missed) => {
       newest();
+      control?.end();
       document.body.dataset["ended"] = how;
       notice(missed > 0 ? `${how}; while it ran, ${missed} ticks were too fast to be shown` : how);
     },
   });
   run = session.add(live.recording);
   show_runs();
+  const choices = await read_choices();
+  control = new Control(session, map, add_panel("control", "Control"), choices);
+  show_panel("overview");
 }
 
 async function begin(): Promise<void> {
@@ -181,7 +187,7 @@ async function begin(): Promise<void> {
   } else if (location.protocol.startsWith("http")) {
     const served = (await (await fetch("session")).json()) as Served;
     for (const { id, name } of served.recordings) await open_served(id, name);
-    if (served.live) watch();
+    if (served.live) await watch();
     else await add_what_if();
   }
   session.go_to(session.last_tick);
@@ -218,6 +224,10 @@ listen_to_keys([
   { keys: ["x"], shown: "x", what: "insides of the tick, explained", act: () => show_panel("insides") },
   { keys: ["e"], shown: "e", what: "what if", act: () => show_panel("what-if") },
   { keys: ["b"], shown: "b", what: "branch from this tick", act: () => void what_if?.branch() },
+  { keys: ["c"], shown: "c", what: "control of a run under way", act: () => control && show_panel("control") },
+  { keys: ["k"], shown: "k", what: "pause or resume a run under way", act: () => void control?.toggle() },
+  { keys: ["j"], shown: "j", what: "a tick of a run that is paused", act: () => void control?.do_step() },
+  { keys: ["g"], shown: "g", what: "a new target for a run under way: then click on the map", act: () => control?.choose_goal() },
   { keys: ["+", "="], shown: "+", what: "zoom in", act: () => map.zoom(1.3) },
   { keys: ["-"], shown: "-", what: "zoom out", act: () => map.zoom(1 / 1.3) },
   { keys: ["0", "f"], shown: "0", what: "the whole world", act: () => map.fit() },

@@ -29,6 +29,7 @@ export class MapView {
   private measuring = false;
   private ruler: { from: Point; to: Point } | undefined;
   private tool: MapTool | undefined;
+  private picker: ((place: Point) => void) | undefined;
   private drag: { x: number; y: number } | undefined;
   readonly draw = once_a_frame(() => this.draw_now());
 
@@ -55,8 +56,17 @@ export class MapView {
     this.draw();
   }
 
+  /// The next click gives a place instead of panning; nothing: it pans again.
+  pick(take: ((place: Point) => void) | undefined): void {
+    this.picker = take;
+    this.canvas.style.cursor = take ? "crosshair" : "";
+  }
+
   private get world(): World | undefined {
-    return this.tool?.shown ?? this.first?.world;
+    if (this.tool) return this.tool.shown;
+    const run = this.first;
+    const goal = run?.goals.filter((each) => each.tick <= this.session.tick).pop();
+    return run?.world && goal ? { ...run.world, target: goal.place } : run?.world;
   }
 
   /// The run whose world is shown.
@@ -233,6 +243,10 @@ export class MapView {
       this.zoom(Math.exp(-event.deltaY * 0.0015), event.offsetX, event.offsetY);
     }, { passive: false });
     canvas.addEventListener("pointerdown", (event) => {
+      if (this.picker && !this.measuring) {
+        this.picker(this.place(event.offsetX, event.offsetY));
+        return;
+      }
       canvas.setPointerCapture(event.pointerId);
       this.drag = { x: event.offsetX, y: event.offsetY };
       if (this.tool && !this.measuring) this.tool.down(this.place(event.offsetX, event.offsetY));

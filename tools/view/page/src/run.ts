@@ -66,6 +66,8 @@ export class Run {
   served: number | undefined;
   private has_texts = false;
   private counts = [0, 0, 0];
+  /// Where the robot was sent from this page while it went, and from which tick on.
+  readonly goals: { tick: number; place: Point }[] = [];
   private target: Point | undefined;
 
   constructor(public recording: Recording, readonly index: number) {}

@@ -55,6 +55,19 @@ export interface Started {
   report: { outcome: string; ticks: number; hash: string | null; path_length_m: number };
 }
 
+/// What a person wants of a run under way.
+export type Order =
+  | { order: "pause" | "resume" | "stop" }
+  | { order: "step"; ticks: number }
+  | { order: "pace"; factor: number }
+  | { order: "goal"; x: number; y: number }
+  | ({ order: "swap" } & Changes);
+/// From which tick on it holds, and the command line that does the same.
+export interface Carried {
+  tick: number;
+  command: string;
+}
+
 /// What a component told of a tick.
 export interface StageTold {
   stage: string;
@@ -82,6 +95,10 @@ async function post<T>(what: string, request: object): Promise<T> {
 
 export function ask_for(what: "branch" | "run", request: object): Promise<Started> {
   return post<Started>(what, request);
+}
+
+export function ask_control(order: Order): Promise<Carried> {
+  return post<Carried>("control", order);
 }
 
 export function ask_insides(of: { recording: number; tick: number }): Promise<Told> {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "clew/commands.hpp"
+#include "clew/json_line.hpp"
+#include "clew/typed_line.hpp"
+#include "gateway/gateway_process.hpp"
+#include "stages/all.hpp"
+#include "view/page_file.hpp"
+#include "view/page_order.hpp"
+#include "view/registry_json.hpp"
+
+namespace clew::tools {
+namespace {
+
+using bridge::RunCommand;
+
+RunCommand::Kind kind_of(const std::string& order) {
+  static const std::map<std::string, RunCommand::Kind> kKinds = {
+      {"pause", RunCommand::Kind::kPause},
+      {"step", RunCommand::Kind::kStep},
+      {"resume", RunCommand::Kind::kResume},
+      {"stop", RunCommand::Kind::kStop},
+      {"pace", RunCommand::Kind::kPace}};
+  const auto found = kKinds.find(order);
+  return found == kKinds.end() ? RunCommand::Kind::kChange : found->second;
+}
+
+core::Result<bridge::PageCommandLine> read_command(const std::string& body,
+                                                   const std::string& run) {
+  const auto order = view::read_order(body, stages::all());
+  if (!order.ok()) return order.error();
+  RunCommand command{kind_of(order->order)};
+  command.changes = order->changes;
+  command.ticks = order->ticks;
+  command.pace_factor = order->pace_factor;
+  std::vector<std::string> words = {order->order, run};
+  words.insert(words.end(), order->words.begin(), order->words.end());
+  return bridge::PageCommandLine{std::move(command), typed_line(words)};
+}
+
+}  // namespace
+
+void add_gateway(CLI::App& main, int& status) {
+  struct Ends {
+    int socket = -1;
+    int port = 0;
+  };
+  const auto ends = std::make_shared<Ends>();
+  CLI::App* app = main.add_subcommand("gateway", "Serve the page of a run as this process");
+  app->group("");
+  app->add_option("--socket", ends->socket, "to the run")->required();
+  app->add_option("--port", ends->port, "of 127.0.0.1")->required();
+  app->callback([ends, &status] {
+    const bridge::GatewayPage page{view::page(),
+                                   json_line({{"stages", view::registry_json(stages::all())},
+                                              {"graphs", nlohmann::ordered_json::array()},
+                                              {"worlds", nlohmann::ordered_json::array()}}),
+                                   read_command};
+    status = bridge::run_gateway_process(ends->socket, ends->port, page);
+  });
+}
+
+}  // namespace clew::tools
