@@ -24,8 +24,9 @@ EndpointSpec spec_of(Topic topic, const std::string& user_data, int history_dept
 NodeHost::NodeHost(runtime::NodeSuccession node, const Assignment& assignment,
                    const runtime::RunPlan& plan, Handlers handlers)
     : node_(std::move(node)),
+      name_(node_.name()),
       scan_layout_(plan.setup.behaviour.scan),
-      user_data_(UserData{std::string(idl_fingerprint()), node_.name()}.to_text()),
+      user_data_(UserData{std::string(idl_fingerprint()), name_}.to_text()),
       history_depth_(static_cast<int>(assignment.history_depth)),
       lockstep_(assignment.pace != Pace::kRealtime),
       tick_s_(plan.graph.tick_s),

@@ -93,7 +93,8 @@ class NodeHost {
   /// When poll() should be called next; none: when something has arrived.
   std::optional<Time> next_due() const;
 
-  const std::string& name() const { return node_.name(); }
+  /// May be read by any thread, also while the node is replaced.
+  const std::string& name() const { return name_; }
   bool starts_ticks() const { return node_.ports().delayed_inputs.any(); }
   /// Whether a step is under way. Does not wait for it.
   bool is_stepping() const { return stepping_.load(); }
@@ -128,6 +129,7 @@ class NodeHost {
 
   mutable std::mutex mutex_;
   runtime::NodeSuccession node_;
+  const std::string name_;
   domain::ScanLayout scan_layout_;
   const std::string user_data_;
   const int history_depth_;

@@ -37,6 +37,7 @@ class OrderDesk {
   void serve_with(WebServer& server) { server_ = &server; }
 
   void take(const std::string& body, const WebContent::Answer& answer) {
+    if (run_.empty()) return answer(json_response(409, {{"error", "the run is over"}}));
     const auto asked = page_.read_command(body, run_);
     if (!asked.ok()) return answer(json_response(400, {{"error", asked.error().message}}));
     const auto done = [answer, line = asked->line](const core::Result<CommandAnswer>& answered) {
@@ -68,6 +69,7 @@ void take(const Frame& frame, LiveStream& stream, std::string& run) {
     reader(name, run, description);
     if (reader.complete()) stream.describe(description, name);
   } else if (frame.type == FrameType::kRecordingEnd) {
+    run.clear();  // Another run may be called so by now.
     stream.end(frame.as<Text>().value_or(Text{}).text);
   }
 }
@@ -81,15 +83,16 @@ int run_gateway_process(int socket, int port, const GatewayPage& page) {
   content.show_live(stream);
   content.offer("/choices", page.choices);
   std::string run;
-  OrderDesk desk(page, run);
-  content.on_post("/control", [&desk](const std::string& body, const WebContent::Answer& answer) {
-    desk.take(body, answer);
-  });
   const auto server = WebServer::listen(port, content);
   if (!server.ok()) {
     link.post(FrameType::kFatal, Text{server.error().text()});
     return 1;
   }
+  // After the server, so that what waits for an answer goes before it.
+  OrderDesk desk(page, run);
+  content.on_post("/control", [&desk](const std::string& body, const WebContent::Answer& answer) {
+    desk.take(body, answer);
+  });
   desk.serve_with(**server);
   link.post(FrameType::kNotice, Text{(*server)->access().address()});
   bool told = false;

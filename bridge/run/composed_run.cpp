@@ -110,6 +110,11 @@ class ComposedLoop {
         clock_.start(Clock::now(), executor_.next_tick());
         continue;
       }
+      if (is_long_before_next_tick()) {
+        std::this_thread::sleep_for(kSignalPeriod);
+        look(std::chrono::milliseconds(0));
+        continue;
+      }
       step();
       const auto now = Clock::now();
       if (now >= next_look_) look(std::chrono::milliseconds(0));
@@ -126,6 +131,11 @@ class ComposedLoop {
   const RunStatistics& statistics() const { return bookkeeper_.account().statistics(); }
   bool goes_on() const {
     return !statistics().truth || statistics().truth->outcome == domain::Outcome::kRunning;
+  }
+
+  /// At a slow pace, orders and signals come between two ticks.
+  bool is_long_before_next_tick() const {
+    return !clock_.is_free() && clock_.due(executor_.next_tick()) > Clock::now() + kSignalPeriod;
   }
 
   /// With orders, somebody may ask where the time goes later on.

@@ -153,6 +153,8 @@ Result<CertifiedKey> issue_certificate(const CertifiedKey& authority, const std:
   } while (half_of(*certificate) != half);
   add_extension(*certificate, NID_basic_constraints, "critical,CA:FALSE");
   add_extension(*certificate, NID_key_usage, "critical,digitalSignature,keyAgreement");
+  // Not for S/MIME: Cyclone DDS would believe permissions that a participant signs for itself.
+  add_extension(*certificate, NID_ext_key_usage, "clientAuth,serverAuth");
   finish_certificate(*certificate, *issuer, *issuer_key);
   return CertifiedKey{to_pem(*certificate), to_pem(*key)};
 }

@@ -56,10 +56,12 @@ void Supervisor::watch_stall(Time now) {
         std::chrono::duration_cast<std::chrono::seconds>(stall_timeout()).count(), ticks_done()));
   }
   const std::uint64_t started = started_ticks(members_);
-  if (stalled < kStallRestart || restarted_at_ == started || !may_restart_all()) return;
+  // A slow pace makes long ticks.
+  const auto restart_after = stall_timeout() - kStallTimeout + kStallRestart;
+  if (stalled < restart_after || restarted_at_ == started || !may_restart_all()) return;
   log({fmt::format(
       "no tick was completed for {} s, though all report; restarting all; ticks done:{}",
-      kStallRestart.count(), ticks_done())});
+      std::chrono::duration_cast<std::chrono::seconds>(restart_after).count(), ticks_done())});
   restarted_at_ = started;
   stalled_since_ = now;
   for (const Member& member : members_) member.child->signal(SIGKILL);

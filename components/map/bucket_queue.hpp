@@ -11,8 +11,8 @@
 namespace clew::map {
 
 /// Those who wait with a key, in buckets of 64 keys: those of a lower bucket come first, and within
-/// a bucket who came last. Whoever has a key beyond the last bucket waits in that one. It allocates
-/// only when more wait than ever before.
+/// a bucket who came last. Keys beyond the last bucket wait in a heap, the least first. It
+/// allocates only when more wait than ever before.
 class BucketQueue {
  public:
   struct Waiting {
@@ -22,6 +22,7 @@ class BucketQueue {
 
   void clear() {
     places_.clear();
+    beyond_.clear();
     buckets_.assign(kBuckets, kNone);
     unused_ = kNone;
     first_ = kBuckets;
@@ -30,6 +31,11 @@ class BucketQueue {
 
   void push(const Waiting& waiting) {
     const std::size_t bucket = bucket_of(waiting.key);
+    if (bucket >= kBuckets) {
+      beyond_.push_back(waiting);
+      std::push_heap(beyond_.begin(), beyond_.end(), has_greater_key);
+      return;
+    }
     std::uint32_t place = unused_;
     if (place == kNone) {
       place = static_cast<std::uint32_t>(places_.size());
@@ -45,7 +51,7 @@ class BucketQueue {
 
   /// Takes out who comes first, if not of a later bucket than `key`.
   std::optional<Waiting> take_up_to(std::uint32_t key) {
-    if (count_ == 0) return std::nullopt;
+    if (count_ == 0) return take_beyond(key);
     while (buckets_[first_] == kNone) ++first_;
     if (first_ > bucket_of(key)) return std::nullopt;
     const std::uint32_t place = buckets_[first_];
@@ -55,6 +61,9 @@ class BucketQueue {
     --count_;
     return places_[place].waiting;
   }
+
+  /// How many have waited at once: what it holds memory for.
+  std::size_t places() const { return places_.size() + beyond_.size(); }
 
   /// Whether one key is of a later bucket than another.
   static bool is_later(std::uint32_t key, std::uint32_t other) {
@@ -70,11 +79,19 @@ class BucketQueue {
     std::uint32_t next = kNone;  // in the same bucket, or among the unused
   };
 
-  static std::size_t bucket_of(std::uint32_t key) {
-    return std::min<std::size_t>(key / 64, kBuckets - 1);
+  static std::size_t bucket_of(std::uint32_t key) { return key / 64; }
+  static bool has_greater_key(const Waiting& a, const Waiting& b) { return a.key > b.key; }
+
+  std::optional<Waiting> take_beyond(std::uint32_t key) {
+    if (beyond_.empty() || is_later(beyond_.front().key, key)) return std::nullopt;
+    std::pop_heap(beyond_.begin(), beyond_.end(), has_greater_key);
+    const Waiting least = beyond_.back();
+    beyond_.pop_back();
+    return least;
   }
 
   std::vector<Place> places_;
+  std::vector<Waiting> beyond_;         // a heap
   std::vector<std::uint32_t> buckets_;  // the first place of each
   std::uint32_t unused_ = kNone;
   std::size_t first_ = kBuckets;  // all before are empty

@@ -11,10 +11,12 @@ namespace clew::map {
 namespace {
 
 constexpr std::uint32_t kWeightOfOne = 4;
-// A path of 10 km through the dearest cells costs less than kNone.
+// A path of 8 km through the dearest cells costs less than kNone.
 constexpr float kMostWeight = 1000.0F;
 // Keys grow as the start moves; before they reach the last bucket, all is made anew.
 constexpr std::uint32_t kMostMoved = 1U << 20;
+// So many may wait for each block; some are there twice, since a lower key came later.
+constexpr std::size_t kMostWaiting = 4;
 
 /// A step from a block to a neighbour, and which cells of the two touch. Cell 1 of a block lies
 /// right of cell 0, and 2 and 3 above them.
@@ -58,7 +60,7 @@ void DistanceField::take_in(const Costmap& costs, const std::vector<Cell>& goals
   changed_.clear();
   const bool same_grid = costs.grid == grid_;
   if (!same_grid) lay(costs.grid);
-  if (moved_ > kMostMoved) clear();
+  if (moved_ > kMostMoved || queue_.places() > kMostWaiting * nodes_.size()) clear();
   const bool follows = costs.revision == revision_ || costs.revision == revision_ + 1;
   if (same_grid && costs.revision > 0 && follows) {
     const auto columns = static_cast<std::uint32_t>(grid_.columns);

@@ -193,7 +193,8 @@ std::string disagreement(const GraphStage& a, const GraphStage& b) {
 
 Result<void> check_groups(const std::vector<StageInfo>& stages, const Graph& graph) {
   // A run may have a process of each of these names.
-  std::vector<std::string> taken = {"recorder", "observer", "replay", "commander", "watcher"};
+  std::vector<std::string> taken = {"recorder",  "observer", "replay",
+                                    "commander", "watcher",  "run"};
   for (const StageInfo& info : stages) taken.push_back(info.name);
   std::map<std::string, const GraphStage*> first_of;
   for (const GraphStage& stage : graph.stages) {

@@ -274,6 +274,9 @@ Result<std::optional<RawStage>> read_mission(const YamlNode& root,
   return std::optional<RawStage>(std::move(stage));
 }
 
+/// With a vendor and a number behind it, the common name of a certificate, which has 64 letters.
+constexpr std::size_t kLongestGroupName = 48;
+
 /// A group's name is a word of a command line, and that of a participant.
 Result<void> read_group(const YamlNode& value, Deployment& deployment) {
   auto word = value.string();
@@ -281,8 +284,9 @@ Result<void> read_group(const YamlNode& value, Deployment& deployment) {
   const bool plain = std::all_of(word->begin(), word->end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_' || c == '-';
   });
-  if (!plain || word->empty() || word->front() == '-') {
-    return value.error("group is " + value.found() + "; allowed: letters, digits, '_' and '-'");
+  if (!plain || word->empty() || word->size() > kLongestGroupName || word->front() == '-') {
+    return value.error("group is " + value.found() + "; allowed: up to " +
+                       std::to_string(kLongestGroupName) + " letters, digits, '_' and '-'");
   }
   deployment.group = *word;
   deployment.group_place = place_of(value);

@@ -207,6 +207,12 @@ Result<BenchEnd> merge_shards(const BenchPlan& plan, const BenchOrder& order,
   if (!differs.empty()) {
     return Error{differs + "; merge with what it was made with", shards.front().path, 0, 0};
   }
+  for (const ShardDirectory& shard : shards) {
+    std::error_code none;
+    if (std::filesystem::equivalent(shard.path, options.directory, none)) {
+      return Error{"is a shard itself; choose another --out", options.directory, 0, 0};
+    }
+  }
   const ResultsHeader header{order, plan.configuration};
   CLEW_RETURN_IF_ERROR(files::make_directory(options.directory));
   CLEW_RETURN_IF_ERROR(expand_results(options.directory, options.restart));

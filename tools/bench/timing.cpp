@@ -51,6 +51,9 @@ Result<void> visit_timed(const std::string& results_path, const std::string& tim
   ordered_json timing = parse(timings->next());
   while (const std::string* line = results->next()) {
     ordered_json run = parse(line);
+    if (!run.is_object()) {
+      return core::Error{"is no line of results", results_path, results->number(), 0};
+    }
     const bool is_timed = is_of_one_run(run, timing);
     for (const char* key : kMeasured) run[key] = is_timed ? timing[key] : ordered_json();
     visit(run.dump());

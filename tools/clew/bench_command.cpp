@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <thread>
 
 #include "bench/bench.hpp"
@@ -52,16 +54,34 @@ Result<std::string> program_text() {
   return fmt::format("{} (build {})", CLEW_VERSION, core::hash128(bytes).hex());
 }
 
-Result<bench::BenchPlan> make_plan(const bench::BenchOrder& order,
-                                   const runtime::ConfigPath& configs) {
+/// Loads what the command line names, and what the suite's graphs do.
+Result<void> load_plugins_of_bench(const bench::BenchOrder& order,
+                                   const std::vector<std::string>& graphs) {
+  CLEW_RETURN_IF_ERROR(load_plugins_of(order.plugins));
+  for (const std::string& graph : graphs) CLEW_RETURN_IF_ERROR(load_plugins_of({}, graph));
+  return {};
+}
+
+/// Loads what the command line names, and nothing that a shard does.
+Result<void> load_plugins_of_merge(const bench::ShardDirectory& shard,
+                                   const std::vector<std::string>& plugins) {
+  for (const std::string& name : shard.header.order.plugins) {
+    if (std::find(plugins.begin(), plugins.end(), name) == plugins.end()) {
+      return core::Error{"was made with the plug-in '" + name + "'; allow it with --plugin " + name,
+                         shard.path, 0, 0};
+    }
+  }
+  return load_plugins_of(plugins);
+}
+
+Result<bench::BenchPlan> make_plan(
+    const bench::BenchOrder& order, const runtime::ConfigPath& configs,
+    const std::function<Result<void>(const std::vector<std::string>& graphs)>& load) {
   const auto file = configs.find("suites", order.suite);
   if (!file.ok()) return file.error();
   const auto suite = bench::read_suite(*file, order.suite);
   if (!suite.ok()) return suite.error();
-  CLEW_RETURN_IF_ERROR(load_plugins_of(order.plugins));
-  for (const std::string& graph : order.graphs.empty() ? suite->graphs : order.graphs) {
-    CLEW_RETURN_IF_ERROR(load_plugins_of({}, graph));
-  }
+  CLEW_RETURN_IF_ERROR(load(order.graphs.empty() ? suite->graphs : order.graphs));
   bench::BenchChanges changes;
   changes.graphs = order.graphs;
   changes.with = order.with;
@@ -145,13 +165,14 @@ int tell(const bench::BenchEnd& end, const bench::BenchOptions& bench, bool as_j
   return kExitGood;
 }
 
-Result<bench::BenchEnd> merge(const std::vector<std::string>& directories,
-                              const bench::BenchOptions& bench,
+Result<bench::BenchEnd> merge(const BenchCommandOptions& options, const bench::BenchOptions& bench,
                               const runtime::ConfigPath& configs) {
-  const auto shards = bench::read_shards(directories);
+  const auto shards = bench::read_shards(options.merge);
   if (!shards.ok()) return shards.error();
   const bench::BenchOrder& order = shards->front().header.order;
-  const auto plan = make_plan(order, configs);
+  const auto plan = make_plan(order, configs, [&](const auto&) {
+    return load_plugins_of_merge(shards->front(), options.order.plugins);
+  });
   if (!plan.ok()) return plan.error();
   return bench::merge_shards(*plan, order, *shards, configs, stages::all(), bench);
 }
@@ -202,10 +223,12 @@ int bench_command(const BenchCommandOptions& options) {
   if (!bench.ok()) return complain(bench.error());
   const auto configs = runtime::ConfigPath::from_environment();
   if (!options.merge.empty()) {
-    const auto end = merge(options.merge, *bench, configs);
+    const auto end = merge(options, *bench, configs);
     return end.ok() ? tell(*end, *bench, options.json) : complain(end.error());
   }
-  auto plan = make_plan(options.order, configs);
+  auto plan = make_plan(options.order, configs, [&](const auto& graphs) {
+    return load_plugins_of_bench(options.order, graphs);
+  });
   if (!plan.ok()) return complain(plan.error());
   if (options.until_width > 0.0) {
     plan->stopping = bench::Stopping{options.until_width, 0, 0};
@@ -236,14 +259,13 @@ void add_order(CLI::App& app, bench::BenchOrder& order) {
 void add_shards(CLI::App& app, BenchCommandOptions& options) {
   app.add_option("--shard", options.shard,
                  "I/N: the I-th of N parts only, in a directory of its own");
-  CLI::Option* merge =
-      app.add_option(
-             "--merge", options.merge,
-             "directories of all shards of a bench, in any order: makes the whole, in --out")
-          ->type_name("DIR");
-  for (const char* other :
-       {"suite", "--graph", "--with", "--set", "--vary", "--plugin", "--shard", "--jobs",
-        "--write-worlds", "--on", "--shards", "--dry-run", "--until-width"}) {
+  CLI::Option* merge = app.add_option("--merge", options.merge,
+                                      "directories of all shards of a bench, in any order: makes "
+                                      "the whole, in --out; of plug-ins "
+                                      "it loads those that --plugin names")
+                           ->type_name("DIR");
+  for (const char* other : {"suite", "--graph", "--with", "--set", "--vary", "--shard", "--jobs",
+                            "--write-worlds", "--on", "--shards", "--dry-run", "--until-width"}) {
     merge->excludes(app.get_option(other));
   }
   // Whoever looks at results as they come needs all of them.

@@ -80,8 +80,9 @@ Result<Spread> spread_of(const bench::BenchPlan& plan, const bench::BenchOptions
     if (!queue.ok()) return queue.error();
     const auto cores = (*queue)->cores();
     if (!cores.ok()) return cores.error();
-    const std::size_t tasks =
-        options.shards > 0 ? options.shards : sweep::default_shards(plan, *cores, options.cores);
+    const std::size_t tasks = options.shards > 0
+                                  ? std::min(options.shards, plan.runs())
+                                  : sweep::default_shards(plan, *cores, options.cores);
     spread = {(*queue)->name(), tasks, options.cores, std::min(*cores, tasks * options.cores), 0};
   }
   const bench::Shards shards(plan, spread.tasks);

@@ -157,8 +157,11 @@ void add_keys(CLI::App& main, int& status) {
   init->add_option("--name", options->name, "of the authority")
       ->check(CLI::Validator(
           [](const std::string& name) {
-            return name.empty() || name.size() > 64
-                       ? "found " + std::to_string(name.size()) + " letters; allowed: 1 to 64"
+            const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char letter) {
+              return letter >= ' ' && letter <= '~';
+            });
+            return name.empty() || name.size() > 64 || !plain
+                       ? "found '" + name + "'; allowed: 1 to 64 letters of ASCII"
                        : std::string();
           },
           ""))

@@ -170,6 +170,7 @@ int top_command(const TopOptions& options) {
     }
     print_rows(*now, rows_between(*before, *now), options, clears);
     if (options.once) return kExitGood;
+    if (std::ferror(stdout) != 0) return kExitFailed;  // whoever read it has gone
     before = std::move(now);
     period = kPeriod;
   }

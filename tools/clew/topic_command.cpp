@@ -39,7 +39,8 @@ ordered_json topic_json(const TopicOnWire& topic) {
 /// Why a list is empty, where it is.
 int complain_of_silence(const bridge::DomainWatch& watch) {
   return complain({fmt::format("nobody is on domain {}: 'clew run ... --domain {}' starts a run "
-                               "there, and only participants of this host on 127.0.0.1 are found",
+                               "there; only participants of this host on 127.0.0.1 are found, and "
+                               "none of a run with --secure",
                                watch.domain(), watch.domain()),
                    {},
                    0,

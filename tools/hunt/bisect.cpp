@@ -75,8 +75,10 @@ class Bisection {
   Result<BisectEnd> run() {
     CLEW_RETURN_IF_ERROR(find_differences());
     auto of_a = run_bundle(a_.bundle);
+    if (end_.interrupted) return end_;
     if (!of_a.ok()) return of_a.error();
     const auto of_b = run_bundle(b_.bundle);
+    if (end_.interrupted) return end_;
     if (!of_b.ok()) return of_b.error();
     ran_a_ = std::move(of_a).value();
     end_.outcome_a = ran_a_.outcome;

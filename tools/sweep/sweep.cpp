@@ -189,7 +189,8 @@ Result<SweepEnd> run_sweep(const bench::BenchPlan& plan, const bench::BenchOrder
     std::filesystem::remove_all(std::filesystem::path(options.directory) / "shards", failed);
     if (failed) return Error{"cannot be removed: " + failed.message(), options.directory, 0, 0};
   }
-  std::size_t count = options.shards;
+  // None is without a run.
+  std::size_t count = std::min(options.shards, plan.runs());
   if (count == 0) {
     const auto begun_with = ShardFolders::count_in(options.directory);
     if (!begun_with.ok()) return begun_with.error();

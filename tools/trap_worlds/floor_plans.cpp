@@ -105,7 +105,8 @@ void set_out(Dice& dice, const FloorPlan& plan, WorldDraft& draft) {
   const int other = (first + dice.count(1, last)) % (last + 1);
   const auto place_in = [&](int room) -> Vec2 {
     const auto index = static_cast<std::size_t>(room);
-    const Vec2 share(dice.between(-0.5, 0.5), dice.between(-0.5, 0.5));
+    const double along_y = dice.between(-0.5, 0.5);
+    const Vec2 share(dice.between(-0.5, 0.5), along_y);
     return plan.middle(index) + share.cwiseProduct(plan.half(index));
   };
   draft.start = place_in(first);
@@ -122,7 +123,8 @@ int side_of(Dice& dice, double depth_m, int most) {
 /// A thing in a room: round, a piece of wall from its side, or a triangle.
 void add_furniture(Dice& dice, const FloorPlan& plan, std::size_t room, WorldDraft& draft) {
   const Vec2 half = plan.half(room);
-  const Vec2 share(dice.between(-0.8, 0.8), dice.between(-0.8, 0.8));
+  const double along_y = dice.between(-0.8, 0.8);
+  const Vec2 share(dice.between(-0.8, 0.8), along_y);
   const Vec2 place = plan.middle(room) + share.cwiseProduct(half);
   const double turned_rad = dice.between(-core::kPi, core::kPi);
   switch (dice.count(0, 2)) {
@@ -134,10 +136,14 @@ void add_furniture(Dice& dice, const FloorPlan& plan, std::size_t room, WorldDra
       draft.add_walls({side, side - Vec2(0.0, dice.between(0.3, 1.3) * half.y())});
       break;
     }
-    default:
-      draft.polygons.push_back(
-          {place, place + dice.between(0.2, 0.8) * core::direction(turned_rad),
-           place + dice.between(0.2, 0.8) * core::direction(turned_rad + dice.between(0.5, 2.5))});
+    default: {
+      // Drawn one by one: what is drawn first must not be a matter of the compiler.
+      const double first_m = dice.between(0.2, 0.8);
+      const double second_rad = turned_rad + dice.between(0.5, 2.5);
+      const double second_m = dice.between(0.2, 0.8);
+      draft.polygons.push_back({place, place + first_m * core::direction(turned_rad),
+                                place + second_m * core::direction(second_rad)});
+    }
   }
 }
 

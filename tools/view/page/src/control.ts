@@ -62,11 +62,15 @@ export class Control {
   }
 
   async toggle(): Promise<void> {
-    if (await this.ask({ order: this.paused ? "resume" : "pause" })) this.paused = !this.paused;
+    if (this.over) return;
+    const tick = await this.ask({ order: this.paused ? "resume" : "pause" });
+    // A run that somebody else has let go on refuses to be resumed.
+    if (tick !== undefined || this.paused) this.paused = !this.paused;
     this.show();
   }
 
   async do_step(): Promise<void> {
+    if (this.over) return;
     await this.ask({ order: "step", ticks: 1 });
   }
 

@@ -175,6 +175,7 @@ async function watch(): Promise<void> {
   show_runs();
   const choices = await read_choices();
   control = new Control(session, map, add_panel("control", "Control"), choices);
+  if (document.body.dataset["ended"] !== undefined) control.end();
   show_panel("overview");
 }
 
