@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "message_json.hpp"
 #include "random_messages.hpp"
 #include "recording/mcap_reader.hpp"
 #include "recording/run_recorder.hpp"
 #include "recording/run_recording.hpp"
-#include "tests/wire/message_json.hpp"
 #include "wire/codec.hpp"
 
 namespace clew::recording_test {

@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "cyclonedds/configuration.hpp"
+#include "edge_messages.hpp"
 #include "generated_types.hpp"
 #include "message_equality.hpp"
 #include "random_messages.hpp"
 #include "recording_listeners.hpp"
 #include "test_domain.hpp"
-#include "tests/wire/edge_messages.hpp"
 #include "vendors/participant_factory.hpp"
 #include "wire/codec.hpp"
 
