@@ -21,15 +21,16 @@ std::vector<Behaviour> all_behaviours() {
 }
 
 std::optional<runtime::RunPlan> plan_with(const Behaviour& behaviour, std::uint64_t max_ticks,
-                                          const std::string& world) {
+                                          const std::string& world, const std::string& graph) {
   auto overrides =
       changes({behaviour.stage + '.' + behaviour.part + '=' + behaviour.name}, {}, max_ticks);
   if (!world.empty()) overrides.world = world;
   // In reverse, since the last ones are the papers' and the first two keep maps, which takes
   // longer.
-  const auto graphs = shipped_configs().names("graphs");
-  for (auto graph = graphs.rbegin(); graph != graphs.rend(); ++graph) {
-    auto plan = runtime::prepare_run(*graph, overrides, shipped_configs(), stages::all());
+  auto graphs = shipped_configs().names("graphs");
+  if (!graph.empty()) graphs.push_back(graph);
+  for (auto name = graphs.rbegin(); name != graphs.rend(); ++name) {
+    auto plan = runtime::prepare_run(*name, overrides, shipped_configs(), stages::all());
     if (plan.ok()) return std::move(plan).value();
   }
   return std::nullopt;

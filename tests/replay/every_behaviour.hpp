@@ -21,8 +21,9 @@ struct Behaviour {
 std::vector<Behaviour> all_behaviours();
 
 /// The last shipped graph, by name, in which the behaviour fits the others, with it, for
-/// `max_ticks`; in the graph's own world if none is named.
+/// `max_ticks`; `graph` itself if it fits there. In the graph's own world if none is named.
 std::optional<runtime::RunPlan> plan_with(const Behaviour& behaviour, std::uint64_t max_ticks,
-                                          const std::string& world = "");
+                                          const std::string& world = "",
+                                          const std::string& graph = "");
 
 }  // namespace clew::replay_test
