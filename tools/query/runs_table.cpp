@@ -34,6 +34,7 @@ const std::vector<Column>& runs_columns() {
                                               {"why", "TEXT"},
                                               {"layout", "TEXT"},
                                               {"middleware", "TEXT"},
+                                              {"secured", "INTEGER"},
                                               {"recording", "TEXT"},
                                               {"hash", "TEXT"},
                                               {"start_s", "REAL"},
