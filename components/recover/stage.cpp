@@ -32,7 +32,7 @@ void add_local_map(const map::LocalMapParameters& parameters, double radius_m,
   const auto reads = [](const auto& named) { return named.behaviour->reads_local_map(); };
   const auto& shadows = parts.shadows;
   const auto& escapes = parts.escapes;
-  const bool from_start = reads(parts.detector) || reads(escapes.front()) ||
+  const bool from_start = reads(parts.detector) || (!escapes.empty() && reads(escapes.front())) ||
                           std::any_of(shadows.begin(), shadows.end(), reads);
   if (!from_start && std::none_of(escapes.begin(), escapes.end(), reads)) return;
   parts.local_map.emplace(parameters, radius_m);

@@ -208,7 +208,7 @@ class BenchShards(unittest.TestCase):
                  "it was made with 'shard' 2/3, now it is 1/3"),
                 ([self.suite, "--out", two], "it has 'shard', which is not asked for now"),
                 (["--merge", one, two, three], "--merge: needs --out DIR"),
-                (["--merge", one, two, three, "--out", two], "it has 'shard'"),
+                (["--merge", one, two, three, "--out", two], "is a shard itself"),
                 (["--merge", one, three, *out], "2 of 3 shards are there; missing: 2"),
                 (["--merge", one, one, *out], "is shard 1/3, and so is"),
                 (["--merge", one, of_two, three, *out], "is shard 2/2, but"),
