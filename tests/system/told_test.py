@@ -81,7 +81,7 @@ class Explain(Told):
         self.assertEqual(list(told[0])[:5], ["stage", "behaviour", "tick", "text", "inside"])
         by_stage = {each["stage"]: each for each in told}
         recover = by_stage["recover"]
-        self.assertEqual(recover["behaviour"], "landmark_revisit, obstacle_following")
+        self.assertEqual(recover["behaviour"], "landmark_revisit, obstacle_following, remembered_map")
         self.assertIn("it says trap: " + trap["text"], recover["text"])
         self.assertEqual(recover["inside"]["escape"]["name"], "obstacle_following")
         self.assertEqual(by_stage["classify"]["inside"]["classifier"]["som"]["distances_classes"]
