@@ -77,7 +77,7 @@ Result<std::vector<RawChoice>> read_choices(const PartInfo& part, const YamlNode
   return choices;
 }
 
-const std::vector<std::string> kDeploymentKeys = {"process", "exec", "via", "restart"};
+const std::vector<std::string> kDeploymentKeys = {"process", "exec", "ros2", "via", "restart"};
 
 /// Whether the word is `yes`, of the two that are allowed.
 Result<bool> read_either(const YamlNode& node, const std::string& key, const char* no,
@@ -88,7 +88,21 @@ Result<bool> read_either(const YamlNode& node, const std::string& key, const cha
   return node.error(core::unknown_name("value of " + key, *word, {no, yes}));
 }
 
+/// Words and numbers; which of them there are is not known here.
+Result<void> read_robot_settings(const YamlNode& node, Deployment& deployment) {
+  const auto entries = node.entries();
+  if (!entries.ok()) return entries.error();
+  deployment.ros2.emplace();
+  for (const auto& entry : *entries) {
+    auto word = entry.value.string();
+    if (!word.ok()) return word.error();
+    (*deployment.ros2)[entry.key] = std::move(word).value();
+  }
+  return {};
+}
+
 Result<void> read_deployment(const YamlNode& node, const std::string& key, Deployment& deployment) {
+  if (key == "ros2") return read_robot_settings(node, deployment);
   if (key == "via" || key == "restart") {
     const bool via = key == "via";
     const auto yes =
@@ -133,6 +147,9 @@ Result<RawStage> read_stage(const StageInfo& info, const YamlNode& node) {
     } else {
       stage.parameters.push_back({entry.key, entry.key_node, entry.value});
     }
+  }
+  if (stage.deployment.ros2 && !stage.deployment.exec.empty()) {
+    return node.error(info.name + " has exec and ros2; one is allowed");
   }
   for (const char* key : {"via", "restart"}) {
     const auto found = node.find(key);
