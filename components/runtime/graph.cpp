@@ -98,6 +98,9 @@ bool declares_itself(const StageInfo& info) {
 Result<void> check_beside_exec(const RawStage& raw) {
   const bool is_robot = raw.deployment.ros2.has_value();
   const std::string has = raw.info->name + (is_robot ? " has ros2" : " has exec");
+  if (is_robot && !raw.deployment.exec.empty()) {
+    return raw.where.error(has + " and exec; one is allowed");
+  }
   if (!declares_itself(*raw.info) && is_robot) {
     return raw.where.error(has + ": a robot takes the place of stages that have a body only");
   }

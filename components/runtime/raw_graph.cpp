@@ -88,21 +88,15 @@ Result<bool> read_either(const YamlNode& node, const std::string& key, const cha
   return node.error(core::unknown_name("value of " + key, *word, {no, yes}));
 }
 
-/// Words and numbers; which of them there are is not known here.
-Result<void> read_robot_settings(const YamlNode& node, Deployment& deployment) {
-  const auto entries = node.entries();
-  if (!entries.ok()) return entries.error();
-  deployment.ros2.emplace();
-  for (const auto& entry : *entries) {
-    auto word = entry.value.string();
-    if (!word.ok()) return word.error();
-    (*deployment.ros2)[entry.key] = std::move(word).value();
-  }
-  return {};
+/// Words and numbers; which there are is not known here.
+Result<void> read_robot_setting(const std::string& key, const YamlNode& node,
+                                std::map<std::string, std::string>& settings) {
+  auto word = node.string();
+  if (word.ok()) settings[key] = std::move(word).value();
+  return word.ok() ? Result<void>() : word.error();
 }
 
 Result<void> read_deployment(const YamlNode& node, const std::string& key, Deployment& deployment) {
-  if (key == "ros2") return read_robot_settings(node, deployment);
   if (key == "via" || key == "restart") {
     const bool via = key == "via";
     const auto yes =
@@ -122,11 +116,14 @@ Result<void> read_deployment(const YamlNode& node, const std::string& key, Deplo
     }
     return {};
   }
-  CLEW_RETURN_IF_ERROR(node.check_keys(kProcessSettings));
+  if (key == "process") CLEW_RETURN_IF_ERROR(node.check_keys(kProcessSettings));
+  if (key == "ros2") deployment.ros2.emplace();
   const auto entries = node.entries();
   if (!entries.ok()) return entries.error();
   for (const auto& entry : *entries) {
-    CLEW_RETURN_IF_ERROR(read_process_setting(entry.key, entry.value, deployment));
+    CLEW_RETURN_IF_ERROR(key == "ros2"
+                             ? read_robot_setting(entry.key, entry.value, *deployment.ros2)
+                             : read_process_setting(entry.key, entry.value, deployment));
   }
   return {};
 }
@@ -147,9 +144,6 @@ Result<RawStage> read_stage(const StageInfo& info, const YamlNode& node) {
     } else {
       stage.parameters.push_back({entry.key, entry.key_node, entry.value});
     }
-  }
-  if (stage.deployment.ros2 && !stage.deployment.exec.empty()) {
-    return node.error(info.name + " has exec and ros2; one is allowed");
   }
   for (const char* key : {"via", "restart"}) {
     const auto found = node.find(key);

@@ -28,17 +28,24 @@ core::Error named(const char* option, const core::Error& error) {
   return {error.message, option, 0, 0};
 }
 
+/// A run that is named by its domain: another one than that of ROS.
+core::Result<void> check_run(const ros2::BridgeOptions& options) {
+  if (!bridge::is_domain_number(options.run)) return {};
+  const int domain = std::stoi(options.run);
+  if (auto good = bridge::check_domain(domain); !good.ok()) return named("--domain", good.error());
+  if (options.network.domain != domain) return {};
+  return core::Error{fmt::format("domain {} is the run's own: ROS needs another one; give "
+                                 "--ros-domain or ROS_DOMAIN_ID",
+                                 domain),
+                     {},
+                     0,
+                     0};
+}
+
 core::Result<ros2::BridgeOptions> read_options(const Ros2Options& typed) {
   ros2::BridgeOptions options;
   options.run = typed.run;
   options.takes_goals = typed.takes_goals;
-  std::optional<int> domain;
-  if (bridge::is_domain_number(typed.run)) {
-    domain = std::stoi(typed.run.substr(0, 9));
-    if (auto good = bridge::check_domain(*domain); !good.ok()) {
-      return named("--domain", good.error());
-    }
-  }
   const auto network = ros2::read_ros_network(ros2::variable_of_process);
   if (!network.ok()) return network.error();
   options.network = *network;
@@ -46,14 +53,7 @@ core::Result<ros2::BridgeOptions> read_options(const Ros2Options& typed) {
   if (auto good = bridge::check_domain(options.network.domain); !good.ok()) {
     return named(typed.ros_domain ? "--ros-domain" : "ROS_DOMAIN_ID", good.error());
   }
-  if (options.network.domain == domain) {
-    return core::Error{fmt::format("domain {} is the run's own: ROS needs another one; give "
-                                   "--ros-domain or ROS_DOMAIN_ID",
-                                   *domain),
-                       {},
-                       0,
-                       0};
-  }
+  CLEW_RETURN_IF_ERROR(check_run(options));
   const auto vendor = bridge::vendor_from_name(typed.middleware);
   if (!vendor) {
     return core::Error{"found '" + typed.middleware + "'; allowed: cyclonedds, fastdds",

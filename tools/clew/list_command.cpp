@@ -143,7 +143,7 @@ int list_topics(const ListOptions& options) {
 
 /// The behaviours that fit, or an error that names those that there are.
 core::Result<void> check_choice(const StageInfo& stage, const std::string& part_name,
-                                   const std::string& name) {
+                                const std::string& name) {
   std::vector<std::string> parts;
   std::vector<std::string> names;
   for (const PartInfo& part : stage.parts) {
