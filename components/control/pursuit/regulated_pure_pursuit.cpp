@@ -53,7 +53,7 @@ RegulatedPurePursuit::Pursuit RegulatedPurePursuit::pursue(const domain::Odometr
   pursuit.beside_obstacle_mps =
       p.near_m > 0.0 ? regulated(nearest_m / p.near_m) : pursuit.speed_mps;
   pursuit.before_place_mps =
-      p.approach_m > 0.0 ? regulated(pursuit.distance_m / p.approach_m) : pursuit.speed_mps;
+      p.slow_before_m > 0.0 ? regulated(pursuit.distance_m / p.slow_before_m) : pursuit.speed_mps;
   const double regulated_mps =
       std::min({pursuit.in_curve_mps, pursuit.beside_obstacle_mps, pursuit.before_place_mps});
   pursuit.chosen_mps = std::max(regulated_mps, std::min(p.least_speed_mps, pursuit.speed_mps));

@@ -16,7 +16,7 @@ struct RegulatedPurePursuitParameters {
   double least_speed_mps = 0.1;
   double curve_radius_m = 0.5;
   double near_m = 0.2;
-  double approach_m = 0.1;
+  double slow_before_m = 0.0;
   double turn_first_rad = core::radians(60.0);
   double turn_rate_radps = 3.0;
 };
@@ -31,8 +31,8 @@ void visit_parameters(Visitor& visit, RegulatedPurePursuitParameters& p) {
                "curves of a smaller radius are driven slower, in proportion");
   visit.number("near_m", p.near_m, "m", {0.0, 5.0},
                "obstacles nearer than this to the body slow the robot down, in proportion");
-  visit.number("approach_m", p.approach_m, "m", {0.0, 10.0},
-               "within this distance of the place that is pursued it slows down, in proportion");
+  visit.number("slow_before_m", p.slow_before_m, "m", {0.0, 10.0},
+               "within this distance of the place pursued it slows down, in proportion; 0: never");
   visit.angle("turn_first_deg", p.turn_first_rad, {1.0, 180.0},
               "greater turns are made on the spot");
   visit.number("turn_rate_radps", p.turn_rate_radps, "rad/s", {0.01, 20.0},
@@ -47,7 +47,7 @@ void visit_parameters(Visitor& visit, RegulatedPurePursuitParameters& p) {
 ///     kappa = 2 y / L^2 = 2 sin b / L,
 ///
 /// and the speed the least of v, v / (kappa r_min) where the curve is tighter than r_min, v d /
-/// d_near where an obstacle is nearer than d_near, and v L / L_approach near the place; at least
+/// d_near where an obstacle is nearer than d_near, and v L / L_slow near the place; at least
 /// `least_speed_mps`. A place more than `turn_first_deg` off is turned to on the spot.
 ///
 /// *Deviations:* obstacles are the scan's, since a controller has no map. The speed is lowered,
