@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What Krishna & Kalra 2000 say of their figures, and the tables in docs/notes/recover.md."""
+import pathlib
+import tempfile
 import unittest
 
 from clew_command import SOURCE, load_tool
@@ -94,11 +96,28 @@ class WangYangMeng(unittest.TestCase):
         self.assertLess(10 * trained, stops("Table I as printed, no target"))
 
     def test_the_slow_mover_is_met_and_avoided(self):
-        still = self.run_variant("w-fig08-room-static", "trained, no target")
-        moving = self.run_variant("w-fig09-slow-obstacle", "trained, no target")
+        # With a target the robot is past the mover's way before the shipped start lets it meet it;
+        # 25 s further on its way the mover crosses in front of it.
+        text = (SOURCE / "configs/worlds/w-fig09-slow-obstacle.yaml").read_text(encoding="utf-8")
+        with tempfile.TemporaryDirectory() as folder:
+            world = pathlib.Path(folder) / "slow.yaml"
+            world.write_text(paper_table.paper_phases.shifted(text, 25), encoding="utf-8")
+            for variant in ("trained", "expert"):
+                still = self.run_variant("w-fig08-room-static", variant)
+                moving = self.run_variant(str(world), variant)
 
-        # The rooms are the same but for the mover: a robot that never saw it would drive alike.
-        self.assertNotEqual(moving["hash"], still["hash"])
+                # The rooms are the same but for the mover: who never saw it would drive alike.
+                self.assertNotEqual(moving["hash"], still["hash"], variant)
+                self.assertEqual((moving["collisions"], moving["hit_by"]), (0, 0), variant)
+                self.assertEqual(moving["outcome"], "reached", variant)
+
+    def test_a_mover_is_shifted_along_its_way(self):
+        text = "moving: [{circle: [0, 0, 0.4], path: [[0, 0, 0], [20, 2, -1], [40, 0, 0]], loop: true}]"
+
+        # After 25 s it has turned and come back a quarter of the way.
+        self.assertEqual(paper_table.paper_phases.shifted(text, 25),
+                         "moving: [{circle: [1.5, -0.75, 0.4], path: [[0, 1.5, -0.75], [15, 0, 0], "
+                         "[35, 2, -1], [40, 1.5, -0.75]], loop: true}]")
 
     def test_the_sudden_obstacle_lies_on_the_way(self):
         report = self.run_variant("w-fig09-sudden-obstacle", "trained")
@@ -112,6 +131,7 @@ class WangYangMeng(unittest.TestCase):
         self.assertIn(paper_table.table(paper_table.worlds("w-fig*"), paper_table.NEURO_FUZZY,
                                         paper_table.contact_cell), notes)
         self.assertIn(paper_table.neuro_fuzzy_totals(paper_table.WITH_TARGET), notes)
+        self.assertIn(paper_table.slow_mover(), notes)
 
 
 class Worlds(unittest.TestCase):
