@@ -121,7 +121,8 @@ Result<std::string> TuneRuns::run(const Order& order) const {
   const hunt::FieldValues& values = (*outcome)->values;
   const std::string word = values.word(hunt::Field::kOutcome);
   const bool success = values[hunt::Field::kSuccess].value_or(0.0) != 0.0;
-  const auto ratio = word == "reached" ? values[hunt::Field::kPathRatio] : std::nullopt;
+  std::optional<double> ratio;
+  if (word == "reached") ratio = values[hunt::Field::kPathRatio];
   return ordered_json({{"settings", text_of(order.settings)},
                        {"world", order.world->name},
                        {"seed", order.seed},
