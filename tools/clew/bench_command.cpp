@@ -14,6 +14,7 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/own_program.hpp"
 #include "clew/plugin_options.hpp"
 #include "clew/terminal.hpp"
 #include "clew/version.hpp"
