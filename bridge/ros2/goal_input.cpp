@@ -14,9 +14,9 @@ core::Result<void> GoalInput::listen(Node& node, const std::string& topic) {
   return {};
 }
 
-std::vector<PoseStamped> GoalInput::take() {
+std::optional<PoseStamped> GoalInput::take() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return std::exchange(goals_, {});
+  return std::exchange(goal_, std::nullopt);
 }
 
 std::vector<std::string> GoalInput::take_notices() {
@@ -30,23 +30,25 @@ void GoalInput::on_sample(std::string_view cdr, const bridge::RemoteEndpoint* wr
   PoseStamped goal;
   const auto decoded = decode(cdr, goal);
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!is_listened_to(writer->guid)) return;
-  if (!decoded.ok()) {
-    notices_.push_back(decoded.error().message);
-  } else if (goals_.size() < kMostWaiting) {
-    goals_.push_back(std::move(goal));
-  }
+  if (!decoded.ok()) return note(decoded.error().message);
+  if (is_listened_to(writer->guid)) goal_ = std::move(goal);
+}
+
+void GoalInput::note(std::string notice) {
+  if (notices_.size() < kMost) notices_.push_back(std::move(notice));
 }
 
 bool GoalInput::is_listened_to(const std::string& writer) {
   if (writer == writer_) return true;
   if (writer_.empty() || !node_.is_there(writer_)) {
     writer_ = writer;
-    notices_.push_back("goals are taken from the writer " + writer);
+    refused_.clear();
+    note("goals are taken from the writer " + writer);
     return true;
   }
-  if (refused_ != writer) notices_.push_back("a goal of another writer is refused: " + writer);
-  refused_ = writer;
+  if (refused_.size() < kMost && refused_.insert(writer).second) {
+    note("a goal of another writer is refused: " + writer);
+  }
   return false;
 }
 

@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,22 +25,24 @@ class GoalInput : private bridge::SampleListener {
   /// Opens the reader; `node` is that of the constructor, `topic` a whole name.
   core::Result<void> listen(Node& node, const std::string& topic);
 
-  /// What has come since the last call.
-  std::vector<PoseStamped> take();
+  /// The newest that has come since the last call.
+  std::optional<PoseStamped> take();
   /// Who is listened to and who is not, since the last call.
   std::vector<std::string> take_notices();
 
  private:
-  static constexpr std::size_t kMostWaiting = 16;
+  /// Notices that wait, and refused writers that are remembered.
+  static constexpr std::size_t kMost = 16;
 
   void on_sample(std::string_view cdr, const bridge::RemoteEndpoint* writer) override;
   bool is_listened_to(const std::string& writer);
+  void note(std::string notice);
 
   const Node& node_;
   std::mutex mutex_;  ///< of what follows
   std::string writer_;
-  std::string refused_;  ///< the last writer that was not listened to
-  std::vector<PoseStamped> goals_;
+  std::set<std::string> refused_;  ///< writers that were not listened to
+  std::optional<PoseStamped> goal_;
   std::vector<std::string> notices_;
   std::unique_ptr<bridge::SampleReader> reader_;  ///< closed first
 };

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "line/command_desk.hpp"
+#include "line/link.hpp"
 #include "ros2/goal_input.hpp"
 #include "ros2/node.hpp"
 #include "ros2/run_publisher.hpp"
@@ -26,25 +27,37 @@ constexpr auto kJoinTimeout = std::chrono::seconds(60);
 constexpr auto kReportPeriod = std::chrono::seconds(1);
 constexpr int kInterruptedStatus = 130;
 
-/// Hands goals on to the run, which fixes the tick and records it; says what became of each.
+/// A run that answers later hangs; what it publishes is waiting meanwhile.
+constexpr auto kAnswerTimeout = std::chrono::seconds(2);
+
+core::Result<bridge::CommandAnswer> change(const std::string& run, const std::string& text) {
+  const auto socket = bridge::connect_to_run(run);
+  if (!socket.ok()) return socket.error();
+  bridge::Link link(*socket);
+  bridge::post_command(link, {bridge::RunCommand::Kind::kChange, {text}, std::nullopt});
+  const auto frame = link.wait_for_frame(SteadyClock::now() + kAnswerTimeout);
+  if (!frame.ok()) return frame.error();
+  return bridge::answer_of(*frame);
+}
+
+/// Hands a goal on to the run, which fixes the tick and records it; says what became of it.
 void hand_on(GoalInput& goals, const RunPublisher& publisher, const std::string& run) {
   for (const std::string& notice : goals.take_notices()) {
     fmt::print(stderr, "clew bridge: {}\n", notice);
   }
-  for (const PoseStamped& goal : goals.take()) {
-    const auto place = publisher.place_in_world(goal);
-    if (!place.ok()) {
-      fmt::print(stderr, "clew bridge: goal_pose is refused: {}\n", place.error().message);
-      continue;
-    }
-    const std::string text = fmt::format("goal={},{}", place->x(), place->y());
-    const auto answer =
-        bridge::command_run(run, {bridge::RunCommand::Kind::kChange, {text}, std::nullopt});
-    if (answer.ok()) {
-      fmt::print(stderr, "clew bridge: {} at tick {}\n", text, answer->tick);
-    } else {
-      fmt::print(stderr, "clew bridge: {} is refused: {}\n", text, answer.error().text());
-    }
+  const auto goal = goals.take();
+  if (!goal) return;
+  const auto place = publisher.place_in_world(*goal);
+  if (!place.ok()) {
+    fmt::print(stderr, "clew bridge: goal_pose is refused: {}\n", place.error().message);
+    return;
+  }
+  const std::string text = fmt::format("goal={},{}", place->x(), place->y());
+  const auto answer = change(run, text);
+  if (answer.ok()) {
+    fmt::print(stderr, "clew bridge: {} at tick {}\n", text, answer->tick);
+  } else {
+    fmt::print(stderr, "clew bridge: {} is refused: {}\n", text, answer.error().text());
   }
 }
 

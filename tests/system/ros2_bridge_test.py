@@ -268,6 +268,8 @@ class Ros2Bridge(unittest.TestCase):
                 (["--domain", 3, "--ros-domain", 3], "the run's own"),
                 (["--domain", 3, "--ros-domain", 100],
                  "--ros-domain: domain 100; allowed: 0 to 99"),
+                (["--domain", 1000], "found '1000'; allowed: a domain's number, or a run's name"),
+                (["--domain=-1"], "found '-1'; allowed: a domain's number, or a run's name"),
                 (["--domain", 3, "--ros-distro", "foxy"], "known: humble, jazzy"),
                 (["--domain", 3, "--namespace", "a-b"], "--namespace: 'a-b' is no name of ROS"),
                 (["--domain", 3, "--remap", "scan"], "--remap: 'scan' is no rule"),

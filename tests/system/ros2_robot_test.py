@@ -74,6 +74,7 @@ class Robot:
             self.process.stdin.close()
         self.thread.join(20)
         self.process.wait(20)
+        self.process.stdout.close()
 
 
 class Launched:
@@ -228,7 +229,8 @@ class Ros2Robot(unittest.TestCase):
 
     def test_however_the_run_ends_the_robot_stands(self):
         for number, victim in ((signal.SIGINT, None), (signal.SIGKILL, None),
-                               (signal.SIGKILL, "drive"), (signal.SIGKILL, "control")):
+                               (signal.SIGKILL, "drive"), (signal.SIGSTOP, "drive"),
+                               (signal.SIGKILL, "control")):
             with self.subTest(signal=number.name, of=victim or "the run"):
                 robot = self.meet("cyclone_robot")
                 run = self.launch()
@@ -240,6 +242,19 @@ class Ros2Robot(unittest.TestCase):
                 self.check_stands(robot)
                 run.wait()
                 robot.close()
+
+    def test_while_the_run_is_paused_the_robot_stands(self):
+        robot = self.meet("cyclone_robot")
+        run = self.launch()
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)), run.err)
+
+        paused = Run(["pause", self.domain])
+
+        self.assertEqual(paused.status, 0, paused.err)
+        self.check_stands(robot)
+        resumed = Run(["resume", self.domain])
+        self.assertEqual(resumed.status, 0, resumed.err)
+        self.check_arrives(robot, run)
 
     def test_the_goal_may_be_changed_on_the_way(self):
         robot = self.meet("cyclone_robot")
@@ -264,8 +279,9 @@ class Ros2Robot(unittest.TestCase):
                       "/r1/scan, /r1/odom, a reader of /r1/cmd_vel", run.err)
         for arguments, settings, words in (
                 (["--pace", "2x"], {}, "--pace: a robot of ROS 2 takes part; allowed: realtime"),
-                ([], {"scna": "x"}, "ros2 of sense: unknown key of ros2 'scna' (did you mean 'scan'"),
+                ([], {"scna": "x"}, "ros2 of drive: unknown key of ros2 'scna' (did you mean 'scan'"),
                 (["--layout", "composed"], {}, "has ros2: a robot is a process"),
+                (["--with", "drive=differential"], {}, "allowed: unicycle"),
                 (["--domain", self.ros_domain], {}, "is the run's own: ROS needs another one")):
             run = Run(["run", self.graph(**settings), *arguments], cwd=self.folder,
                       environment=self.environment())
