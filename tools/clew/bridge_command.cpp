@@ -30,7 +30,13 @@ core::Error named(const char* option, const core::Error& error) {
 
 /// A run that is named by its domain: another one than that of ROS.
 core::Result<void> check_run(const ros2::BridgeOptions& options) {
-  if (!bridge::is_domain_number(options.run)) return {};
+  const std::size_t sign = options.run.rfind('-', 0) == 0 ? 1 : 0;
+  const bool is_number = options.run.find_first_not_of("0123456789", sign) == std::string::npos;
+  if (is_number && !bridge::is_domain_number(options.run)) {
+    return core::Error{"found '" + options.run + "'; allowed: a domain's number, or a run's name",
+                       "--domain", 0, 0};
+  }
+  if (!is_number) return {};
   const int domain = std::stoi(options.run);
   if (auto good = bridge::check_domain(domain); !good.ok()) return named("--domain", good.error());
   if (options.network.domain != domain) return {};
