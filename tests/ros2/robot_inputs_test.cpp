@@ -69,6 +69,18 @@ TEST(ScanOfALaser, WhatIsNoReturnIsNothing) {
   for (const double range_m : out->ranges_m) EXPECT_EQ(range_m, 2.0);
 }
 
+TEST(ScanOfALaser, MeasuredNothingIfNoBeamSaysAnything) {
+  EXPECT_TRUE(measured_anything(laser()));  // all around is nothing, which is something to know
+  LaserScan blind = laser();
+  blind.ranges.assign(360, 0.0F);
+  ray(blind, 1) = NAN;
+  EXPECT_FALSE(measured_anything(blind));
+  ray(blind, 2) = 1.0F;
+  EXPECT_TRUE(measured_anything(blind));
+  blind.ranges.clear();
+  EXPECT_FALSE(measured_anything(blind));
+}
+
 TEST(ScanOfALaser, TakesIntoAccountWhereTheLaserStands) {
   LaserScan scan = laser();
   ray(scan, 0) = 1.0F;
