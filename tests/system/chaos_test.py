@@ -16,7 +16,7 @@ sys.path.insert(0, str(SOURCE / "tools"))
 import chaos_cases  # noqa: E402
 
 TOOL = SOURCE / "tools" / "chaos"
-# The same cases each time, or as many as an hour takes.
+# A few cases, the same as long as graphs and worlds are, or as many as an hour takes.
 EXTENT = ["--seed", "1000", "--minutes", "60"] if SOAK else ["--seed", "1", "--cases", "6"]
 
 
@@ -33,6 +33,7 @@ class Chaos(unittest.TestCase):
         figures = json.loads(done.stdout.splitlines()[-1])
         print(figures, file=sys.stderr)
         self.assertGreater(figures["runs"], 0)
+        self.assertGreater(sum(figures["faults"].values()), 0, "nothing was broken")
         self.assertEqual(figures["failures"], 0)
 
     def test_a_command_that_loses_bytes_fails_and_its_case_is_small(self):

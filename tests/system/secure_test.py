@@ -94,7 +94,7 @@ class Secure(unittest.TestCase):
     def test_bad_input_is_refused(self):
         for words, told in ((["run", *RUN, "--secure=/nowhere"], "/nowhere: is no directory"),
                             (["run", *RUN, "--secure", "--layout", "composed"],
-                             "--secure need --layout processes"),
+                             "--secure and --ros2 need --layout processes"),
                             (["keys", "init", self.keys], "an authority is never replaced"),
                             (["keys", "mint", "/nowhere"], "/nowhere: is no directory"),
                             (["keys", "mint", self.keys, "--days", "0"], "--days"),
