@@ -13,7 +13,7 @@ import tempfile
 import threading
 import unittest
 
-from clew_command import SOURCE, Run, start
+from clew_command import SOURCE, Run, start, wait_until
 
 FAR_SIDE = pathlib.Path(os.environ.get("CLEW_ROS2_TESTS", SOURCE / "build/tests/ros2"))
 TYPES = {
@@ -108,15 +108,20 @@ class Ros2Bridge(unittest.TestCase):
                             "map:=chart", *options],
                            env={**os.environ, "ROS_DOMAIN_ID": str(ros_domain),
                                 **(environment or {})})
-            # Slow enough that whoever looks on has joined before the robot moves far.
-            run = Run(["run", "krishna_kalra", "--world", "u-trap", "--pace", "40x", "--domain",
-                       domain, "--json"])
-            self.assertEqual(run.status, 0, run.err)
+            run = start(["run", "krishna_kalra", "--world", "u-trap", "--pace", "1x", "--domain",
+                         domain, "--json"])
+            self.addCleanup(run.kill)
+            # The robot does not move far before whoever looks on has joined.
+            seen = wait_until(lambda: any(line.startswith("sample ") for line in far_side.lines))
+            Run(["pace", domain, "40x"])
+            report, err = run.communicate(timeout=60)
+            self.assertTrue(seen, err)
+            self.assertEqual(run.returncode, 0, err)
             out, err = bridge.communicate(timeout=30)
             self.assertEqual(bridge.returncode, 0, out + err)
         finally:
             far_side.close()
-        return run.report, far_side
+        return json.loads(report.splitlines()[-1]), far_side
 
     def check_endpoints(self, far_side, hashes):
         endpoints = far_side.endpoints()
