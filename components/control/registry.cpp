@@ -7,6 +7,7 @@
 #include "control/infrared/infrared_expert.hpp"
 #include "control/infrared/neuro_fuzzy.hpp"
 #include "control/polar/polar_neural_map.hpp"
+#include "control/reactions/give_way.hpp"
 
 namespace clew::control {
 
@@ -28,6 +29,18 @@ runtime::Registry<Controller>& controllers() {
       runtime::registration<Controller, PolarNeuralMap>(
           "polar_neural_map",
           "a polar neural map, sonar memory and a dynamic window (Lagoudakis & Maida 1999)"),
+  };
+  return registry;
+}
+
+runtime::Registry<Reaction>& reactions() {
+  static const runtime::TopicSet landmark =
+      runtime::TopicSet().set(index_of(domain::Topic::kLandmark));
+  static runtime::Registry<Reaction> registry = {
+      runtime::registration<Reaction, GiveWay>(
+          "give_way",
+          "gives way to what moving_objects recognises (the outlook of Krishna & Kalra 2000)",
+          landmark),
   };
   return registry;
 }
