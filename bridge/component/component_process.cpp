@@ -184,16 +184,30 @@ std::string most_demanding(const std::vector<std::string>& names,
   return names.front();
 }
 
-Result<runtime::Node> make_node_of(Link& link, const runtime::RunPlan& plan,
+std::function<void(std::string)> say(Link& link, FrameType type) {
+  return [&link, type](std::string text) { link.post(type, Text{std::move(text)}); };
+}
+
+/// Makes nodes of any kind.
+runtime::MakeNode node_maker(Link& link, const RobotMaker& robots) {
+  return [&link, of_robot = robots.make](const runtime::RunPlan& plan,
+                                         const runtime::GraphStage& stage) {
+    if (stage.deployment.ros2) return of_robot(plan, stage);
+    if (stage.deployment.json_lines) {
+      return make_json_lines_node(plan, stage, end_with_program(link, stage));
+    }
+    return runtime::make_node(plan, stage);
+  };
+}
+
+Result<runtime::Node> make_node_of(const runtime::MakeNode& make, const runtime::RunPlan& plan,
                                    const std::string& stage) {
   const runtime::GraphStage* graph_stage = plan.graph.find(stage);
   if (graph_stage == nullptr) return Error{"the run's graph has no stage " + stage, {}, 0, 0};
-  return graph_stage->deployment.json_lines
-             ? make_json_lines_node(plan, *graph_stage, end_with_program(link, *graph_stage))
-             : runtime::make_node(plan, *graph_stage);
+  return make(plan, *graph_stage);
 }
 
-Result<Prepared> prepare(Link& link, const Assignment& assignment,
+Result<Prepared> prepare(const runtime::MakeNode& make, const Assignment& assignment,
                          const std::vector<runtime::StageInfo>& stages) {
   const auto plugins = assignment.bundle.find(kPluginLines);
   if (plugins != assignment.bundle.end()) {
@@ -207,10 +221,10 @@ Result<Prepared> prepare(Link& link, const Assignment& assignment,
   if (!plans.ok()) return plans.error();
   Prepared prepared{{}, std::move(plan).value(), reader, {}};
   for (const std::string& stage : assignment.stages) {
-    auto node = make_node_of(link, prepared.plan, stage);
+    auto node = make_node_of(make, prepared.plan, stage);
     if (!node.ok()) return node.error();
     auto& succession = prepared.nodes.emplace_back(std::move(node).value());
-    runtime::add_successors(prepared.plan, assignment.interventions, *plans, succession);
+    runtime::add_successors(prepared.plan, assignment.interventions, *plans, succession, make);
   }
   prepared.last =
       plans->empty() ? std::make_shared<const runtime::RunPlan>(prepared.plan) : plans->back();
@@ -223,10 +237,6 @@ void outlive_supervisor_for_a_moment() {
   struct sigaction action {};
   action.sa_handler = [](int) { ::alarm(static_cast<unsigned>(kRestTimeout.count()) + 1); };
   ::sigaction(SIGTERM, &action, nullptr);
-}
-
-std::function<void(std::string)> say(Link& link, FrameType type) {
-  return [&link, type](std::string text) { link.post(type, Text{std::move(text)}); };
 }
 
 NodeHost::Handlers handlers_for(Link& link) {
@@ -268,13 +278,16 @@ Result<void> open_stages(ProcessHost& host, const Assignment& assignment, Partic
 }
 
 Result<bool> take_part(Link& link, const Assignment& assignment, const std::string& name,
-                       const std::vector<runtime::StageInfo>& stages) {
+                       const std::vector<runtime::StageInfo>& stages, const MeetRobots& meet) {
   const auto still_preparing = [&] {
     link.post(FrameType::kPreparing, Text{name + " still makes its component"});
   };
   std::optional<Heartbeat> alive;
   alive.emplace(still_preparing);
-  auto prepared = prepare(link, assignment, stages);
+  const RobotMaker robots = meet({assignment.run_id, assignment.domain,
+                                  say(link, FrameType::kNotice), say(link, FrameType::kFatal)});
+  const runtime::MakeNode make = node_maker(link, robots);
+  auto prepared = prepare(make, assignment, stages);
   if (!prepared.ok()) return prepared.error();
   // A heartbeat of ordinary priority would wait behind the steps, and the process be killed.
   alive.reset();
@@ -298,7 +311,7 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
   SealedParticipant participant(std::move(group), RunKey(assignment.run_key));
   ProcessHost host(std::move(prepared->nodes), assignment, prepared->plan, handlers_for(link));
   CLEW_RETURN_IF_ERROR(open_stages(host, assignment, participant, inside, barrier));
-  SuccessionWorker succession(host.stages(), prepared->reader, prepared->last, stages,
+  SuccessionWorker succession(host.stages(), prepared->reader, prepared->last, stages, make,
                               say(link, FrameType::kFatal));
   alive.emplace([&] {
     link.post(FrameType::kAlive,
@@ -308,6 +321,7 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
   const bool brings_to_rest = assignment.pace == Pace::kRealtime && host.starts_ticks();
   if (brings_to_rest) outlive_supervisor_for_a_moment();
   const bool orderly = ComponentLoop(link, host, succession, brings_to_rest).run();
+  robots.stand_still();
   alive.reset();  // it looks at the worker
   return orderly;
 }
@@ -331,7 +345,7 @@ int complain(const std::string& stage, const Error& error) {
 }  // namespace
 
 int run_component_process(const std::string& stage, int domain, double connect_timeout_s,
-                          const std::vector<runtime::StageInfo>& stages) {
+                          const std::vector<runtime::StageInfo>& stages, const MeetRobots& meet) {
   const auto patience = std::chrono::duration<double>(connect_timeout_s);
   const auto socket =
       find_run(stage, domain, std::chrono::duration_cast<Clock::duration>(patience));
@@ -339,7 +353,7 @@ int run_component_process(const std::string& stage, int domain, double connect_t
   Link link(*socket);
   const auto assignment = take_assignment(link, stage);
   if (!assignment.ok()) return complain(stage, assignment.error());
-  const auto ended = take_part(link, *assignment, stage, stages);
+  const auto ended = take_part(link, *assignment, stage, stages, meet);
   if (!ended.ok()) {
     link.post(FrameType::kFatal, Text{stage + ": " + ended.error().text()});
     link.flush_until(Clock::now() + kEndGrace);

@@ -8,11 +8,13 @@ namespace clew::bridge {
 SuccessionWorker::SuccessionWorker(std::vector<NodeHost*> hosts, std::string reader,
                                    std::shared_ptr<const runtime::RunPlan> last,
                                    const std::vector<runtime::StageInfo>& stages,
+                                   runtime::MakeNode make,
                                    std::function<void(std::string)> on_fatal)
     : hosts_(std::move(hosts)),
       reader_(std::move(reader)),
       last_(std::move(last)),
       stages_(stages),
+      make_(std::move(make)),
       on_fatal_(std::move(on_fatal)),
       thread_([this] { work(); }) {}
 
@@ -62,7 +64,7 @@ void SuccessionWorker::change_all_hosts(const domain::Intervention& intervention
 core::Result<void> SuccessionWorker::succeed(
     NodeHost& host, const domain::Intervention& intervention,
     const std::shared_ptr<const runtime::RunPlan>& next) const {
-  auto successor = runtime::successor(*last_, next, intervention, host.name());
+  auto successor = runtime::successor(*last_, next, intervention, host.name(), make_);
   if (successor) return host.take_successor(std::move(*successor));
   host.forget_successor(intervention.tick);
   return {};

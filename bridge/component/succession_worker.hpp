@@ -21,11 +21,11 @@ namespace clew::bridge {
 /// of its own.
 class SuccessionWorker {
  public:
-  /// `last` is the plan up to the first intervention, read as the stage `reader` needs it;
-  /// `on_fatal` takes why one cannot be made.
+  /// `last` is the plan up to the first intervention, read as the stage `reader` needs it; `make`
+  /// makes nodes, and `on_fatal` takes why one cannot be made.
   SuccessionWorker(std::vector<NodeHost*> hosts, std::string reader,
                    std::shared_ptr<const runtime::RunPlan> last,
-                   const std::vector<runtime::StageInfo>& stages,
+                   const std::vector<runtime::StageInfo>& stages, runtime::MakeNode make,
                    std::function<void(std::string)> on_fatal);
   /// Waits for the one at work.
   ~SuccessionWorker();
@@ -46,6 +46,7 @@ class SuccessionWorker {
   const std::string reader_;
   std::shared_ptr<const runtime::RunPlan> last_;
   const std::vector<runtime::StageInfo>& stages_;
+  const runtime::MakeNode make_;
   const std::function<void(std::string)> on_fatal_;
   std::mutex mutex_;
   std::condition_variable arrived_;

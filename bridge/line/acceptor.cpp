@@ -14,8 +14,8 @@ std::vector<int> Acceptor::sockets() const {
 }
 
 void Acceptor::add(std::unique_ptr<Link> link, Time now) {
-  if (newcomers_.size() >= kMostNewcomers) newcomers_.pop_front();
-  newcomers_.push_back({std::move(link), now});
+  const bool stranger = !is_descendant(link->socket());
+  newcomers_.push_back({std::move(link), now, stranger});
 }
 
 std::vector<Acceptor::Arrival> Acceptor::arrivals(Time now) {
@@ -27,6 +27,13 @@ std::vector<Acceptor::Arrival> Acceptor::arrivals(Time now) {
       add(std::make_unique<Link>(*socket, kMostHelloBytes), now);
     }
   }
+  // Who has spoken is no newcomer any more, however many came after.
+  std::vector<Arrival> arrived = greet(now);
+  send_surplus_away();
+  return arrived;
+}
+
+std::vector<Acceptor::Arrival> Acceptor::greet(Time now) {
   std::vector<Arrival> arrived;
   for (Newcomer& newcomer : newcomers_) {
     if (!newcomer.link->receive() || now - newcomer.connected_at > kHelloTimeout) {
@@ -44,6 +51,14 @@ std::vector<Acceptor::Arrival> Acceptor::arrivals(Time now) {
                                   [](const Newcomer& newcomer) { return !newcomer.link; }),
                    newcomers_.end());
   return arrived;
+}
+
+void Acceptor::send_surplus_away() {
+  const auto is_stranger = [](const Newcomer& newcomer) { return newcomer.stranger; };
+  auto strangers = std::count_if(newcomers_.begin(), newcomers_.end(), is_stranger);
+  for (; strangers > static_cast<std::ptrdiff_t>(kMostNewcomers); --strangers) {
+    newcomers_.erase(std::find_if(newcomers_.begin(), newcomers_.end(), is_stranger));
+  }
 }
 
 }  // namespace clew::bridge

@@ -13,7 +13,8 @@
 namespace clew::bridge {
 
 /// Takes connections on a run's domain until each has said who it is. Who says something else, too
-/// much, or nothing for kHelloTimeout is shown the door; of more than kMostNewcomers, the oldest.
+/// much, or nothing for kHelloTimeout is shown the door. So is the oldest of more than
+/// kMostNewcomers strangers: processes that neither this one nor one of its children started.
 class Acceptor {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -34,7 +35,12 @@ class Acceptor {
   struct Newcomer {
     std::unique_ptr<Link> link;
     Time connected_at;
+    bool stranger;
   };
+
+  /// The hello of each newcomer who has said it.
+  std::vector<Arrival> greet(Time now);
+  void send_surplus_away();
 
   std::vector<int> listening_;
   std::deque<Newcomer> newcomers_;  ///< the oldest first

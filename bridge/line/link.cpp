@@ -11,6 +11,8 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -69,6 +71,28 @@ std::optional<int> listen_at(const std::string& line) {
     return std::nullopt;
   }
   return socket;
+}
+
+std::optional<ucred> peer_of(int socket) {
+  ucred peer{};
+  socklen_t size = sizeof peer;
+  if (::getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &peer, &size) != 0) return std::nullopt;
+  return peer;
+}
+
+/// Who started a process; 0 if it has ended.
+pid_t parent_of(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string stat;
+  std::getline(file, stat);
+  // "PID (NAME) STATE PARENT ...": a name may hold anything but its end.
+  const std::size_t name_end = stat.rfind(')');
+  if (name_end == std::string::npos) return 0;
+  std::istringstream fields(stat.substr(name_end + 1));
+  char state = 0;
+  pid_t parent = 0;
+  fields >> state >> parent;
+  return parent;
 }
 
 core::Error refused(std::string why) { return {std::move(why), {}, 0, 0}; }
@@ -239,10 +263,16 @@ bool may_take_part(std::uint32_t peer_user, std::uint32_t own_user) {
 }
 
 bool is_trusted_peer(int socket) {
-  ucred peer{};
-  socklen_t size = sizeof peer;
-  return ::getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 &&
-         may_take_part(peer.uid, ::geteuid());
+  const auto peer = peer_of(socket);
+  return peer && may_take_part(peer->uid, ::geteuid());
+}
+
+bool is_descendant(int socket) {
+  const auto peer = peer_of(socket);
+  pid_t process = peer ? parent_of(peer->pid) : 0;
+  // Process 1 started all.
+  while (process > 1 && process != ::getpid()) process = parent_of(process);
+  return process == ::getpid();
 }
 
 }  // namespace clew::bridge

@@ -103,7 +103,9 @@ class LinkListener {
 /// Whether the process at the other end of a connected socket belongs to our own user, or to root:
 /// nobody else may take part in a run.
 bool is_trusted_peer(int socket);
-/// The same, of a user's number.
+/// Whether this process started the one at the other end of a connected socket, or started who did.
+bool is_descendant(int socket);
+/// The same as is_trusted_peer, of a user's number.
 bool may_take_part(std::uint32_t peer_user, std::uint32_t own_user);
 
 }  // namespace clew::bridge

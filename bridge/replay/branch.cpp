@@ -133,7 +133,7 @@ Result<std::optional<ReplayReport>> find_unfaithful(const RunRecording& recordin
   range.last_tick = tick - 1;
   for (const auto& stage : recorded.graph.stages) {
     const std::string& name = stage.info->name;
-    if (!stage.deployment.exec.empty() || (!only.empty() && name != only)) continue;
+    if (!stage.deployment.is_ours() || (!only.empty() && name != only)) continue;
     auto report = replay_component(recording, recorded, name, range);
     if (!report) return report.error();
     if (!report->identical()) return std::optional<ReplayReport>(std::move(report).value());

@@ -70,6 +70,9 @@ class OutputComparison {
 Result<runtime::Node> node_of(const runtime::RunPlan& plan, const std::string& stage) {
   const auto found = find_stage(plan, stage);
   if (!found) return found.error();
+  if ((*found)->deployment.ros2) {
+    return core::Error{stage + " was a robot of ROS 2: what it told is in the recording", {}, 0, 0};
+  }
   if (!(*found)->deployment.exec.empty()) {
     return core::Error{stage +
                            " is a third-party component: --publish feeds it what was recorded and "

@@ -26,20 +26,21 @@ class Stateless final : public runtime::Component {
 
 bool has_third_party(const runtime::RunPlan& plan) {
   return std::any_of(plan.graph.stages.begin(), plan.graph.stages.end(),
-                     [](const GraphStage& stage) { return !stage.deployment.exec.empty(); });
+                     [](const GraphStage& stage) { return !stage.deployment.is_ours(); });
 }
 
 core::Result<std::vector<runtime::Node>> make_own_nodes(const runtime::RunPlan& plan) {
   runtime::RunPlan ours = plan;
   ours.graph.stages.clear();
   for (const GraphStage& stage : plan.graph.stages) {
-    if (stage.deployment.exec.empty()) {
+    if (stage.deployment.is_ours()) {
       ours.graph.stages.push_back(stage);
       continue;
     }
     const bool is_robot = stage.ports.delayed_inputs.any();
     if (stage.deployment.stateless && !is_robot) continue;
-    return core::Error{stage.info->name + " has exec, and no recording has its state" +
+    return core::Error{stage.info->name + (stage.deployment.ros2 ? " has ros2" : " has exec") +
+                           ", and no recording has its state" +
                            (is_robot ? "" : "; allowed: one that is 'restart: stateless'"),
                        {},
                        0,

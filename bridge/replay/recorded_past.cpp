@@ -20,7 +20,7 @@ Result<RecordedPast> RecordedPast::begin(const RunRecording& recording,
                                          FedNode recorded_robot) {
   RecordedPast past;
   for (const runtime::GraphStage& stage : plan.graph.stages) {
-    if (!stage.deployment.exec.empty()) past.not_ours_ |= stage.ports.outputs;
+    if (!stage.deployment.is_ours()) past.not_ours_ |= stage.ports.outputs;
   }
   for (runtime::NodeSuccession& node : nodes) {
     if (is_robot(node)) {

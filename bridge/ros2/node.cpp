@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "ros2/names.hpp"
@@ -117,14 +118,37 @@ core::Result<void> Node::announce() {
   return config_.distro == Distro::kJazzy ? announce_entities<16>() : announce_entities<24>();
 }
 
+bool Node::is_read(const std::string& topic) const {
+  const std::string name = dds_topic(topic);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::any_of(matched_.begin(), matched_.end(), [&](const auto& entry) {
+    return !entry.second.is_writer && entry.second.topic == name;
+  });
+}
+
+bool Node::is_there(const std::string& guid) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return matched_.count(guid) > 0;
+}
+
+void Node::on_matched(const bridge::RemoteEndpoint& remote) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  matched_[remote.guid] = remote;
+}
+
+void Node::on_unmatched(const bridge::RemoteEndpoint& remote) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  matched_.erase(remote.guid);
+}
+
 void Node::on_incompatible_qos(const std::string& topic, bool local_is_writer,
                                const std::string& policy) {
-  fmt::print(stderr, "clew bridge: a {} of {} does not match: incompatible QoS policy {}\n",
+  fmt::print(stderr, "clew: ROS 2: a {} of {} does not match: incompatible QoS policy {}\n",
              local_is_writer ? "reader" : "writer", topic, policy);
 }
 
 void Node::on_inconsistent_type(const bridge::RemoteEndpoint& remote) {
-  fmt::print(stderr, "clew bridge: a {} of {} uses type {}\n",
+  fmt::print(stderr, "clew: ROS 2: a {} of {} uses type {}\n",
              remote.is_writer ? "writer" : "reader", remote.topic, remote.type);
 }
 

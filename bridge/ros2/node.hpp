@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 #include <utility>
@@ -65,6 +67,11 @@ class Node : public TopicOutput, private bridge::DiscoveryListener {
   /// Tells the others which topics the node has; to be called when all are there.
   core::Result<void> announce();
 
+  /// Whether somebody reads `topic`, a whole name, of those that the node writes.
+  bool is_read(const std::string& topic) const;
+  /// Whether an endpoint of somebody else still meets one of ours.
+  bool is_there(const std::string& guid) const;
+
   const NodeConfig& config() const { return config_; }
 
  private:
@@ -75,8 +82,8 @@ class Node : public TopicOutput, private bridge::DiscoveryListener {
   template <std::size_t kGidBytes>
   core::Result<void> announce_entities();
   void on_participants(const std::set<std::string>&) override {}
-  void on_matched(const bridge::RemoteEndpoint&) override {}
-  void on_unmatched(const bridge::RemoteEndpoint&) override {}
+  void on_matched(const bridge::RemoteEndpoint& remote) override;
+  void on_unmatched(const bridge::RemoteEndpoint& remote) override;
   void on_incompatible_qos(const std::string& topic, bool local_is_writer,
                            const std::string& policy) override;
   void on_inconsistent_type(const bridge::RemoteEndpoint& remote) override;
@@ -84,6 +91,8 @@ class Node : public TopicOutput, private bridge::DiscoveryListener {
   NodeConfig config_;
   std::vector<std::string> writer_guids_;
   std::vector<std::string> reader_guids_;
+  mutable std::mutex mutex_;                               ///< of what follows
+  std::map<std::string, bridge::RemoteEndpoint> matched_;  ///< endpoints of others, by GUID
   std::unique_ptr<bridge::Participant> participant_;
   std::unique_ptr<bridge::SampleWriter> discovery_;  ///< closed before the participant
 };

@@ -14,19 +14,6 @@ namespace {
 
 core::Error refuse(const std::string& why) { return {why, {}, 0, 0}; }
 
-core::Result<void> check_fan(const LaserScan& scan) {
-  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment)) {
-    return refuse("a scan whose angles are not finite");
-  }
-  if (std::fabs(static_cast<double>(scan.angle_increment)) *
-          static_cast<double>(scan.ranges.size()) >
-      4.0 * core::kPi) {
-    return refuse(
-        fmt::format("a scan of {} beams of {} rad each", scan.ranges.size(), scan.angle_increment));
-  }
-  return {};
-}
-
 /// Whether the laser measured something there: REP 117 and the limits of the message.
 bool is_return(float range, const LaserScan& scan) {
   return std::isfinite(range) && range >= scan.range_min && range <= scan.range_max && range > 0.0F;
@@ -52,6 +39,33 @@ core::Result<core::Pose2> to_pose2(const Pose& pose) {
   return core::Pose2{pose.position.x, pose.position.y, core::wrap_angle_rad(to_heading_rad(q))};
 }
 
+core::Result<void> check_fan(const LaserScan& scan) {
+  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment)) {
+    return refuse("a scan whose angles are not finite");
+  }
+  if (std::fabs(static_cast<double>(scan.angle_increment)) *
+          static_cast<double>(scan.ranges.size()) >
+      4.0 * core::kPi) {
+    return refuse(
+        fmt::format("a scan of {} beams of {} rad each", scan.ranges.size(), scan.angle_increment));
+  }
+  return {};
+}
+
+std::vector<core::Vec2> returns_of(const LaserScan& scan, const core::Pose2& pose_robot_laser) {
+  std::vector<core::Vec2> places;
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    if (!is_return(scan.ranges[i], scan)) continue;
+    const double bearing_rad = static_cast<double>(scan.angle_min) +
+                               static_cast<double>(i) * static_cast<double>(scan.angle_increment) +
+                               pose_robot_laser.heading_rad;
+    places.push_back(pose_robot_laser.position() +
+                     static_cast<double>(scan.ranges[i]) *
+                         core::direction(core::wrap_angle_rad(bearing_rad)));
+  }
+  return places;
+}
+
 core::Result<domain::Scan> to_scan(const LaserScan& scan, const core::Pose2& pose_robot_laser,
                                    const domain::ScanLayout& layout, double radius_m) {
   CLEW_RETURN_IF_ERROR(check_fan(scan));
@@ -63,14 +77,7 @@ core::Result<domain::Scan> to_scan(const LaserScan& scan, const core::Pose2& pos
   out.ranges_m.assign(layout.beam_count, layout.range_max_m);
   const double step_rad = std::fabs(static_cast<double>(scan.angle_increment));
   const double half_rad = std::max(layout.beam_width_rad, step_rad) / 2.0;
-  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-    if (!is_return(scan.ranges[i], scan)) continue;
-    const double bearing_rad = static_cast<double>(scan.angle_min) +
-                               static_cast<double>(i) * static_cast<double>(scan.angle_increment) +
-                               pose_robot_laser.heading_rad;
-    const core::Vec2 place =
-        pose_robot_laser.position() +
-        static_cast<double>(scan.ranges[i]) * core::direction(core::wrap_angle_rad(bearing_rad));
+  for (const core::Vec2& place : returns_of(scan, pose_robot_laser)) {
     const double from_skin_m = std::max(place.norm() - radius_m, 0.0);
     const double from_centre_rad = core::atan2(place.y(), place.x());
     for (std::size_t beam = 0; beam < layout.beam_count; ++beam) {

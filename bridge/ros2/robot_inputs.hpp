@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/geometry.hpp"
 #include "core/result.hpp"
@@ -17,6 +18,12 @@ double to_seconds(const Time& time);
 double to_heading_rad(const Quaternion& rotation);
 /// Refused: numbers that are not finite, and a rotation of no length.
 core::Result<core::Pose2> to_pose2(const Pose& pose);
+
+/// Refused: a scan whose numbers make no fan of beams.
+core::Result<void> check_fan(const LaserScan& scan);
+
+/// Where the laser saw something, in the robot's frame; the scan must be a fan.
+std::vector<core::Vec2> returns_of(const LaserScan& scan, const core::Pose2& pose_robot_laser);
 
 /// A laser's scan as the sensor of a graph would have measured it: each beam reads the nearest
 /// return within its opening (for a ray, within half a step of the laser's), from the robot's skin.

@@ -5,7 +5,11 @@
 
 #include <chrono>
 #include <cstdio>
+#include <optional>
+#include <string>
 
+#include "line/command_desk.hpp"
+#include "ros2/goal_input.hpp"
 #include "ros2/node.hpp"
 #include "ros2/run_publisher.hpp"
 #include "run/end_signals.hpp"
@@ -22,8 +26,32 @@ constexpr auto kJoinTimeout = std::chrono::seconds(60);
 constexpr auto kReportPeriod = std::chrono::seconds(1);
 constexpr int kInterruptedStatus = 130;
 
-/// Publishes what comes until the run is over or a signal comes, which it returns; else 0.
-int follow(bridge::RunWatch& watch, RunPublisher& publisher, bridge::EndSignals& signals) {
+/// Hands goals on to the run, which fixes the tick and records it; says what became of each.
+void hand_on(GoalInput& goals, const RunPublisher& publisher, const std::string& run) {
+  for (const std::string& notice : goals.take_notices()) {
+    fmt::print(stderr, "clew bridge: {}\n", notice);
+  }
+  for (const PoseStamped& goal : goals.take()) {
+    const auto place = publisher.place_in_world(goal);
+    if (!place.ok()) {
+      fmt::print(stderr, "clew bridge: goal_pose is refused: {}\n", place.error().message);
+      continue;
+    }
+    const std::string text = fmt::format("goal={},{}", place->x(), place->y());
+    const auto answer =
+        bridge::command_run(run, {bridge::RunCommand::Kind::kChange, {text}, std::nullopt});
+    if (answer.ok()) {
+      fmt::print(stderr, "clew bridge: {} at tick {}\n", text, answer->tick);
+    } else {
+      fmt::print(stderr, "clew bridge: {} is refused: {}\n", text, answer.error().text());
+    }
+  }
+}
+
+/// Publishes what comes until the run is over or a signal comes, which it returns; else 0. `goals`
+/// may be null.
+int follow(bridge::RunWatch& watch, RunPublisher& publisher, GoalInput* goals,
+           bridge::EndSignals& signals) {
   SteadyClock::time_point heard_at = SteadyClock::now();
   SteadyClock::time_point next_report = heard_at + kReportPeriod;
   bool goes_on = true;
@@ -38,6 +66,9 @@ int follow(bridge::RunWatch& watch, RunPublisher& publisher, bridge::EndSignals&
       next_report = now + kReportPeriod;
       publisher.add_report(std::chrono::duration<double>(now - heard_at).count(), watch.dropped());
     }
+    if (goals != nullptr && goes_on) {
+      hand_on(*goals, publisher, std::to_string(watch.run().domain));
+    }
     if (const int number = signals.take()) return number;
     if (goes_on) watch.wait({signals.descriptor()}, next_report - now);
     goes_on = goes_on && watch.goes_on();
@@ -49,11 +80,20 @@ int follow(bridge::RunWatch& watch, RunPublisher& publisher, bridge::EndSignals&
 core::Result<int> run_ros2_bridge(const BridgeOptions& options,
                                   const std::vector<runtime::StageInfo>& stages) {
   bridge::EndSignals signals;
-  auto watch = bridge::RunWatch::join(options.domain, SteadyClock::now() + kJoinTimeout);
+  auto watch = bridge::RunWatch::join(options.run, SteadyClock::now() + kJoinTimeout);
   if (!watch.ok()) return watch.error();
   const auto plan = runtime::prepare_run((*watch)->run().bundle, stages);
   if (!plan.ok()) return plan.error();
 
+  const int domain = (*watch)->run().domain;
+  if (domain == options.network.domain) {
+    return core::Error{fmt::format("domain {} is the run's own: ROS needs another one; give "
+                                   "--ros-domain or ROS_DOMAIN_ID",
+                                   domain),
+                       {},
+                       0,
+                       0};
+  }
   NodeConfig config;
   config.vendor = options.vendor;
   config.network = options.network;
@@ -66,14 +106,19 @@ core::Result<int> run_ros2_bridge(const BridgeOptions& options,
   if (!node.ok()) return node.error();
   auto publisher = RunPublisher::create(**node, names, config.name, *plan);
   if (!publisher.ok()) return publisher.error();
+  std::optional<GoalInput> goals;
+  if (options.takes_goals) {
+    goals.emplace(**node);
+    CLEW_RETURN_IF_ERROR(goals->listen(**node, names.topic("goal_pose")));
+  }
   CLEW_RETURN_IF_ERROR((*node)->announce());
   (*publisher)->begin();
   fmt::print(stderr, "clew bridge: run {} in domain {}, ROS domain {} on {}\n", config.origin.id,
-             options.domain, options.network.domain,
+             domain, options.network.domain,
              options.network.on_network ? "the network" : "127.0.0.1");
   std::fflush(stderr);
 
-  const int number = follow(**watch, **publisher, signals);
+  const int number = follow(**watch, **publisher, goals ? &*goals : nullptr, signals);
   (*publisher)->end(number == 0 ? "the run is over" : "the bridge was told to end");
   return number == 0 ? 0 : kInterruptedStatus;
 }

@@ -13,13 +13,14 @@
 namespace clew::ros2 {
 
 struct BridgeOptions {
-  int domain = 0;  ///< of the run
+  std::string run;  ///< the number of its domain, or its name
   RosNetwork network;
   bridge::Vendor vendor = bridge::Vendor::kCycloneDds;  ///< towards ROS
   Distro distro = Distro::kJazzy;
   std::string node_name = "clew";
   std::string node_namespace = "/";
   std::vector<RemapRule> remap;
+  bool takes_goals = false;  ///< from `goal_pose`
 };
 
 /// Shows a live run to ROS 2 until it is over, or SIGINT or SIGTERM comes. Returns the exit status:

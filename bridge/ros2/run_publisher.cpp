@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
+
+#include "core/math.hpp"
 
 namespace clew::ros2 {
 namespace {
@@ -244,6 +247,24 @@ void RunPublisher::add_report(double idle_s, std::uint64_t dropped) {
   diagnostics_->publish(diagnostics(idle_s, dropped));
   if (markers_.changed()) marker_array_->publish(markers_.all());
   if (seen_changed_) publish_seen();
+}
+
+core::Result<core::Vec2> RunPublisher::place_in_world(const PoseStamped& place) const {
+  const core::Vec2 at(place.pose.position.x, place.pose.position.y);
+  if (!std::isfinite(at.x()) || !std::isfinite(at.y())) {
+    return core::Error{"a place that is none", {}, 0, 0};
+  }
+  const std::string& frame = place.header.frame_id;
+  if (frame == frames_.map) return at;
+  if (frame != frames_.odom || !has(domain::Topic::kState) || !has(domain::Topic::kOdometry)) {
+    return core::Error{
+        fmt::format("frame '{}'; allowed: {}, {}", frame, frames_.map, frames_.odom), {}, 0, 0};
+  }
+  const core::Pose2 odom = odom_in_map(std::get<domain::State>(messages_).pose_world_robot,
+                                       std::get<domain::Odometry>(messages_).pose_odom_robot);
+  const double c = core::cos(odom.heading_rad);
+  const double s = core::sin(odom.heading_rad);
+  return core::Vec2(odom.x_m + c * at.x() - s * at.y(), odom.y_m + s * at.x() + c * at.y());
 }
 
 void RunPublisher::end(const std::string& why) {

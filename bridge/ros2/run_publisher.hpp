@@ -36,6 +36,9 @@ class RunPublisher {
   /// What is said now and then: maps, markers, diagnostics. `idle_s`: how long the run has been
   /// silent; `dropped`: samples that the bridge lost.
   void add_report(double idle_s, std::uint64_t dropped);
+  /// Where a place of ROS lies in the world. Refused: frames other than the map's and the
+  /// odometry's, and places that are none.
+  core::Result<core::Vec2> place_in_world(const PoseStamped& place) const;
   /// The run is over, for whatever reason.
   void end(const std::string& why);
 

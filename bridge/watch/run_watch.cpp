@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/check.hpp"
+#include "line/command_desk.hpp"
 #include "line/user_data.hpp"
 #include "run/limits.hpp"
 #include "vendors/participant_factory.hpp"
@@ -26,13 +27,14 @@ core::Result<Assignment> ask_what_runs(Link& line, std::chrono::steady_clock::ti
       why && !why->text.empty() ? why->text : "the run lets nobody look on", {}, 0, 0};
 }
 
-core::Result<std::unique_ptr<RunWatch>> RunWatch::join(int domain, Time deadline) {
-  const auto socket = Link::connect(domain, deadline);
+core::Result<std::unique_ptr<RunWatch>> RunWatch::join(const std::string& run, Time deadline) {
+  const auto socket = is_domain_number(run) ? Link::connect(std::stoi(run), deadline)
+                                            : Link::connect(run, deadline);
   if (!socket.ok()) return socket.error();
   std::unique_ptr<RunWatch> self(new RunWatch(*socket));
-  auto run = ask_what_runs(self->line_, deadline);
-  if (!run.ok()) return run.error();
-  self->run_ = std::move(run).value();
+  auto told = ask_what_runs(self->line_, deadline);
+  if (!told.ok()) return told.error();
+  self->run_ = std::move(told).value();
   CLEW_RETURN_IF_ERROR(self->listen());
   return self;
 }

@@ -31,9 +31,10 @@ class RunWatch : private DiscoveryListener {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// Asks the run that holds `domain` what it is, trying until `deadline`, and listens to all its
-  /// topics. Refused: no run there, and one of other message types.
-  static core::Result<std::unique_ptr<RunWatch>> join(int domain, Time deadline);
+  /// Asks the run that `run` is, the number of its domain or its name, what it is, trying until
+  /// `deadline`, and listens to all its topics. Refused: no such run, and one of other message
+  /// types.
+  static core::Result<std::unique_ptr<RunWatch>> join(const std::string& run, Time deadline);
   ~RunWatch() override;
 
   /// What the run is: its bundle, domain, identity and pace.

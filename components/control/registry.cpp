@@ -7,6 +7,7 @@
 #include "control/infrared/infrared_expert.hpp"
 #include "control/infrared/neuro_fuzzy.hpp"
 #include "control/polar/polar_neural_map.hpp"
+#include "control/pursuit/regulated_pure_pursuit.hpp"
 #include "control/reactions/give_way.hpp"
 
 namespace clew::control {
@@ -29,6 +30,9 @@ runtime::Registry<Controller>& controllers() {
       runtime::registration<Controller, PolarNeuralMap>(
           "polar_neural_map",
           "a polar neural map, sonar memory and a dynamic window (Lagoudakis & Maida 1999)"),
+      runtime::registration<Controller, RegulatedPurePursuit>(
+          "regulated_pure_pursuit",
+          "pursues a place on a path, slower where that is due (Macenski et al. 2023)"),
   };
   return registry;
 }

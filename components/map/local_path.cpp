@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/segment.hpp"
+#include "map/tight_path.hpp"
 
 namespace clew::map {
 namespace {
@@ -23,8 +24,6 @@ constexpr double kFar_m = 50.0;
 // A path ends this share of the target's radius from it: so near its last corner, the robot has
 // arrived.
 constexpr double kArrivesWithin_ratio = 0.8;
-// A piece is kept straight if that costs this much more at most: sums of costs are rounded.
-constexpr double kSameCost_ratio = 1.001;
 
 Inflation inflation_for(const LocalPathParameters& p, const LocalMap& map, double radius_m) {
   Inflation inflation = map.inflation();
@@ -33,36 +32,6 @@ Inflation inflation_for(const LocalPathParameters& p, const LocalMap& map, doubl
   inflation.seen_free_cost = p.seen_free_cost;
   inflation.suspected_cost = p.suspected_cost;
   return inflation;
-}
-
-/// What going straight costs; infinite through what is blocked, and where it is more than `most_m`
-/// for certain: costs only add up. Both places lie within the grid.
-double straight_cost_m(const Costmap& costs, const Vec2& from, const Vec2& to, double most_m) {
-  const Grid& grid = costs.grid;
-  const double length_m = core::length(to - from);
-  const auto pieces = static_cast<int>(std::ceil(length_m / (0.5 * grid.cell_m)));
-  if (pieces == 0) return 0.0;
-  const Vec2 piece = (to - from) / (grid.cell_m * pieces);  // in cells
-  const Vec2 first = (from - grid.corner) / grid.cell_m + 0.5 * piece;
-  const double most = most_m * pieces / length_m * kSameCost_ratio;
-  double sum = 0.0;
-  for (int i = 0; i < pieces; ++i) {
-    const Cell cell{static_cast<std::int32_t>(first.x() + i * piece.x()),
-                    static_cast<std::int32_t>(first.y() + i * piece.y())};
-    const float cost = costs.cost[grid.index(cell)];
-    if (cost == Costmap::kBlocked) return HUGE_VAL;
-    sum += cost;
-    if (sum > most) return HUGE_VAL;
-  }
-  return sum * length_m / pieces;
-}
-
-/// What a step from a cell to a neighbour costs, from a place in the one.
-double step_cost_m(const Costmap& costs, const Vec2& from, const Vec2& to) {
-  const auto cost_at = [&](const Vec2& place) {
-    return costs.cost[costs.grid.index(*costs.grid.cell_at(place))];
-  };
-  return 0.5 * (cost_at(from) + cost_at(to)) * core::length(to - from);
 }
 
 }  // namespace
@@ -137,7 +106,7 @@ void LocalPath::seek(const PathRequest& request, const Vec2& goal) {
                                   request.target_radius_m + half_diagonal_m);
   }
   if (path->empty()) return;
-  pull_tight(costs, *path, request.from);
+  pull_tight(costs, *path, request.from, state_.corners_odom);
   centre_corners(request.map.seen(), costs.grid.cell_m);
 }
 
@@ -199,24 +168,6 @@ void LocalPath::open_own_place(const Costmap& costs, const Vec2& place) {
   finder_->costs.overrule(costs.grid.index(*cell),
                           static_cast<float>(finder_->inflation.touching_cost),
                           Clearance::kTouching);
-}
-
-/// Keeps of a path from place to place the corners between which going straight costs no more.
-void LocalPath::pull_tight(const Costmap& costs, const std::vector<Vec2>& path, const Vec2& from) {
-  state_.corners_odom.push_back(from);
-  Vec2 corner = from;
-  double along_m = 0.0;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const double step_m = step_cost_m(costs, i == 1 ? from : path[i - 1], path[i]);
-    const double allowed_m = kSameCost_ratio * (along_m + step_m);
-    if (i > 1 && straight_cost_m(costs, corner, path[i], allowed_m) > allowed_m) {
-      corner = path[i - 1];
-      state_.corners_odom.push_back(corner);
-      along_m = 0.0;
-    }
-    along_m += step_m;
-  }
-  state_.corners_odom.push_back(path.back());
 }
 
 /// Moves the corners between, where room is tight, to where within their cells there is most. A

@@ -112,7 +112,6 @@ class LocalPath {
   bool is_open(const PathRequest& request) const;
   void seek(const PathRequest& request, const Vec2& goal);
   void end_within_radius(const PathRequest& request);
-  void pull_tight(const Costmap& costs, const std::vector<Vec2>& path, const Vec2& from);
   void centre_corners(const SeenMap& seen, double cell_m);
 
   LocalPathParameters parameters_;

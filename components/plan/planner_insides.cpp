@@ -3,6 +3,7 @@
 
 #include "domain/words.hpp"
 #include "map/lattice.hpp"
+#include "plan/astar_planner.hpp"
 #include "plan/neural_map_planner.hpp"
 #include "plan/world_subgoals.hpp"
 
@@ -46,6 +47,22 @@ void WorldSubgoals::tell(const Situation& situation, domain::Inside& inside) con
                  ? "It is on the way to subgoal " + std::to_string(state_.next + 1) + " of the " +
                        std::to_string(count) + " that the world gives."
                  : "All subgoals that the world gives are reached.");
+}
+
+void AStarPlanner::tell(const Situation& situation, domain::Inside& inside) const {
+  const auto age = static_cast<double>(situation.odometry.stamp.tick - state_.planned_tick);
+  inside.values.flag("path_exists", !state_.path.empty());
+  inside.values.number("path_age", age * tick_s_, "s");
+  inside.values.number("path_length", length_of(state_.path), "m");
+  inside.values.number("path_corners", static_cast<double>(state_.path.size()));
+  inside.values.number("piece", state_.piece);
+  inside.values.number("closed_places", static_cast<double>(state_.closed.size()));
+  inside.picture.layers.push_back(
+      {"path of least cost", domain::PictureLayer::Kind::kWay, {}, state_.path});
+  inside.say(state_.path.empty()
+                 ? "The map shows no path to the target."
+                 : "The path was made " + domain::say_seconds(age * tick_s_) + " ago and is " +
+                       domain::say_metres(length_of(state_.path)) + " long.");
 }
 
 void NeuralMapPlanner::tell(const Situation& situation, domain::Inside& inside) const {

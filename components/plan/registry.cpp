@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plan/registry.hpp"
 
+#include "plan/astar_planner.hpp"
 #include "plan/neural_map_planner.hpp"
 #include "plan/world_subgoals.hpp"
 
@@ -12,6 +13,8 @@ runtime::Registry<Planner>& planners() {
           "neural_map", "subgoals along the ascent of a neural map (Lagoudakis & Maida 1999)"),
       runtime::registration<Planner, WorldSubgoals>("world_subgoals",
                                                     "the world's own subgoals, in their order"),
+      runtime::registration<Planner, AStarPlanner>(
+          "astar", "a place to pursue on a path of least cost, by replanning A* (the rival)"),
   };
   return registry;
 }

@@ -69,7 +69,7 @@ Result<void> distribute_parameters(const RawStage& raw, std::vector<RawParameter
       // --set gives parameters, a file all that a stage's map may hold.
       std::vector<std::string> known;
       if (!parameter.by_option) {
-        known = {"process", "exec", "via", "restart"};
+        known = {"process", "exec", "ros2", "via", "restart"};
         for (const PartInfo& part : info.parts) known.push_back(part.name);
       }
       for (const auto& own : info.parameters) known.push_back(own.name);
@@ -94,23 +94,30 @@ bool declares_itself(const StageInfo& info) {
   return info.scan_layout != nullptr || starts_ticks(info);
 }
 
-// The behaviour that stands beside exec says so. Whatever else stood there would be unused.
+// The behaviour that stands beside exec or ros2 says so. Whatever else stood there would be unused.
 Result<void> check_beside_exec(const RawStage& raw) {
-  const std::string& name = raw.info->name;
+  const bool is_robot = raw.deployment.ros2.has_value();
+  const std::string has = raw.info->name + (is_robot ? " has ros2" : " has exec");
+  if (is_robot && !raw.deployment.exec.empty()) {
+    return raw.where.error(has + " and exec; one is allowed");
+  }
+  if (!declares_itself(*raw.info) && is_robot) {
+    return raw.where.error(has + ": a robot takes the place of stages that have a body only");
+  }
   if (!declares_itself(*raw.info) && !(raw.parts.empty() && raw.parameters.empty())) {
-    return raw.where.error(name +
-                           " has exec: a third-party component takes no behaviour and no "
+    return raw.where.error(has +
+                           ": a third-party component takes no behaviour and no "
                            "parameters here");
   }
   if (declares_itself(*raw.info) && raw.parts.count(kBehaviourPart) == 0) {
-    return raw.where.error(
-        name + " has exec, and needs beside it the behaviour, with its parameters, " +
-        (raw.info->scan_layout != nullptr ? "whose arrangement of beams its scans have"
-                                          : "whose tick and limits it has"));
+    return raw.where.error(has + ", and needs beside it the behaviour, with its parameters, " +
+                           (raw.info->scan_layout != nullptr
+                                ? "whose arrangement of beams its scans have"
+                                : "whose tick and limits it has"));
   }
   for (const RawParameter& parameter : raw.parameters) {
     if (!has_parameter(raw.info->parameters, parameter.name)) continue;
-    return parameter.where.error(name + " has exec: " + parameter.name +
+    return parameter.where.error(has + ": " + parameter.name +
                                  " would be a parameter of ours, and nobody would use it");
   }
   return {};
@@ -119,7 +126,7 @@ Result<void> check_beside_exec(const RawStage& raw) {
 Result<GraphStage> resolve_stage(RawStage raw) {
   const StageInfo& info = *raw.info;
   GraphStage stage{&info, {info.name, {}, {}}, raw.deployment, {}, place_of(raw.where), {}};
-  if (!raw.deployment.exec.empty()) {
+  if (!raw.deployment.is_ours()) {
     CLEW_RETURN_IF_ERROR(check_beside_exec(raw));
     if (!declares_itself(info)) return stage;
   }

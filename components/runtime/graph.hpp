@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -49,11 +50,16 @@ struct Deployment {
   std::vector<std::string> exec;  ///< command of a third-party component; empty: ours
   bool json_lines = false;  ///< with exec: it speaks JSON lines, and a relay of ours DDS for it
   bool stateless = false;   ///< with exec: its outputs follow from the inputs of the tick alone
+  /// A robot of ROS 2 takes the stage's place, and this is where it is found; bridge/robot knows
+  /// the settings.
+  std::optional<std::map<std::string, std::string>> ros2;
   std::uint32_t restart_limit = 100;  ///< how often its process may be restarted in a run
   double restart_backoff_s = 0.0;     ///< how long it stays down before
   std::string group;                  ///< stages of one group share a process; empty: its own
   Place group_place;                  ///< where the group is named
 
+  /// Whether the stage's behaviour does what the stage does: not a program, and not a robot.
+  bool is_ours() const { return exec.empty() && !ros2; }
   /// Whether a third-party component is on the wire itself.
   bool is_on_the_wire() const { return !exec.empty() && !json_lines; }
   /// Whether its process can take up where another one of it has left.
@@ -63,8 +69,8 @@ struct Deployment {
 /// A stage of a graph, its names and values checked against the stage's declarations.
 struct GraphStage {
   const StageInfo* info = nullptr;
-  /// With exec: empty, but for the behaviour that says what others must know of it beforehand: the
-  /// arrangement of a sensor's scans, a drive's tick and limits.
+  /// With exec or ros2: empty, but for the behaviour that says what others must know of it
+  /// beforehand: the arrangement of a sensor's scans, a drive's tick and limits.
   StageConfig config;
   Deployment deployment;
   NodePorts ports;
@@ -106,7 +112,7 @@ struct Graph {
   std::vector<const GraphStage*> readers_of(Topic topic) const;
 
   /// The graph as a graph file with every value in it. How stages are deployed is left out, except
-  /// exec: the same run has the same text in every layout.
+  /// exec and ros2: the same run has the same text in every layout.
   std::string expanded_yaml() const;
 };
 

@@ -93,8 +93,14 @@ std::string GraphStage::expanded_yaml() const {
     if (deployment.stateless) text += "  restart: stateless\n";
     if (config.parts.empty()) return text;
   }
+  if (deployment.ros2) {
+    text += "  ros2:" + std::string(deployment.ros2->empty() ? " {}\n" : "\n");
+    for (const auto& [key, value] : *deployment.ros2) {
+      text += "    " + key + ": " + quote(value) + '\n';
+    }
+  }
   for (const PartInfo& part : info->parts) text += part_text(part, config.parts.at(part.name));
-  if (!deployment.exec.empty()) return text;
+  if (!deployment.is_ours()) return text;
   return text + parameters_text(info->parameters, config.parameters, "  ");
 }
 

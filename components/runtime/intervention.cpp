@@ -99,7 +99,7 @@ bool knows_target(const GraphStage& stage) {
 Result<void> check_stage(const GraphStage& before, const GraphStage& after) {
   if (!differs(before, after)) return {};
   const std::string& name = after.info->name;
-  if (!after.deployment.exec.empty()) {
+  if (!after.deployment.is_ours()) {
     return refused(name + " is a component of someone else's: it cannot be changed from here");
   }
   if (after.ports.delayed_inputs.any()) {
@@ -108,9 +108,20 @@ Result<void> check_stage(const GraphStage& before, const GraphStage& after) {
   return {};
 }
 
+/// Nobody could tell a program of somebody else's that the goal is another one.
+Result<void> check_goal_is_ours(const RunPlan& plan) {
+  for (const GraphStage& stage : plan.graph.stages) {
+    if (stage.deployment.exec.empty() || !knows_target(stage)) continue;
+    return refused(stage.info->name +
+                   " is a component of someone else's: its goal cannot be changed from here");
+  }
+  return {};
+}
+
 /// What other components were told once is as it was.
 Result<void> check_succession(const RunPlan& before, const RunPlan& after) {
   bool any = goal_text(before.graph) != goal_text(after.graph);
+  if (any) CLEW_RETURN_IF_ERROR(check_goal_is_ours(after));
   for (const GraphStage& stage : after.graph.stages) {
     const GraphStage& old_stage = *before.graph.find(stage.info->name);
     CLEW_RETURN_IF_ERROR(check_stage(old_stage, stage));
@@ -226,7 +237,8 @@ Result<PlanSequence> change_all(const RunPlan& first,
 
 std::optional<Successor> successor(const RunPlan& before,
                                    const std::shared_ptr<const RunPlan>& after,
-                                   const Intervention& intervention, const std::string& stage) {
+                                   const Intervention& intervention, const std::string& stage,
+                                   const MakeNode& make) {
   const GraphStage* const then = before.graph.find(stage);
   const GraphStage* const now = after->graph.find(stage);
   const bool is_new = differs(*then, *now);
@@ -234,18 +246,18 @@ std::optional<Successor> successor(const RunPlan& before,
       knows_target(*now) && goal_text(before.graph) != goal_text(after->graph);
   if (!is_new && !has_new_goal) return std::nullopt;
   return Successor{intervention.tick, intervention.fed_from, intervention.tick, !is_new,
-                   [after, now] {
-                     auto node = make_node(*after, *now);
+                   [after, now, make] {
+                     auto node = make(*after, *now);
                      CLEW_CHECK(node.ok(), node.ok() ? "" : node.error().text());
                      return std::move(node).value();
                    }};
 }
 
 void add_successors(const RunPlan& first, const std::vector<Intervention>& interventions,
-                    const PlanSequence& plans, NodeSuccession& node) {
+                    const PlanSequence& plans, NodeSuccession& node, const MakeNode& make) {
   const RunPlan* before = &first;
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    if (auto next = successor(*before, plans[i], interventions[i], node.name())) {
+    if (auto next = successor(*before, plans[i], interventions[i], node.name(), make)) {
       node.add(std::move(*next));
     }
     before = plans[i].get();

@@ -43,10 +43,12 @@ core::Result<PlanSequence> change_all(const RunPlan& first,
                                       const std::vector<StageInfo>& stages,
                                       const std::optional<std::string>& only = {});
 
-/// What becomes of the component of `stage` at an intervention; none: it stays as it is.
+/// What becomes of the component of `stage` at an intervention; none: it stays as it is. `make`
+/// makes the new one.
 std::optional<Successor> successor(const RunPlan& before,
                                    const std::shared_ptr<const RunPlan>& after,
-                                   const Intervention& intervention, const std::string& stage);
+                                   const Intervention& intervention, const std::string& stage,
+                                   const MakeNode& make = make_node);
 
 /// The nodes of a plan with all that take their places; `plans` are those of change_all.
 core::Result<std::vector<NodeSuccession>> make_successions(
@@ -55,6 +57,7 @@ core::Result<std::vector<NodeSuccession>> make_successions(
 
 /// Adds to a node those that take its place.
 void add_successors(const RunPlan& first, const std::vector<Intervention>& interventions,
-                    const PlanSequence& plans, NodeSuccession& node);
+                    const PlanSequence& plans, NodeSuccession& node,
+                    const MakeNode& make = make_node);
 
 }  // namespace clew::runtime

@@ -77,7 +77,7 @@ Result<std::vector<RawChoice>> read_choices(const PartInfo& part, const YamlNode
   return choices;
 }
 
-const std::vector<std::string> kDeploymentKeys = {"process", "exec", "via", "restart"};
+const std::vector<std::string> kDeploymentKeys = {"process", "exec", "ros2", "via", "restart"};
 
 /// Whether the word is `yes`, of the two that are allowed.
 Result<bool> read_either(const YamlNode& node, const std::string& key, const char* no,
@@ -86,6 +86,14 @@ Result<bool> read_either(const YamlNode& node, const std::string& key, const cha
   if (!word.ok()) return word.error();
   if (*word == yes || *word == no) return *word == yes;
   return node.error(core::unknown_name("value of " + key, *word, {no, yes}));
+}
+
+/// Words and numbers; which there are is not known here.
+Result<void> read_robot_setting(const std::string& key, const YamlNode& node,
+                                std::map<std::string, std::string>& settings) {
+  auto word = node.string();
+  if (word.ok()) settings[key] = std::move(word).value();
+  return word.ok() ? Result<void>() : word.error();
 }
 
 Result<void> read_deployment(const YamlNode& node, const std::string& key, Deployment& deployment) {
@@ -108,11 +116,14 @@ Result<void> read_deployment(const YamlNode& node, const std::string& key, Deplo
     }
     return {};
   }
-  CLEW_RETURN_IF_ERROR(node.check_keys(kProcessSettings));
+  if (key == "process") CLEW_RETURN_IF_ERROR(node.check_keys(kProcessSettings));
+  if (key == "ros2") deployment.ros2.emplace();
   const auto entries = node.entries();
   if (!entries.ok()) return entries.error();
   for (const auto& entry : *entries) {
-    CLEW_RETURN_IF_ERROR(read_process_setting(entry.key, entry.value, deployment));
+    CLEW_RETURN_IF_ERROR(key == "ros2"
+                             ? read_robot_setting(entry.key, entry.value, *deployment.ros2)
+                             : read_process_setting(entry.key, entry.value, deployment));
   }
   return {};
 }

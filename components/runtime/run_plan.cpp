@@ -54,7 +54,7 @@ Result<void> load_robot(const ConfigSource& source, RunPlan& plan) {
 
 Result<void> load_data_files(const ConfigSource& source, RunPlan& plan) {
   for (const GraphStage& stage : plan.graph.stages) {
-    if (!stage.deployment.exec.empty()) continue;
+    if (!stage.deployment.is_ours()) continue;
     for (const auto& [parameter, folder, name, place] : stage.files) {
       auto file = source.find(folder, name);
       if (!file.ok()) return not_found(place, parameter, file.error());
@@ -99,7 +99,7 @@ Result<void> check_referee(const Graph& graph, const std::vector<StageInfo>& sta
 
 Result<void> check_parts_fit(const RunPlan& plan) {
   for (const GraphStage& stage : plan.graph.stages) {
-    if (!stage.deployment.exec.empty()) continue;
+    if (!stage.deployment.is_ours()) continue;
     const auto node = make_node(plan, stage);
     if (!node.ok()) return node.error();
   }
@@ -196,10 +196,11 @@ Result<Node> make_node(const RunPlan& plan, const GraphStage& stage) {
 Result<std::vector<Node>> make_nodes(const RunPlan& plan) {
   std::vector<Node> nodes;
   for (const GraphStage& stage : plan.graph.stages) {
-    if (!stage.deployment.exec.empty()) {
-      return stage.place.error(stage.info->name +
-                               " has exec: a third-party component is a process, and cannot "
-                               "be composed");
+    if (!stage.deployment.is_ours()) {
+      return stage.place.error(
+          stage.info->name +
+          (stage.deployment.ros2 ? " has ros2: a robot" : " has exec: a third-party component") +
+          " is a process, and cannot be composed");
     }
     auto node = make_node(plan, stage);
     if (!node.ok()) return node.error();

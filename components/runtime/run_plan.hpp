@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,8 +40,10 @@ core::Result<RunPlan> read_changed_run(const GraphOverrides& overrides, const Co
 
 /// Makes the component of a stage with its ports.
 core::Result<Node> make_node(const RunPlan& plan, const GraphStage& stage);
+/// The same by somebody who knows of stages that are not ours.
+using MakeNode = std::function<core::Result<Node>(const RunPlan&, const GraphStage&)>;
 
-/// All of them, in the order of the graph; a stage with exec cannot be composed.
+/// All of them, in the order of the graph; a stage with exec or ros2 cannot be composed.
 core::Result<std::vector<Node>> make_nodes(const RunPlan& plan);
 
 /// Reads a robot file: `{format: clew-robot/1, radius_m: 0.15}`, with an optional `name`, else it

@@ -2,6 +2,8 @@
 #include "line/acceptor.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <memory>
 #include <vector>
@@ -83,6 +85,44 @@ TEST_F(Door, SendsTheOldestAwayWhenTooManyStandBeforeIt) {
   EXPECT_FALSE(crowd[0]->receive());
   crowd.back()->post(FrameType::kHello, Hello{"sense", 42, "fingerprint"});
   EXPECT_EQ(acceptor_.arrivals(kNow).size(), 1u);
+}
+
+TEST_F(Door, HearsWhoSpokeBeforeACrowdCame) {
+  const auto sense = connect();
+  EXPECT_TRUE(acceptor_.arrivals(kNow).empty());
+  sense->post(FrameType::kHello, Hello{"sense", 42, "fingerprint"});
+  std::vector<std::unique_ptr<Link>> crowd;
+  for (std::size_t i = 0; i < kMostNewcomers; ++i) crowd.push_back(connect());
+
+  EXPECT_EQ(acceptor_.arrivals(kNow).size(), 1u);
+}
+
+TEST_F(Door, KeepsAProcessOfTheRunHoweverManyStrangersCome) {
+  int speak[2];
+  ASSERT_EQ(::pipe(speak), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const auto own = connect();
+    char sign = 0;
+    const bool told = ::read(speak[0], &sign, 1) == 1;
+    _exit(told && own->post(FrameType::kHello, Hello{"sense", 42, "fingerprint"}) ? 0 : 1);
+  }
+  while (acceptor_.sockets().size() == 1) acceptor_.arrivals(kNow);
+  std::vector<std::unique_ptr<Link>> crowd;
+  for (std::size_t i = 0; i < 2 * kMostNewcomers; ++i) {
+    crowd.push_back(connect());
+    acceptor_.arrivals(kNow);
+  }
+
+  EXPECT_EQ(acceptor_.sockets().size(), 1 + 1 + kMostNewcomers);
+  ASSERT_EQ(::write(speak[1], "!", 1), 1);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  const auto arrivals = acceptor_.arrivals(kNow);
+  ASSERT_EQ(arrivals.size(), 1u);
+  EXPECT_EQ(arrivals[0].second.stage, "sense");
+  for (const int end : speak) ::close(end);
 }
 
 TEST(DomainLock, IsHeldByOneAtATime) {

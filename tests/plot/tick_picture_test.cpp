@@ -72,6 +72,19 @@ TEST_F(TickPicture, DrawsLayersWhereTheyAreInTheWorld) {
   EXPECT_TRUE(contains(svg, "#0072B2"));  // the value 1, at its darkest
 }
 
+TEST_F(TickPicture, TellsTwoLayersOfOneKindApart) {
+  const std::string output = scratch_.file("out.svg");
+  InsideView view = view_of(2);
+  auto& layers = view.pictures[0].layers;
+  layers.push_back({"other road", PictureLayer::Kind::kWay, {}, {{1.0, 0.2}, {2.0, 0.2}}});
+
+  ASSERT_TRUE(plot::plot_tick(recording_, view, output));
+
+  const std::string svg = read_bytes(output);
+  EXPECT_TRUE(contains(svg, "<path d=\"M168 512L240 512\" fill=\"none\" stroke=\"#D55E00\""));
+  EXPECT_TRUE(contains(svg, "<path d=\"M168 512L240 512\" fill=\"none\" stroke=\"#CC79A7\""));
+}
+
 TEST_F(TickPicture, ShowsWhatMightNotBeChosen) {
   const std::string with = scratch_.file("with.svg");
   const std::string without = scratch_.file("without.svg");

@@ -42,6 +42,7 @@ const std::map<std::string, Folders> kLayers = {
     {"bridge/ros2",
      {"core", "domain", "map", "world", "runtime", "wire", "recording", "dds", "vendors", "run",
       "line", "watch"}},
+    {"bridge/robot", {"core", "domain", "world", "runtime", "drive", "dds", "vendors", "ros2"}},
     {"bridge/recorder", {"core", "domain", "runtime", "wire", "recording", "run", "line"}},
     {"bridge/supervisor",
      {"core", "domain", "runtime", "wire", "recording", "dds", "vendors", "security", "plugins",

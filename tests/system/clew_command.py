@@ -16,7 +16,7 @@ ASAN_CLEW = os.environ.get("CLEW_ASAN_COMMAND", str(SOURCE / "build-asan" / "cle
 THIRD_PARTY = pathlib.Path(os.environ.get("CLEW_THIRD_PARTY", SOURCE / "build/tests/third_party"))
 SOAK = os.environ.get("CLEW_SOAK") == "1"
 # Other builds of the command, which must give the same bytes.
-OTHER_BUILDS = {"debug": DEBUG_CLEW, "sanitized": ASAN_CLEW} if SOAK else {"debug": DEBUG_CLEW}
+OTHER_BUILDS = {"sanitized": ASAN_CLEW, **({"debug": DEBUG_CLEW} if SOAK else {})}
 TIMEOUT_S = 120
 
 # Every way to run a graph, which must make no difference to a single byte.

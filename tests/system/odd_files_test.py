@@ -2,10 +2,12 @@
 """Pipes, devices and pictures from other systems in a file's place: answered at once."""
 import os
 import pathlib
+import resource
+import subprocess
 import tempfile
 import unittest
 
-from clew_command import SOURCE, Run, run_graph
+from clew_command import CLEW, SOURCE, Run, run_graph
 
 LONGEST_S = 10  # of a command that only has to say no
 
@@ -33,6 +35,30 @@ class OddFiles(unittest.TestCase):
                               ["train", "neuro-fuzzy", "--recording", path]):
                 with self.subTest(arguments=arguments):
                     self.refused(arguments, f"{path}: is no regular file")
+
+    def test_a_long_comment_takes_no_time(self):
+        world = self.folder / "world.yaml"
+        shipped = (SOURCE / "configs/worlds/u-trap.yaml").read_text(encoding="utf-8")
+        world.write_text("#" + 10_000_000 * "x" + "\n" + shipped, encoding="utf-8")
+
+        # Of the processor's time, so that a busy machine makes no difference.
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        run = Run(["world", "check", world])
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+
+        self.assertEqual(run.status, 0, run.err)
+        self.assertLess(after.ru_utime - before.ru_utime, 3.0)
+
+    def test_few_open_files_are_an_error_and_no_crash(self):
+        for files in (6, 8, 10, 12):
+            with self.subTest(files=files):
+                done = subprocess.run(
+                    [CLEW, "run", "reactive", "--max-ticks", "5"], capture_output=True, text=True,
+                    check=False, timeout=60, preexec_fn=lambda files=files: resource.setrlimit(
+                        resource.RLIMIT_NOFILE, (files, files)))
+
+                self.assertIn(done.returncode, (1, 2, 3), done.stderr)
+                self.assertNotIn("signal 11", done.stderr)
 
     def test_nothing_is_recorded_into_a_pipe(self):
         for layout in ("composed", "processes"):

@@ -73,6 +73,20 @@ class FullDisk(Scratch):
             self.assertIn("File too large", done.stderr)
             self.assert_prefix_is_readable()
 
+    def test_a_disk_that_is_full_already_is_the_same_in_every_layout(self):
+        self.mount("-o", "size=16k")
+        (self.directory / "filling").write_bytes(bytes(16 * 1024))
+        for layout in SHORT:
+            with self.subTest(layout=layout):
+                short = ["run", "reactive", "--world", "open-field", *layout, "--record", self.path]
+                refused = Run(short)
+                goes_on = Run([*short, "--on-record-error", "continue"])
+
+                self.assertEqual(refused.status, 2)
+                self.assertIn("No space left on device", refused.err)
+                self.assertEqual(goes_on.status, 0, goes_on.err)
+                self.assertIn("the run is not recorded: ", goes_on.err)
+
     def test_a_read_only_place_is_refused_before_anything_runs(self):
         self.mount("-o", "ro")
 

@@ -9,6 +9,7 @@ import pathlib
 import signal
 import socket
 import subprocess
+import tempfile
 import threading
 import unittest
 
@@ -209,6 +210,58 @@ class Ros2Bridge(unittest.TestCase):
             self.assertEqual(bridge.returncode, status)
             self.assertEqual(run.returncode, 0, err)
             self.assertEqual(json.loads(out.splitlines()[-1])["restarts"], 0)
+
+    def test_goals_of_ros_are_taken_from_one_writer_and_replayed(self):
+        domain, ros_domain = free_domains(2)
+        recording = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory())) / "run.mcap"
+        run = start(["run", "default", "--world", "open-field", "--pace", "1x", "--domain", domain,
+                     "--json", "--record", recording])
+        bridge = start(["bridge", "ros2", "--domain", domain, "--ros-domain", ros_domain,
+                        "--take-goals"])
+        self.assertIn("ROS domain", bridge.stderr.readline())
+        goals = [subprocess.Popen([FAR_SIDE / "cyclone_goal", str(ros_domain), "rt/goal_pose",
+                                   "map"], text=True, stdin=subprocess.PIPE,
+                                  stdout=subprocess.PIPE) for _ in range(2)]
+        try:
+            for each in goals:
+                self.assertEqual(each.stdout.readline(), "ready\n")
+            goals[0].stdin.write("8 1.5\n")
+            goals[0].stdin.flush()
+            self.assertIn("goals are taken from the writer", bridge.stderr.readline())
+            self.assertRegex(bridge.stderr.readline(), "goal=8,1.5 at tick [0-9]+")
+            goals[1].stdin.write("2 5\n")
+            goals[1].stdin.flush()
+            self.assertIn("a goal of another writer is refused", bridge.stderr.readline())
+            Run(["pace", domain, "50x"])
+            out, err = run.communicate(timeout=60)
+        finally:
+            for each in goals:
+                each.stdin.close()
+                each.wait(20)
+                each.stdout.close()
+            bridge.communicate(timeout=20)
+            run.kill()
+
+        self.assertEqual(run.returncode, 0, err)
+        self.assertEqual(json.loads(out.splitlines()[-1])["outcome"], "reached")
+        events = Run(["info", recording, "--json"]).report["interventions"]
+        self.assertEqual([event["changes"] for event in events], [["goal=8,1.5"]])
+        replay = Run(["replay", recording, "--json"])
+        self.assertEqual(replay.status, 0, replay.err)
+
+    def test_a_run_starts_its_bridge_itself(self):
+        (ros_domain,) = free_domains(1)
+        far_side = FarSide("cyclone_listener", ros_domain)
+        try:
+            run = Run(["run", "krishna_kalra", "--world", "u-trap", "--pace", "40x", "--ros2=r1",
+                       "--json"], environment={"ROS_DOMAIN_ID": str(ros_domain)})
+        finally:
+            far_side.close()
+        self.assertEqual(run.status, 0, run.err)
+        self.assertIn("outcome: reached", [log["msg"] for log in far_side.samples()["rt/rosout"]])
+        composed = Run(["run", "reactive", "--ros2", "--layout", "composed"])
+        self.assertEqual(composed.status, 2)
+        self.assertIn("--ros2 need --layout processes", composed.err)
 
     def test_bad_input_is_named(self):
         for arguments, words in (

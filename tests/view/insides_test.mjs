@@ -27,6 +27,30 @@ test("insides of a tick", async (context) => {
     assert.deepEqual(texts, told.map(({ stage, text }) => [stage, text]));
   });
 
+  await context.test("lie over the map, each layer with its own entry in the legend", async () => {
+    const told = json_lines(clew("explain", file, "--tick", String(tick), "--json").out);
+    const layers = told.flatMap(({ stage, picture }) => picture.map(({ name }) => `${stage}: ${name}`));
+    assert.ok(layers.length > 2, layers.join(", "));
+    await page.waitForSelector("#map-legend label");
+    assert.deepEqual(await page.$$eval("#map-legend input", (all) => all.map((each) => each.dataset.insideLayer)), layers);
+    // A mark that is told of is drawn where it is: the pixels there change when its layer goes.
+    const { stage, layer } = told.flatMap((each) => each.picture.map((one) => ({ stage: each.stage, layer: one }))).find(({ layer: one }) => one.kind === "goal");
+    const [x, y] = await page.evaluate(([px, py]) => window.clew.map.pixel(...window.clew.session.runs[0].to_world(window.clew.session.tick, px, py)), layer.places[0]);
+    const around = () => page.evaluate(async ([px, py]) => {
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+      const canvas = document.querySelector("#map-canvas");
+      return [...canvas.getContext("2d").getImageData(px - 9, py - 9, 18, 18).data].join(" ");
+    }, [Math.round(x), Math.round(y)]);
+    const with_it = await around();
+    const box = page.locator(`[data-inside-layer="${stage}: ${layer.name}"]`);
+    await box.focus();
+    await page.keyboard.press("Space");
+    assert.notEqual(await around(), with_it);
+    await page.keyboard.press("Space");
+    assert.equal(await around(), with_it);
+    if (process.env.CLEW_SCREENSHOT) await page.screenshot({ path: process.env.CLEW_SCREENSHOT });
+  });
+
   await context.test("with values, and a lattice that is drawn", async () => {
     await page.click("[data-inside=classify] > summary");
     await page.click("[data-inside='classify.classifier.som'] > summary");
@@ -40,7 +64,6 @@ test("insides of a tick", async (context) => {
       return seen.size;
     });
     assert.ok(colours > 5, `${colours} colours`);
-    if (process.env.CLEW_SCREENSHOT) await page.screenshot({ path: process.env.CLEW_SCREENSHOT });
   });
 
   await context.test("follow the tick, and stay open", async () => {

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
+#include "bench/pairs.hpp"
+
 namespace clew::bench {
 namespace {
 
@@ -72,7 +76,9 @@ Report make_report(const BenchResults& results, std::vector<Picture> pictures) {
   for (Table& table : matrix_tables(results)) report.tables.push_back(std::move(table));
   report.tables.push_back(family_table(results));
   report.tables.push_back(detector_table(results));
-  if (plan.variants.size() > 1) report.tables.push_back(paired_table(results));
+  for (Table& table : std::array{paired_graphs_table(results), paired_table(results)}) {
+    if (!table.rows.empty()) report.tables.push_back(std::move(table));
+  }
   report.pictures = std::move(pictures);
   return report;
 }

@@ -3,23 +3,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/check.hpp"
+#include "core/random.hpp"
 
 namespace clew::bench {
 namespace {
 
+constexpr std::size_t kResamples = 1000;
+constexpr std::size_t kFewestValues = 6;          // for an interval of the mean
 constexpr double kNormal975 = 1.959963984540054;  // the 97.5 % quantile of the normal distribution
 
-/// The probability of at most `most` heads in `tosses` of a coin.
-double coin_at_most(std::size_t most, std::size_t tosses) {
+/// The probability of at most `most` heads in `tosses` of a coin that shows heads with this chance,
+/// which is neither 0 nor 1.
+double coin_at_most(std::size_t most, std::size_t tosses, double chance = 0.5) {
   const double n = static_cast<double>(tosses);
   double sum = 0.0;
-  for (std::size_t k = 0; k <= most; ++k) {
+  for (std::size_t k = 0; k <= std::min(most, tosses); ++k) {
     const double heads = static_cast<double>(k);
     const double log_ways =
         std::lgamma(n + 1.0) - std::lgamma(heads + 1.0) - std::lgamma(n - heads + 1.0);
-    sum += std::exp(log_ways - n * std::log(2.0));
+    sum += std::exp(log_ways + heads * std::log(chance) + (n - heads) * std::log1p(-chance));
   }
   return std::min(sum, 1.0);
 }
@@ -79,14 +84,38 @@ double mcnemar_p(std::size_t only_first, std::size_t only_second) {
   return std::min(1.0, 2.0 * coin_at_most(std::min(only_first, only_second), pairs));
 }
 
-std::optional<Interval> median_interval(std::vector<double> values) {
-  // The r-th least and r-th greatest value cover the median but for a chance of
-  // 2 P(fewer than r heads in n tosses).
-  std::size_t rank = 0;
-  while (2 * (rank + 1) <= values.size() && 2.0 * coin_at_most(rank, values.size()) <= 0.05) ++rank;
-  if (rank == 0) return std::nullopt;
+std::optional<Interval> quantile_interval(std::vector<double> values, double share) {
+  // Each value is below the quantile like a coin with that share. The r-th least value is above it
+  // if fewer than r are below, and the s-th least is below it if at least s are.
+  constexpr double kTail = 0.025;
+  const std::size_t n = values.size();
+  std::size_t low = 0;
+  while (low < n && coin_at_most(low, n, share) <= kTail) ++low;
+  std::size_t high = low + 1;
+  while (high <= n && 1.0 - coin_at_most(high - 1, n, share) > kTail) ++high;
+  if (low == 0 || high > n) return std::nullopt;
   std::sort(values.begin(), values.end());
-  return Interval{values[rank - 1], values[values.size() - rank]};
+  return Interval{values[low - 1], values[high - 1]};
+}
+
+double mean(const std::vector<double>& values) {
+  CLEW_CHECK(!values.empty(), "a mean of nothing");
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+std::optional<Interval> mean_interval(const std::vector<double>& values) {
+  if (values.size() < kFewestValues) return std::nullopt;
+  std::vector<double> means(kResamples);
+  for (std::size_t i = 0; i < kResamples; ++i) {
+    const core::Random random(core::RandomKey{1, 0, 0, i});
+    double sum = 0.0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const double at = random.uniform(static_cast<std::uint32_t>(k));
+      sum += values[static_cast<std::size_t>(at * static_cast<double>(values.size()))];
+    }
+    means[i] = sum / static_cast<double>(values.size());
+  }
+  return Interval{quantile(means, 0.025), quantile(means, 0.975)};
 }
 
 }  // namespace clew::bench

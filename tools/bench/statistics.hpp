@@ -36,9 +36,16 @@ double quantile(std::vector<double> values, double share);
 /// 1 without such pairs.
 double mcnemar_p(std::size_t only_first, std::size_t only_second);
 
-/// A distribution-free interval of the median that covers it with at least 95 %, from order
-/// statistics (the inversion of the sign test; Conover 1999, section 3.2). None for fewer than 6
-/// values, with which no such interval exists.
-std::optional<Interval> median_interval(std::vector<double> values);
+/// A distribution-free interval of the quantile `share` in (0, 1) that covers it with at least
+/// 95 %, from order statistics (for the median the inversion of the sign test; Conover 1999,
+/// section 3.2). None for fewer values than such an interval takes: 6 for the median.
+std::optional<Interval> quantile_interval(std::vector<double> values, double share);
+
+/// Of at least one value.
+double mean(const std::vector<double>& values);
+
+/// A 95 % interval of the mean: the percentiles of the means of 1000 resamples (Efron 1979). The
+/// same values in the same order give the same interval. None for fewer than 6 values.
+std::optional<Interval> mean_interval(const std::vector<double>& values);
 
 }  // namespace clew::bench

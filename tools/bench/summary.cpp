@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <set>
 
 #include "bench/statistics.hpp"
 #include "bench/stopping.hpp"
@@ -104,50 +102,6 @@ DetectorTotals detector_totals(const Runs& runs) {
     }
   }
   return totals;
-}
-
-/// The variant that another is compared with: itself if it is what others are compared with.
-std::size_t counterpart(const std::vector<Variant>& variants, std::size_t which) {
-  if (variants[which].values.empty()) return 0;
-  // The last variation changes fastest, so the first of its values is the first with all else.
-  const auto all_but_last = [](const Variant& variant) {
-    auto values = variant.values;
-    values.pop_back();
-    return values;
-  };
-  std::size_t other = 0;
-  while (variants[other].graph != variants[which].graph ||
-         all_but_last(variants[other]) != all_but_last(variants[which])) {
-    ++other;
-  }
-  return other;
-}
-
-/// Two variants in the same worlds with the same seeds.
-struct PairTotal {
-  std::size_t only_this = 0;   ///< succeeds
-  std::size_t only_other = 0;  ///< succeeds
-  std::vector<double> ratios;  ///< of paths, where both reached the target
-};
-
-PairTotal pair_total(const Runs& runs, const Runs& others) {
-  PairTotal total;
-  // A pair of runs that are both copies of those of another seed is that pair.
-  std::set<std::array<std::string, 3>> seen;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    const RunResult& run = *runs[k];
-    const RunResult& other = *others[k];
-    const bool hashed = !run.hash.empty() && !other.hash.empty();
-    if (hashed && !seen.insert({run.key.world, run.hash, other.hash}).second) continue;
-    if (run.success && other.success) {
-      total.only_this += *run.success && !*other.success ? 1 : 0;
-      total.only_other += *other.success && !*run.success ? 1 : 0;
-    }
-    if (run.reached() && other.reached() && other.path_length_m > 0.0) {
-      total.ratios.push_back(run.path_length_m / other.path_length_m);
-    }
-  }
-  return total;
 }
 
 Table matrix_of(const std::string& graph, const BenchResults& results) {
@@ -299,35 +253,6 @@ std::vector<Table> matrix_tables(const BenchResults& results) {
     }
   }
   return tables;
-}
-
-Table paired_table(const BenchResults& results) {
-  const auto& variants = results.plan->variants;
-  Table table;
-  if (variants.size() < 2) return table;
-  table.title = "Compared in pairs";
-  table.note =
-      "In the same worlds with the same seeds. p: McNemar's test, exact, two-sided. Path: over "
-      "that of the other, where both reached the target; median with its 95 % interval (order "
-      "statistics).";
-  table.columns = {"graph", "compared with", "only this succeeds", "only the other succeeds",
-                   "p",     "path over path"};
-  for (std::size_t i = 1; i < variants.size(); ++i) {
-    const std::size_t other = counterpart(variants, i);
-    if (other == i) continue;
-    const PairTotal total = pair_total(results.of_variant(i), results.of_variant(other));
-    std::string ratio;
-    if (!total.ratios.empty()) ratio = fmt::format("{:.3f}", quantile(total.ratios, 0.5));
-    if (const auto interval = median_interval(total.ratios)) {
-      ratio += fmt::format(" [{:.3f}, {:.3f}]", interval->low, interval->high);
-    }
-    if (!total.ratios.empty()) ratio += fmt::format(" of {}", total.ratios.size());
-    table.rows.push_back({variants[i].label(), variants[other].label(),
-                          std::to_string(total.only_this), std::to_string(total.only_other),
-                          fmt::format("{:.3g}", mcnemar_p(total.only_this, total.only_other)),
-                          ratio});
-  }
-  return table;
 }
 
 }  // namespace clew::bench

@@ -37,9 +37,4 @@ Table detector_table(const BenchResults& results);
 /// A table a graph, if exactly two things are varied: success in solvable worlds over both.
 std::vector<Table> matrix_tables(const BenchResults& results);
 
-/// Each variant against a baseline in the same worlds with the same seeds: against the variant with
-/// the first value of the last `--vary`, all else equal; without `--vary`, against the first
-/// variant. Empty with a single variant.
-Table paired_table(const BenchResults& results);
-
 }  // namespace clew::bench

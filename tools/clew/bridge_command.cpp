@@ -6,6 +6,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "dds/rtps_ports.hpp"
+#include "line/command_desk.hpp"
 #include "ros2/ros2_bridge.hpp"
 #include "stages/all.hpp"
 
@@ -13,25 +14,38 @@ namespace clew::tools {
 namespace {
 
 struct Ros2Options {
-  int domain = 0;
+  std::string run;
   std::optional<int> ros_domain;
   std::string middleware = "cyclonedds";
   std::string distro = "jazzy";
   std::string node_namespace;
   std::string node = "clew";
   std::vector<std::string> remap;
+  bool takes_goals = false;
 };
 
 core::Error named(const char* option, const core::Error& error) {
   return {error.message, option, 0, 0};
 }
 
+/// A run that is named by its domain: another one than that of ROS.
+core::Result<void> check_run(const ros2::BridgeOptions& options) {
+  if (!bridge::is_domain_number(options.run)) return {};
+  const int domain = std::stoi(options.run);
+  if (auto good = bridge::check_domain(domain); !good.ok()) return named("--domain", good.error());
+  if (options.network.domain != domain) return {};
+  return core::Error{fmt::format("domain {} is the run's own: ROS needs another one; give "
+                                 "--ros-domain or ROS_DOMAIN_ID",
+                                 domain),
+                     {},
+                     0,
+                     0};
+}
+
 core::Result<ros2::BridgeOptions> read_options(const Ros2Options& typed) {
   ros2::BridgeOptions options;
-  options.domain = typed.domain;
-  if (auto good = bridge::check_domain(typed.domain); !good.ok()) {
-    return named("--domain", good.error());
-  }
+  options.run = typed.run;
+  options.takes_goals = typed.takes_goals;
   const auto network = ros2::read_ros_network(ros2::variable_of_process);
   if (!network.ok()) return network.error();
   options.network = *network;
@@ -39,14 +53,7 @@ core::Result<ros2::BridgeOptions> read_options(const Ros2Options& typed) {
   if (auto good = bridge::check_domain(options.network.domain); !good.ok()) {
     return named(typed.ros_domain ? "--ros-domain" : "ROS_DOMAIN_ID", good.error());
   }
-  if (options.network.domain == options.domain) {
-    return core::Error{fmt::format("domain {} is the run's own: ROS needs another one; give "
-                                   "--ros-domain or ROS_DOMAIN_ID",
-                                   options.domain),
-                       {},
-                       0,
-                       0};
-  }
+  CLEW_RETURN_IF_ERROR(check_run(options));
   const auto vendor = bridge::vendor_from_name(typed.middleware);
   if (!vendor) {
     return core::Error{"found '" + typed.middleware + "'; allowed: cyclonedds, fastdds",
@@ -88,7 +95,7 @@ void add_bridge(CLI::App& main, int& status) {
   bridge->require_subcommand(1);
   const auto options = std::make_shared<Ros2Options>();
   CLI::App* app = bridge->add_subcommand("ros2", "Show a live run to ROS 2");
-  app->add_option("--domain", options->domain, "the run's DDS domain")->required();
+  app->add_option("--domain", options->run, "the run: its DDS domain, or its name")->required();
   app->add_option("--ros-domain", options->ros_domain, "that of ROS; else ROS_DOMAIN_ID, else 0");
   app->add_option("--namespace", options->node_namespace, "of the node, as robot1");
   app->add_option("--node", options->node, "its name")->capture_default_str();
@@ -97,6 +104,8 @@ void add_bridge(CLI::App& main, int& status) {
   app->add_option("--ros-distro", options->distro, "jazzy or humble")->capture_default_str();
   app->add_option("--middleware", options->middleware, "towards ROS: cyclonedds or fastdds")
       ->capture_default_str();
+  app->add_flag("--take-goals", options->takes_goals,
+                "what is published on goal_pose, by one node at a time, is the run's new goal");
   app->callback([options, &status] { status = ros2_command(*options); });
 }
 

@@ -7,8 +7,11 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/graph_text.hpp"
+#include "clew/json_line.hpp"
 #include "clew/plugin_options.hpp"
 #include "clew/stage_text.hpp"
+#include "robot/robots.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
 
@@ -20,6 +23,8 @@ struct CheckOptions {
   runtime::GraphOverrides overrides;
   std::vector<std::string> plugins;
   bool expand = false;
+  bool json = false;
+  bool dot = false;
 };
 
 using runtime::Graph;
@@ -65,8 +70,14 @@ int check_command(const CheckOptions& options) {
                                          runtime::ConfigPath::from_environment(), stages::all());
   if (!plan.ok()) return complain(plan.error());
   const Graph& graph = plan->graph;
+  const auto robots = robot::check_robots(graph);
+  if (!robots.ok()) return complain(robots.error());
   if (options.expand) {
     fmt::print("{}", graph.expanded_yaml());
+    return kExitGood;
+  }
+  if (options.json || options.dot) {
+    fmt::print("{}", options.json ? json_line(json_of(*plan)) + '\n' : dot_of(graph));
     return kExitGood;
   }
   fmt::print("graph {}: world {}, robot {} ({} m), tick {} s\n", graph.name, graph.world,
@@ -90,7 +101,12 @@ void add_check(CLI::App& main, int& status) {
   app->add_option("graph", options->graph, "a name or a path")->required();
   add_overrides(*app, options->overrides);
   add_plugins(*app, options->plugins);
-  app->add_flag("--expand", options->expand, "print the graph with every value in it");
+  auto* expand =
+      app->add_flag("--expand", options->expand, "print the graph with every value in it");
+  auto* json = app->add_flag("--json", options->json, "print it as one JSON object");
+  auto* dot = app->add_flag("--dot", options->dot, "print a drawing for Graphviz's 'dot -Tsvg'");
+  expand->excludes(json)->excludes(dot);
+  json->excludes(dot);
   app->callback([options, &status] { status = check_command(*options); });
 }
 

@@ -33,6 +33,7 @@ void add_world(CLI::App& main, int& status);
 void add_world_import(CLI::App& world, int& status);
 void add_hunt(CLI::App& main, int& status);
 void add_bisect(CLI::App& main, int& status);
+void add_tune(CLI::App& main, int& status);
 void add_shrink(CLI::App& main, int& status);
 /// init, mint, check: the keys of secured runs.
 void add_keys(CLI::App& main, int& status);

@@ -2,8 +2,10 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "clew/commands.hpp"
@@ -12,6 +14,7 @@
 #include "core/nearest_name.hpp"
 #include "dds/rtps_ports.hpp"
 #include "recorder/recorder_process.hpp"
+#include "robot/robots.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
 
@@ -63,13 +66,24 @@ Result<int> read_domain(const ComponentOptions& options) {
   return domain;
 }
 
+/// Robots of ROS 2 are known here, and not where components run.
+bridge::RobotMaker meet_robots(bridge::RobotHost host) {
+  const auto robots = std::make_shared<robot::Robots>(
+      std::move(host.run_id), host.domain, std::move(host.on_notice), std::move(host.on_fatal));
+  return {[robots](const runtime::RunPlan& plan, const runtime::GraphStage& stage) {
+            return robots->make_node(plan, stage);
+          },
+          [robots] { robots->stand_still(); }};
+}
+
 int component_command(const ComponentOptions& options) {
   if (options.graph != "-") {
     if (const auto checked = check_graph(options); !checked.ok()) return complain(checked.error());
   }
   const auto domain = read_domain(options);
   if (!domain.ok()) return complain(domain.error());
-  return bridge::run_component_process(options.stage, *domain, kConnectTimeout_s, stages::all());
+  return bridge::run_component_process(options.stage, *domain, kConnectTimeout_s, stages::all(),
+                                       meet_robots);
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <system_error>
 
+#include "robot/robots.hpp"
+
 namespace clew::tools {
 
 using core::Error;
@@ -107,6 +109,9 @@ Result<void> check_prefix(const std::string& command) {
 }
 
 Result<void> check_pace(const runtime::Graph& graph, bridge::Pace pace) {
+  if (robot::has_robot(graph) && pace != bridge::Pace::kRealtime) {
+    return Error{"a robot of ROS 2 takes part; allowed: realtime", "--pace", 0, 0};
+  }
   const auto* robot = graph.writer_of(runtime::Topic::kState);
   if (pace != bridge::Pace::kScaled || !robot->deployment.is_on_the_wire()) return {};
   return Error{fmt::format("{} has exec, and keeps its own pace; allowed: lockstep, realtime",

@@ -187,6 +187,7 @@ ordered_json stages_json(const runtime::Graph& graph) {
   for (const auto& stage : graph.stages) {
     ordered_json parts = ordered_json::object();
     if (!stage.deployment.exec.empty()) parts["exec"] = stage.deployment.exec;
+    if (stage.deployment.ros2) parts["ros2"] = *stage.deployment.ros2;
     for (const auto& [part, choices] : stage.config.parts) {
       parts[part] = ordered_json::array();
       for (const auto& choice : choices) parts[part].push_back(choice.name);

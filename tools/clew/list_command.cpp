@@ -5,6 +5,8 @@
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/json_line.hpp"
+#include "clew/list_json.hpp"
 #include "clew/parameter_table.hpp"
 #include "clew/plugin_options.hpp"
 #include "core/nearest_name.hpp"
@@ -23,8 +25,11 @@ struct ListOptions {
   std::string name;
   std::vector<std::string> plugins;
   bool markdown = false;  ///< tables for a README
+  bool json = false;
+  bool names = false;  ///< and nothing else, one a line
 };
 
+using nlohmann::ordered_json;
 using runtime::PartInfo;
 using runtime::PortInfo;
 using runtime::StageInfo;
@@ -33,6 +38,7 @@ using runtime::VariantInfo;
 /// Those of configs/ that have names to choose from.
 const std::vector<std::string> kFolders = {"graphs", "worlds",    "suites",  "robots",
                                            "maps",   "rulebases", "training"};
+constexpr char kTopics[] = "topics";
 
 void print_parameters(const std::vector<core::ParameterInfo>& infos) {
   for (const core::ParameterInfo& info : infos) {
@@ -84,77 +90,137 @@ int print_table(const StageInfo& stage, const std::string& part_name, const std:
        "--markdown", 0, 0});
 }
 
-int list_files(const std::string& folder, const std::string& name) {
-  const auto path = runtime::ConfigPath::from_environment();
-  for (const std::string& known : path.names(folder)) {
-    if (!name.empty() && known != name) continue;
-    const auto file = path.find(folder, known);
-    if (!file.ok()) return complain(file.error());
-    if (!name.empty()) {
-      fmt::print("{}", file->text);
-      return kExitGood;
-    }
-    std::string about;
-    const auto root = core::YamlNode::parse(file->text, file->file);
-    if (root.ok()) {
-      if (const auto node = root->find("about")) about = node->string().ok() ? *node->string() : "";
-    }
-    fmt::print("{:<32} {}\n", known, about);
-  }
-  if (name.empty()) return kExitGood;
-  return complain(path.find(folder, name).error());
+std::string about_of(const core::Resource& file) {
+  const auto root = core::YamlNode::parse(file.text, file.file);
+  if (!root.ok()) return "";
+  const auto node = root->find("about");
+  return node && node->string().ok() ? *node->string() : "";
 }
 
-int list_stage(const StageInfo& stage, const std::string& part_name, const std::string& name) {
+int list_files(const ListOptions& options) {
+  const auto path = runtime::ConfigPath::from_environment();
+  for (const std::string& known : path.names(options.what)) {
+    if (!options.name.empty() && known != options.name) continue;
+    const auto file = path.find(options.what, known);
+    if (!file.ok()) return complain(file.error());
+    if (options.json) {
+      ordered_json json = {{"name", known}, {"file", file->file}, {"about", about_of(*file)}};
+      if (!options.name.empty()) json["text"] = file->text;
+      fmt::print("{}\n", json_line(json));
+    } else if (options.names) {
+      fmt::print("{}\n", known);
+    } else if (options.name.empty()) {
+      fmt::print("{:<32} {}\n", known, about_of(*file));
+    } else {
+      fmt::print("{}", file->text);
+    }
+    if (!options.name.empty()) return kExitGood;
+  }
+  if (options.name.empty()) return kExitGood;
+  return complain(path.find(options.what, options.name).error());
+}
+
+int list_topics(const ListOptions& options) {
+  std::vector<std::string> known;
+  bool found = false;
+  for (const ordered_json& topic : topics_json()) {
+    const auto name = topic["topic"].get<std::string>();
+    known.push_back(name);
+    if (!options.name.empty() && name != options.name) continue;
+    found = true;
+    if (options.json) {
+      fmt::print("{}\n", json_line(topic));
+    } else if (options.names) {
+      fmt::print("{}\n", name);
+    } else {
+      const auto words = [&](const char* key) {
+        return fmt::format("{}", fmt::join(topic[key].get<std::vector<std::string>>(), ", "));
+      };
+      fmt::print("{:<9} {:<22} {} to {}\n", name, topic["type"].get<std::string>(),
+                 words("writers"), words("readers"));
+    }
+  }
+  if (found) return kExitGood;
+  return complain({core::unknown_name("topic", options.name, known), {}, 0, 0});
+}
+
+/// The behaviours that fit, or an error that names those that there are.
+core::Result<void> check_choice(const StageInfo& stage, const std::string& part_name,
+                                const std::string& name) {
   std::vector<std::string> parts;
   std::vector<std::string> names;
-  bool found = false;
-  if (part_name.empty() && name.empty()) {
+  for (const PartInfo& part : stage.parts) {
+    parts.push_back(part.name);
+    if (!part_name.empty() && part.name != part_name) continue;
+    for (const VariantInfo& variant : part.variants) names.push_back(variant.name);
+  }
+  if (names.empty()) {
+    return core::Error{core::unknown_name("part of " + stage.name, part_name, parts), {}, 0, 0};
+  }
+  if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return {};
+  return core::Error{core::unknown_name("behaviour of " + stage.name, name, names), {}, 0, 0};
+}
+
+int list_stage(const StageInfo& stage, const std::string& part_name, const ListOptions& options) {
+  const auto checked = check_choice(stage, part_name, options.name);
+  if (!checked.ok()) return complain(checked.error());
+  if (options.json) {
+    fmt::print("{}\n", json_line(json_of(stage, part_name, options.name)));
+    return kExitGood;
+  }
+  const bool whole = part_name.empty() && options.name.empty() && !options.names;
+  if (whole) {
     fmt::print("{}: {}\n  ports:\n", stage.name, stage.summary);
     for (const PortInfo& port : stage.ports) print_port(port);
     if (!stage.parameters.empty()) fmt::print("  parameters of every {}:\n", stage.name);
     print_parameters(stage.parameters);
   }
   for (const PartInfo& part : stage.parts) {
-    parts.push_back(part.name);
     if (!part_name.empty() && part.name != part_name) continue;
     for (const VariantInfo& variant : part.variants) {
-      names.push_back(variant.name);
-      if (!name.empty() && variant.name != name) continue;
-      found = true;
-      print_variant(stage, part, variant);
+      if (!options.name.empty() && variant.name != options.name) continue;
+      if (options.names) {
+        fmt::print("{}\n", variant.name);
+      } else {
+        print_variant(stage, part, variant);
+      }
     }
   }
-  if (found) return kExitGood;
-  if (names.empty()) {
-    return complain({core::unknown_name("part of " + stage.name, part_name, parts), {}, 0, 0});
-  }
-  return complain({core::unknown_name("behaviour of " + stage.name, name, names), {}, 0, 0});
+  return kExitGood;
 }
 
-int list_all() {
-  fmt::print("{}, or a stage:\n", fmt::join(kFolders, ", "));
+int list_all(const ListOptions& options) {
+  std::vector<std::string> folders = kFolders;
+  folders.emplace_back(kTopics);
+  if (!options.json && !options.names) fmt::print("{}, or a stage:\n", fmt::join(folders, ", "));
+  if (options.names) fmt::print("{}\n", fmt::join(folders, "\n"));
+  ordered_json all = ordered_json::array();
   for (const StageInfo& stage : stages::all()) {
-    fmt::print("  {:<9} {}\n", stage.name, stage.summary);
+    all.push_back({{"stage", stage.name}, {"about", stage.summary}});
+    if (options.names) fmt::print("{}\n", stage.name);
+    if (!options.json && !options.names) fmt::print("  {:<9} {}\n", stage.name, stage.summary);
   }
+  if (options.json) fmt::print("{}\n", json_line({{"lists", folders}, {"stages", all}}));
   return kExitGood;
 }
 
 int list_command(const ListOptions& options) {
   const auto plugins = load_plugins_of(options.plugins);
   if (!plugins.ok()) return complain(plugins.error());
-  if (options.what.empty()) return list_all();
+  if (options.what.empty()) return list_all(options);
+  if (options.what == kTopics) return list_topics(options);
   std::vector<std::string> known = kFolders;
   if (std::find(known.begin(), known.end(), options.what) != known.end()) {
-    return list_files(options.what, options.name);
+    return list_files(options);
   }
+  known.emplace_back(kTopics);
   const std::size_t dot = options.what.find('.');
   const std::string stage_name = options.what.substr(0, dot);
   for (const StageInfo& stage : stages::all()) {
     if (stage.name == stage_name) {
       const std::string part = dot == std::string::npos ? "" : options.what.substr(dot + 1);
       return options.markdown ? print_table(stage, part, options.name)
-                              : list_stage(stage, part, options.name);
+                              : list_stage(stage, part, options);
     }
     known.push_back(stage.name);
   }
@@ -168,11 +234,14 @@ void add_list(CLI::App& main, int& status) {
   CLI::App* app = main.add_subcommand(
       "list", "List what there is: graphs, worlds, suites, stages, behaviours, ...");
   app->add_option("what", options->what,
-                  "graphs | worlds | suites | robots | maps | rulebases | training | STAGE[.PART]");
+                  "graphs | worlds | suites | robots | maps | rulebases | training | topics | "
+                  "STAGE[.PART]");
   app->add_option("name", options->name, "only this one");
   add_plugins(*app, options->plugins);
   app->add_flag("--markdown", options->markdown,
                 "the parameters of a stage, or of the behaviour NAME, as a table for a README");
+  auto* json = app->add_flag("--json", options->json, "an object a line; of a stage, one object");
+  app->add_flag("--names", options->names, "names only, one a line")->excludes(json);
   app->callback([options, &status] { status = list_command(*options); });
 }
 

@@ -4,6 +4,7 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/json_line.hpp"
 #include "clew/plugin_options.hpp"
 #include "insides/explanation.hpp"
 #include "plot/plot.hpp"
@@ -17,6 +18,7 @@ struct PlotOptions {
   std::vector<std::string> recordings;
   std::string output;
   std::vector<std::string> plugins;
+  bool json = false;
   std::optional<std::uint64_t> tick;  ///< what components show of it, instead of the whole run
 };
 
@@ -63,6 +65,11 @@ int plot_command(const PlotOptions& options) {
   const auto plotted = options.tick ? plot_inside(options)
                                     : plot::plot_recordings(options.recordings, options.output);
   if (!plotted.ok()) return complain(plotted.error());
+  if (options.json) {
+    nlohmann::ordered_json json = {{"picture", options.output}, {"recordings", options.recordings}};
+    json["tick"] = options.tick ? nlohmann::ordered_json(*options.tick) : nullptr;
+    fmt::print("{}\n", json_line(json));
+  }
   return kExitGood;
 }
 
@@ -79,6 +86,7 @@ void add_plot(CLI::App& main, int& status) {
   app->add_option("--tick", options->tick,
                   "draw what the components show of this tick, from one recording")
       ->check(whole_number());
+  app->add_flag("--json", options->json, "tell what was drawn, as one JSON object");
   app->callback([options, &status] { status = plot_command(*options); });
 }
 

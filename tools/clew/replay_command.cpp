@@ -68,11 +68,11 @@ std::vector<std::string> stages_of(const ReplayOptions& options, const runtime::
   if (!options.component.empty()) return {options.component};
   std::vector<std::string> names;
   for (const auto& stage : graph.stages) {
-    if (stage.deployment.exec.empty()) {
+    if (stage.deployment.is_ours()) {
       names.push_back(stage.info->name);
     } else {
-      fmt::print(stderr, "clew: {} is a third-party component, and is left out\n",
-                 stage.info->name);
+      fmt::print(stderr, "clew: {} is a {}, and is left out\n", stage.info->name,
+                 stage.deployment.ros2 ? "robot of ROS 2" : "third-party component");
     }
   }
   return names;

@@ -14,7 +14,8 @@ void add_ways(CLI::App& app, RunOptions& options) {
                  "cyclonedds | fastdds, or STAGE=VENDOR; may be repeated")
       ->allow_extra_args(false)
       ->group("How it runs");
-  app.add_option("--pace", options.pace, "lockstep | realtime | Nx")->group("How it runs");
+  app.add_option("--pace", options.pace, "lockstep (unless a robot takes part) | realtime | Nx")
+      ->group("How it runs");
   app.add_option("--realtime-priority", options.realtime_priority,
                  "1 to 99: first-in-first-out scheduling of component processes (none)")
       ->check(number_between(1, 99))
@@ -26,6 +27,9 @@ void add_ways(CLI::App& app, RunOptions& options) {
          "--secure{minted}", options.secure,
          "protect what is on the wire (DDS Security) with keys for this run alone, or those of "
          "--secure=DIR; see 'clew keys'")
+      ->group("How it runs");
+  app.add_flag("--ros2{/}", options.ros2,
+               "start 'clew bridge ros2' beside it; --ros2=NAMESPACE: one robot of several")
       ->group("How it runs");
   app.add_option("--name", options.name, "what 'clew swap', 'clew goal' and others call the run")
       ->group("How it runs");

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "clew/bridged_run.hpp"
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
@@ -22,6 +23,7 @@
 #include "files/whole_file.hpp"
 #include "recorder/recorder_process.hpp"
 #include "recorder/recording_sink.hpp"
+#include "robot/robots.hpp"
 #include "run/composed_run.hpp"
 #include "run/end_signals.hpp"
 #include "run/run_control.hpp"
@@ -82,11 +84,12 @@ Result<void> check_options(const RunOptions& options) {
 }
 
 Result<void> check_ways(const RunOptions& options, bool composed) {
-  if (composed &&
-      (!options.external.empty() || !options.prefix.empty() || options.domain ||
-       options.realtime_priority || !options.middleware.empty() || !options.secure.empty())) {
+  if (composed && (!options.external.empty() || !options.prefix.empty() || options.domain ||
+                   options.realtime_priority || !options.middleware.empty() ||
+                   !options.secure.empty() || !options.ros2.empty())) {
     return Error{
-        "--external, --prefix, --domain, --realtime-priority, --middleware and --secure need "
+        "--external, --prefix, --domain, --realtime-priority, --middleware, --secure and --ros2 "
+        "need "
         "--layout processes",
         {},
         0,
@@ -290,18 +293,25 @@ Result<bridge::ProcessLayout> checked_layout(const RunOptions& options, const ru
   auto layout = read_layout(options, graph, speed);
   if (!layout.ok()) return layout;
   CLEW_RETURN_IF_ERROR(check_pace(graph, speed.pace));
+  CLEW_RETURN_IF_ERROR(robot::check_robots(graph, options.domain));
   CLEW_RETURN_IF_ERROR(check_programs(graph, options.external));
   return layout;
+}
+
+/// How fast the run is to be, where nobody said so as well.
+Result<Speed> speed_of(const RunOptions& options, const runtime::Graph& graph) {
+  if (!options.pace.empty()) return read_pace(options.pace);
+  return robot::has_robot(graph) ? Speed{bridge::Pace::kRealtime, 1.0} : Speed{};
 }
 
 int run_command(const RunOptions& options) {
   // From here on a signal ends the run with a report, also one that comes before the first tick.
   bridge::EndSignals signals;
   if (const auto checked = check_options(options); !checked.ok()) return complain(checked.error());
-  const auto speed = read_pace(options.pace);
-  if (!speed.ok()) return complain(speed.error());
   auto job = options.resume.empty() ? new_job(options) : resumed_job(options);
   if (!job.ok()) return complain(job.error());
+  const auto speed = speed_of(options, job->plan.graph);
+  if (!speed.ok()) return complain(speed.error());
   const std::string& layout_name = options.layout.empty() ? job->plan.graph.layout : options.layout;
   const bool composed = layout_name == "composed";
   const auto layout = checked_layout(options, job->plan.graph, *speed, composed);
@@ -318,6 +328,8 @@ int run_command(const RunOptions& options) {
   const auto claimed = claim_files(options, *job);
   if (!claimed.ok()) return complain(claimed.error());
 
+  auto bridged = BridgedRun::start(options, layout->name);
+  if (!bridged.ok()) return complain(bridged.error());
   std::optional<bridge::RunProfile> profile;
   if (!options.profile.empty()) profile.emplace(bridge::profile_of(job->plan));
   auto report =

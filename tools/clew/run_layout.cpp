@@ -123,6 +123,9 @@ Result<bridge::ProcessLayout> read_layout(const RunOptions& options, const runti
   layout.name = options.name;
   // The page of a run finds it by its name.
   if (options.view && layout.name.empty()) layout.name = fmt::format("view-{}", ::getpid());
+  // So does its bridge.
+  if (!options.ros2.empty() && layout.name.empty())
+    layout.name = fmt::format("ros2-{}", ::getpid());
   layout.pace = speed.pace;
   layout.pace_factor = speed.factor;
   layout.realtime_priority = options.realtime_priority.value_or(0);

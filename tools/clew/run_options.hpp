@@ -15,7 +15,7 @@ struct RunOptions {
   runtime::GraphOverrides overrides;
   std::string layout;                   ///< empty: as the graph says
   std::vector<std::string> middleware;  ///< `VENDOR` or `STAGE=VENDOR`
-  std::string pace = "lockstep";
+  std::string pace;                     ///< empty: lockstep, or real time if a robot takes part
   std::optional<int> domain;
   std::string secure;           ///< `minted`, or a directory of keys; empty: as the graph says
   std::string name;             ///< under which the run is found while it goes on
@@ -35,6 +35,7 @@ struct RunOptions {
   bool json = false;
   bool no_hash = false;
   std::string profile;      ///< a trace of where the time went, in this file; empty: none
+  std::string ros2;         ///< namespace of a bridge to ROS 2 beside it; empty: there is none
   std::optional<int> view;  ///< a page of the run, at this port; 0: any free one
 };
 

@@ -4,6 +4,7 @@
 namespace clew::tools {
 
 std::string stage_text(const runtime::GraphStage& stage) {
+  if (stage.deployment.ros2) return "a robot of ROS 2";
   if (!stage.deployment.exec.empty()) return "exec " + stage.deployment.exec.front();
   std::string text;
   for (const auto& [part, choices] : stage.config.parts) {

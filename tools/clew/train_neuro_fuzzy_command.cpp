@@ -5,6 +5,7 @@
 
 #include "clew/command_line.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/json_line.hpp"
 #include "clew/train_commands.hpp"
 #include "files/whole_file.hpp"
 #include "plot/line_chart.hpp"
@@ -19,6 +20,7 @@ struct TrainNeuroFuzzyOptions {
   std::string recording;  ///< empty: the expert's runs in the recipe's worlds
   std::string output;
   std::string curves;  ///< an SVG file; empty: none
+  bool json = false;
 };
 
 using core::Error;
@@ -96,8 +98,16 @@ int train_neuro_fuzzy_command(const TrainNeuroFuzzyOptions& options) {
   if (!trained.ok()) return complain(trained.error());
   const auto delivered = deliver(*trained, options);
   if (!delivered.ok()) return complain(delivered.error());
-  fmt::print(stderr, "clew: error over the test groups: {:.3f} m/s before training, {:.3f} after\n",
-             trained->begun_mps, trained->ended_mps);
+  if (options.json) {
+    fmt::print("{}\n", json_line({{"file", options.output},
+                                  {"recipe", options.recipe},
+                                  {"error_before_mps", trained->begun_mps},
+                                  {"error_after_mps", trained->ended_mps}}));
+  } else {
+    fmt::print(stderr,
+               "clew: error over the test groups: {:.3f} m/s before training, {:.3f} after\n",
+               trained->begun_mps, trained->ended_mps);
+  }
   if (trained->ended_mps <= trained->begun_mps) return kExitGood;
   return complain({"training made it worse; the recipe's learning rates, iterations and groups "
                    "decide",
@@ -118,8 +128,10 @@ void add_train_neuro_fuzzy(CLI::App& train, int& status) {
       ->capture_default_str();
   app->add_option("--recording", options->recording,
                   "learn from the commands of a run with infrared rangers, not from the expert");
-  app->add_option("-o,--output", options->output, "the file to write (stdout)")
-      ->check(file_to_write());
+  auto* output = app->add_option("-o,--output", options->output, "the file to write (stdout)")
+                     ->check(file_to_write());
+  app->add_flag("--json", options->json, "tell what was written and learnt, as one JSON object")
+      ->needs(output);
   app->add_option("--curves", options->curves, "write the learning curves to FILE.svg")
       ->check(file_to_write());
   app->callback([options, &status] { status = train_neuro_fuzzy_command(*options); });

@@ -5,6 +5,7 @@
 
 #include "clew/command_line.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/json_line.hpp"
 #include "clew/train_commands.hpp"
 #include "files/whole_file.hpp"
 #include "runtime/run_plan.hpp"
@@ -20,6 +21,7 @@ inline constexpr char kDefaultSomRecipe[] = "krishna_kalra_som";
 struct TrainSomOptions {
   std::string recipe = kDefaultSomRecipe;
   std::string output;
+  bool json = false;
 };
 
 using core::Error;
@@ -98,7 +100,11 @@ int train_som_command(const TrainSomOptions& options) {
     return kExitGood;
   }
   const auto written = files::write_file(options.output, *trained);
-  return written.ok() ? kExitGood : complain(written.error());
+  if (!written.ok()) return complain(written.error());
+  if (options.json) {
+    fmt::print("{}\n", json_line({{"file", options.output}, {"recipe", options.recipe}}));
+  }
+  return kExitGood;
 }
 
 }  // namespace
@@ -108,8 +114,10 @@ void add_train_som(CLI::App& train, int& status) {
   CLI::App* som = train.add_subcommand("som", "The landmark map of Krishna & Kalra 2000");
   som->add_option("--recipe", options->recipe, "worlds, step of scale, iterations and seed")
       ->capture_default_str();
-  som->add_option("-o,--output", options->output, "the file to write (stdout)")
-      ->check(file_to_write());
+  auto* output = som->add_option("-o,--output", options->output, "the file to write (stdout)")
+                     ->check(file_to_write());
+  som->add_flag("--json", options->json, "tell what was written, as one JSON object")
+      ->needs(output);
   som->callback([options, &status] { status = train_som_command(*options); });
 }
 

@@ -168,10 +168,10 @@ struct TrapTruth {
 /// Runs of a search take place in one process.
 Result<void> check_is_ours(const RunPlan& plan) {
   for (const runtime::GraphStage& stage : plan.graph.stages) {
-    if (stage.deployment.exec.empty()) continue;
+    if (stage.deployment.is_ours()) continue;
     return stage.place.error("stage '" + stage.info->name +
-                             "' is a program of somebody else's, and these runs take place in one "
-                             "process; allowed are graphs without exec");
+                             "' is a program of somebody else's, or a robot, and these runs take "
+                             "place in one process; allowed are graphs without exec and ros2");
   }
   return {};
 }

@@ -14,6 +14,7 @@ using core::Error;
 using core::Result;
 
 std::string behaviour_of(const runtime::GraphStage& stage) {
+  if (stage.deployment.ros2) return "ros2";
   if (!stage.deployment.exec.empty()) return stage.deployment.exec.front();
   std::string names;
   for (const auto& [part, choices] : stage.config.parts) {
@@ -45,16 +46,16 @@ Result<std::vector<Explanation>> explain(const bridge::RunRecording& recording,
   if (stage) {
     const auto found = bridge::find_stage(plan, *stage);
     if (!found.ok()) return found.error();
-    if (!(*found)->deployment.exec.empty()) {
+    if (!(*found)->deployment.is_ours()) {
       return Error{fmt::format("'{}' is someone else's component ({}): it has no inside to explain",
-                               *stage, (*found)->deployment.exec.front()),
+                               *stage, behaviour_of(**found)),
                    recording.path(), 0, 0};
     }
   }
   std::vector<Explanation> explanations;
   for (const runtime::GraphStage& each : plan.graph.stages) {
     if (stage && each.info->name != *stage) continue;
-    if (!each.deployment.exec.empty()) {
+    if (!each.deployment.is_ours()) {
       explanations.push_back(of_someone_else(each));
       continue;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 
 #include "plot/map_view.hpp"
 #include "plot/page.hpp"
@@ -22,13 +23,21 @@ constexpr double kChartWidthPx = 240.0;
 constexpr double kChartHeightPx = 150.0;
 constexpr double kChartLinePx = kChartHeightPx + 80.0;  ///< with its name and labels
 
-/// From nearly white at 0 to blue at 1.
-std::string shade(double value) {
+/// Of layers of one kind the first, the second, and so on.
+constexpr std::array<std::string_view, 4> kWayColours = {kVermilion, kPurple, kGreen, kBlue};
+constexpr std::array<std::string_view, 4> kBlockedColours = {kOrange, kPurple, kSkyBlue, kGreen};
+constexpr std::array<std::string_view, 4> kGoalColours = {kYellow, kSkyBlue, kPurple, kWhite};
+constexpr std::array<std::string_view, 4> kPointColours = {kBlack, kVermilion, kGreen, kBlue};
+
+/// From nearly white at 0 to blue at 1; in a second layer to purple.
+std::string shade(double value, std::size_t order = 0) {
   constexpr std::array<double, 3> kPale = {247.0, 251.0, 255.0};
-  constexpr std::array<double, 3> kDark = {0.0, 114.0, 178.0};
+  constexpr std::array<std::array<double, 3>, 2> kDarks = {
+      {{0.0, 114.0, 178.0}, {94.0, 33.0, 120.0}}};
+  const std::array<double, 3>& dark = kDarks[order % kDarks.size()];
   std::array<int, 3> rgb{};
   for (std::size_t i = 0; i < 3; ++i) {
-    rgb[i] = static_cast<int>(kPale[i] + std::clamp(value, 0.0, 1.0) * (kDark[i] - kPale[i]) + 0.5);
+    rgb[i] = static_cast<int>(kPale[i] + std::clamp(value, 0.0, 1.0) * (dark[i] - kPale[i]) + 0.5);
   }
   std::array<char, 8> text{};
   std::snprintf(text.data(), text.size(), "#%02X%02X%02X", static_cast<unsigned>(rgb[0]),
@@ -36,47 +45,52 @@ std::string shade(double value) {
   return text.data();
 }
 
-void draw_place(SvgWriter& svg, PictureLayer::Kind kind, const Point& at) {
+void draw_place(SvgWriter& svg, PictureLayer::Kind kind, std::size_t order, const Point& at) {
   if (kind == PictureLayer::Kind::kGoal) {
-    svg.circle(at, 5.0, {kYellow, kBlack, 1.4});
+    svg.circle(at, 5.0, {kGoalColours[order % kGoalColours.size()], kBlack, 1.4});
   } else {
-    svg.circle(at, 1.6, {kBlack});
+    svg.circle(at, order == 0 ? 1.6 : 2.4, {kPointColours[order % kPointColours.size()]});
   }
 }
 
 void draw_layer(SvgWriter& svg, const MapView& view, const FramePair& frames,
-                const PictureLayer& layer) {
+                const PictureLayer& layer, std::size_t order) {
   const auto at = [&](const core::Vec2& place) { return view.at(frames.to_world(place)); };
   svg.begin_group(layer.name);
   for (const domain::PictureCell& cell : layer.cells) {
     std::vector<Point> corners;
     for (const core::Vec2& corner : cell.corners_odom) corners.push_back(at(corner));
     const bool blocked = layer.kind == PictureLayer::Kind::kBlocked;
-    const std::string fill = blocked ? std::string(kOrange) : shade(cell.value);
+    const std::string fill = blocked ? std::string(kBlockedColours[order % kBlockedColours.size()])
+                                     : shade(cell.value, order);
     svg.polygon(corners, {fill, "none", 0.0, "", 0.8});
   }
   if (layer.kind == PictureLayer::Kind::kWay) {
     std::vector<Point> way;
     for (const core::Vec2& place : layer.places_odom) way.push_back(at(place));
-    svg.polyline(way, {"none", kVermilion, 2.5});
+    svg.polyline(way, {"none", kWayColours[order % kWayColours.size()], 2.5});
   } else {
-    for (const core::Vec2& place : layer.places_odom) draw_place(svg, layer.kind, at(place));
+    for (const core::Vec2& place : layer.places_odom) {
+      draw_place(svg, layer.kind, order, at(place));
+    }
   }
   svg.end_group();
 }
 
-void draw_legend_line(SvgWriter& svg, const Point& at, const PictureLayer& layer) {
+void draw_legend_line(SvgWriter& svg, const Point& at, const PictureLayer& layer,
+                      std::size_t order) {
   if (layer.kind == PictureLayer::Kind::kValues) {
     for (int i = 0; i < 5; ++i) {
-      const std::string fill = shade(0.25 * i);
+      const std::string fill = shade(0.25 * i, order);
       svg.rectangle({at.x + 5.0 * i, at.y - 6.0}, 5.0, 12.0, {fill});
     }
   } else if (layer.kind == PictureLayer::Kind::kBlocked) {
-    svg.rectangle({at.x, at.y - 6.0}, 25.0, 12.0, {kOrange});
+    svg.rectangle({at.x, at.y - 6.0}, 25.0, 12.0,
+                  {kBlockedColours[order % kBlockedColours.size()]});
   } else if (layer.kind == PictureLayer::Kind::kWay) {
-    svg.line(at, {at.x + 25.0, at.y}, {"none", kVermilion, 2.5});
+    svg.line(at, {at.x + 25.0, at.y}, {"none", kWayColours[order % kWayColours.size()], 2.5});
   } else {
-    draw_place(svg, layer.kind, {at.x + 12.5, at.y});
+    draw_place(svg, layer.kind, order, {at.x + 12.5, at.y});
   }
   svg.text({at.x + 36.0, at.y + 4.0}, layer.name);
 }
@@ -157,10 +171,12 @@ std::string draw_tick(const world::World& world, const RunTrack& track, const In
   svg.text({kMarginPx, kMarginPx + 36.0}, world.about(), {12.5, Anchor::kStart, "#555555"});
   draw_world(svg, view, world, time_s);
   Point at{view.right() + kMarginPx, view.top() + 10.0};
+  std::map<PictureLayer::Kind, std::size_t> orders;
   for (const domain::Picture& picture : inside.pictures) {
     for (const PictureLayer& layer : picture.layers) {
-      draw_layer(svg, view, frames, layer);
-      draw_legend_line(svg, at, layer);
+      const std::size_t order = orders[layer.kind]++;
+      draw_layer(svg, view, frames, layer, order);
+      draw_legend_line(svg, at, layer, order);
       at.y += kLegendLinePx;
     }
   }

@@ -122,7 +122,7 @@ py::list replay(const RunRecording& recording, const std::string& component,
   plan.setup.behaviour.scan = recorded.setup.behaviour.scan;
   py::list reports;
   for (const auto& stage : plan.graph.stages) {
-    if (!component.empty() ? stage.info->name != component : !stage.deployment.exec.empty()) {
+    if (!component.empty() ? stage.info->name != component : !stage.deployment.is_ours()) {
       continue;
     }
     const auto report = [&] {

@@ -23,7 +23,8 @@ constexpr double kMargin = 24.0;
 constexpr double kTitle = 40.0;
 constexpr double kHeading = 34.0;
 constexpr double kSetWidth = 480.0;
-constexpr double kSetHeight = 150.0;
+constexpr double kSetHeight = 162.0;
+constexpr double kSetTop = 44.0;  ///< for the variable's name, and two lines of names of sets
 constexpr double kSurfaceWidth = 480.0;
 constexpr double kSurfaceHeight = 400.0;
 constexpr double kSide = 280.0;  ///< of a surface
@@ -72,8 +73,8 @@ void draw_axis(SvgWriter& svg, const Axis& axis, const Point& lower_left, double
 
 void draw_sets(SvgWriter& svg, const Variable& variable, const Point& at) {
   const double width = kSetWidth - 50.0;
-  const double height = kSetHeight - 76.0;
-  const Point lower_left{at.x + 14.0, at.y + 32.0 + height};
+  const double height = kSetHeight - kSetTop - 44.0;
+  const Point lower_left{at.x + 14.0, at.y + kSetTop + height};
   svg.begin_group(variable.axis.name);
   svg.text({lower_left.x, at.y + 12.0}, label_of(variable.axis),
            {12.0, Anchor::kStart, "#222222", true});

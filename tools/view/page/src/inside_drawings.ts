@@ -10,13 +10,18 @@ const kWidth = 340;
 const kMostCell = 26;
 const kBarsHeight = 54;
 
-/// From the palest to the darkest, also in grey: cividis (Nuñez, Anderton & Renslow 2018), ends and middle.
-const kShades: [number, number, number][] = [[255, 234, 70], [124, 123, 120], [0, 32, 77]];
+/// From the palest to the darkest, also in grey: cividis (Nuñez, Anderton & Renslow 2018), ends and
+/// middle; then one of purples, for a second map beside it.
+const kShades: [number, number, number][][] = [
+  [[255, 234, 70], [124, 123, 120], [0, 32, 77]],
+  [[252, 236, 246], [190, 110, 190], [70, 10, 90]],
+];
 
-function shade(share: number): string {
-  const at = Math.min(Math.max(share, 0), 1) * (kShades.length - 1);
-  const low = Math.min(Math.floor(at), kShades.length - 2);
-  const [a, b] = [kShades[low], kShades[low + 1]];
+export function shade(share: number, which = 0): string {
+  const shades = kShades[which % kShades.length] ?? [];
+  const at = Math.min(Math.max(share, 0), 1) * (shades.length - 1);
+  const low = Math.min(Math.floor(at), shades.length - 2);
+  const [a, b] = [shades[low], shades[low + 1]];
   if (!a || !b) return "#000";
   return `rgb(${a.map((value, i) => Math.round(value + (at - low) * ((b[i] ?? 0) - value))).join(" ")})`;
 }

@@ -6,6 +6,8 @@ import { element, once_a_frame } from "./elements";
 import { is_grid } from "./inside_values";
 import type { Group, Value } from "./inside_values";
 import { draw_grid, draw_list } from "./inside_drawings";
+import type { MapView } from "./map_view";
+import type { Run } from "./run";
 import { ask_insides } from "./server";
 import type { Told } from "./server";
 import type { Session } from "./session";
@@ -24,11 +26,15 @@ export class Insides {
   private timer: number | undefined;
   private asked = "";
   private told: Told | undefined;
+  private told_of: { run: Run | undefined; tick: number } | undefined;
   private readonly draw = once_a_frame(() => this.draw_now());
 
-  constructor(private readonly session: Session, private readonly panel: HTMLElement, private readonly has_server: boolean) {
+  constructor(private readonly session: Session, private readonly map: MapView, private readonly panel: HTMLElement, private readonly has_server: boolean) {
     panel.append(this.body);
-    session.listen(() => this.look());
+    session.listen((change) => {
+      if (change !== "data") this.look();
+      if (change === "layers" || change === "theme") this.show_on_map();
+    });
     this.look();
   }
 
@@ -39,7 +45,7 @@ export class Insides {
   }
 
   private look(): void {
-    if (this.panel.hidden) return;
+    if (this.panel.hidden && !this.session.wants_insides) return;
     const wanted = this.wanted;
     if (!this.has_server) return this.say("Insides are computed when somebody asks, by the server of clew view. This page has no server; clew explain tells them of the recording.");
     if (!wanted) return this.say("Insides are computed from recordings. This run is under way; they can be asked for once it is recorded.");
@@ -57,12 +63,19 @@ export class Insides {
       const told = await ask_insides(wanted);
       if (this.asked !== key) return;
       this.told = told;
+      this.told_of = { run: this.session.run, tick: wanted.tick };
       this.draw();
+      this.show_on_map();
     } catch (error) {
       if (this.asked !== key) return;
       this.say(error instanceof Error ? error.message : String(error));
     }
     this.body.removeAttribute("aria-busy");
+  }
+
+  private show_on_map(): void {
+    const { told, told_of } = this;
+    this.map.show_insides(told && told_of?.run ? { run: told_of.run, tick: told_of.tick, told } : undefined);
   }
 
   private say(text: string): void {

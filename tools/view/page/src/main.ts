@@ -7,6 +7,7 @@ import { Control } from "./control";
 import { first_difference } from "./difference";
 import type { Difference } from "./difference";
 import { button, by_id, element } from "./elements";
+import { embedded } from "./embedded";
 import { Insides } from "./insides";
 import { Inspector } from "./inspector";
 import { listen_to_keys } from "./keys";
@@ -18,7 +19,7 @@ import { Plots } from "./plots";
 import { Recording } from "./recording";
 import type { Run } from "./run";
 import { Session } from "./session";
-import { embedded, read_embedded, read_served } from "./sources";
+import { read_embedded, read_served } from "./sources";
 import type { Served } from "./sources";
 import { run_colour, run_dash, theme, toggle_theme } from "./theme";
 import { read_choices } from "./server";
@@ -54,12 +55,13 @@ function show_panel(name: string): void {
   for (const panel of by_id("panels").children) (panel as HTMLElement).hidden = panel.id !== `panel-${name}`;
   for (const tab of by_id("tabs").children) tab.setAttribute("aria-selected", String(tab.id === `tab-${name}`));
   what_if?.show_drawing();
+  if (name === "insides") map.want_insides();
   session.tell("layers");
 }
 
 new Overview(session, add_panel("overview", "Overview"));
 new Inspector(session, plots, add_panel("messages", "Messages"));
-new Insides(session, add_panel("insides", "Insides"), location.protocol.startsWith("http") && embedded().length === 0);
+new Insides(session, map, add_panel("insides", "Insides"), location.protocol.startsWith("http") && embedded().length === 0);
 show_panel("overview");
 
 // ---- runs ----

@@ -12,7 +12,7 @@ export const kLayers: [string, string][] = [
   ["grid", "Grid"], ["path", "Path"], ["ahead", "Path still to come"], ["belief", "Believed path"],
   ["scan", "Scan"], ["landmarks", "Landmarks"], ["traps", "Traps and what proves them"],
   ["escapes", "Escapes, reflexes, stops"], ["targets", "Virtual targets"],
-  ["obstacles", "Virtual obstacles"], ["moving", "Moving obstacles"],
+  ["obstacles", "Virtual obstacles"], ["moving", "Moving obstacles"], ["insides", "Insides of the chosen tick"],
 ];
 
 /// From the world to the canvas.

@@ -2,6 +2,8 @@
 // The map: pan by dragging, zoom by the wheel, measure, layers on and off.
 
 import { by_id, button, element, fit_canvas, once_a_frame } from "./elements";
+import { InsideLayers } from "./inside_layers";
+import type { ToldTick } from "./inside_layers";
 import {
   draw_events, draw_paths, draw_robot, draw_scan, draw_start, draw_virtual_obstacles, draw_virtual_targets, draw_world, kLayers,
   round_up,
@@ -23,7 +25,8 @@ export interface MapTool {
 export class MapView {
   private readonly canvas = by_id<HTMLCanvasElement>("map-canvas");
   private readonly status = by_id("map-status");
-  private readonly layers = new Set(kLayers.map(([name]) => name).filter((name) => name !== "belief"));
+  private readonly layers = new Set(kLayers.map(([name]) => name).filter((name) => name !== "belief" && name !== "insides"));
+  private readonly inside_layers = new InsideLayers(() => this.draw());
   private scale = 0;
   private centre: Point = [0, 0];
   private measuring = false;
@@ -60,6 +63,18 @@ export class MapView {
   pick(take: ((place: Point) => void) | undefined): void {
     this.picker = take;
     this.canvas.style.cursor = take ? "crosshair" : "";
+  }
+
+  /// Draws what was told of a tick, if the layer of insides is on.
+  show_insides(told: ToldTick | undefined): void {
+    this.inside_layers.show(told && this.layers.has("insides") ? told : undefined);
+    this.draw();
+  }
+
+  /// Switches the layer of insides on, as its box in the menu does.
+  want_insides(): void {
+    const box = document.querySelector<HTMLInputElement>("[data-layer=insides]");
+    if (box && !box.checked) box.click();
   }
 
   private get world(): World | undefined {
@@ -159,6 +174,9 @@ export class MapView {
     // A path in another world would mean nothing here.
     const world_of = (run: Run | undefined): string | undefined => run?.recording.bundle.get("world.yaml");
     const shown = this.session.shown.filter((run) => world_of(run) === world_of(this.first));
+    const told = this.inside_layers.shown_tick;
+    const has_insides = told !== undefined && shown.includes(told.run);
+    if (has_insides) this.inside_layers.draw_areas(scene);
     for (const run of shown) draw_paths(scene, run);
     const chosen = shown.find((run) => run.index === this.session.chosen) ?? shown[0];
     if (chosen && this.layers.has("obstacles")) draw_virtual_obstacles(scene, chosen);
@@ -167,6 +185,7 @@ export class MapView {
       if (this.layers.has("targets")) draw_virtual_targets(scene, run);
       draw_events(scene, run);
     }
+    if (has_insides) this.inside_layers.draw_places(scene);
     for (const run of shown) draw_robot(scene, run);
   }
 
@@ -226,7 +245,8 @@ export class MapView {
       box.addEventListener("change", () => {
         if (box.checked) this.layers.add(name);
         else this.layers.delete(name);
-        this.draw();
+        if (name === "insides") this.session.wants_insides = box.checked;
+        this.session.tell("layers");
       });
       list.append(element("label", {}, box, label));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page asks of the server besides bytes: what there is to choose from, branches, runs, insides.
 
-import type { Group } from "./inside_values";
+import type { Group, PictureLayer } from "./inside_values";
 
 export interface Parameter {
   name: string;
@@ -75,6 +75,8 @@ export interface StageTold {
   tick: number;
   text: string;
   inside: Group;
+  /// What of it has a place.
+  picture: PictureLayer[];
 }
 export interface Told {
   command: string;

@@ -15,6 +15,8 @@ export class Session {
   playing = false;
   /// Simulated seconds a second.
   rate = 4;
+  /// Whether somebody wants the insides of the chosen tick.
+  wants_insides = false;
   private readonly listeners: ((change: Change) => void)[] = [];
 
   add(recording: Recording): Run {

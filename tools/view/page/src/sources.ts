@@ -2,8 +2,6 @@
 // Where recordings come from: the server that serves this page, or the page itself if it is a
 // report.
 
-import { decompress } from "fzstd";
-
 import { McapFeed, Recording } from "./recording";
 
 export interface ServedRecording {
@@ -39,16 +37,6 @@ export async function read_served(id: number, recording: Recording, on_piece: ()
     on_piece();
     await breathe();
   }
-}
-
-/// The recordings inside a report: files in zstd in base64.
-export function embedded(): { name: string; bytes: Uint8Array }[] {
-  return [...document.querySelectorAll<HTMLElement>("script[type='text/plain'][data-name]")].map((script) => {
-    const text = (script.textContent ?? "").trim();
-    const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-    const name = new TextDecoder().decode(Uint8Array.from(atob(script.dataset["name"] ?? ""), (c) => c.charCodeAt(0)));
-    return { name, bytes: decompress(packed) };
-  });
 }
 
 export async function read_embedded(bytes: Uint8Array, recording: Recording, on_piece: () => void): Promise<void> {

@@ -19,6 +19,8 @@ export interface Theme {
   scan: string;
   trap: string;
   runs: string[];
+  /// Of layers of one kind.
+  layers: string[];
 }
 
 const kLight: Theme = {
@@ -26,12 +28,14 @@ const kLight: Theme = {
   moving: "#8a9099", text: "#1c2026", faint: "#6b7280", accent: "#0072b2", target: "#007f5c",
   scan: "#e69f00", trap: "#c8102e",
   runs: ["#0072b2", "#d55e00", "#007f5c", "#a2497f", "#b07a00", "#444444"],
+  layers: ["#d55e00", "#6a3d9a", "#007f5c", "#0072b2", "#a2497f"],
 };
 const kDark: Theme = {
   dark: true, ground: "#14171c", field: "#1b1f26", grid: "#2a2f38", wall: "#e3e6eb", solid: "#4a515d",
   moving: "#7e8794", text: "#e7eaf0", faint: "#98a1af", accent: "#56b4e9", target: "#2fbf95",
   scan: "#f0c04a", trap: "#ff6b6b",
   runs: ["#56b4e9", "#ff8a3c", "#2fbf95", "#e39ac4", "#e6b422", "#cccccc"],
+  layers: ["#ff8a3c", "#b79bff", "#2fbf95", "#56b4e9", "#e39ac4"],
 };
 export const kDashes: number[][] = [[], [8, 4], [2, 3], [10, 3, 2, 3], [5, 2], [1, 5]];
 

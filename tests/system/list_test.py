@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What `clew list`, `check`, `plot` and `train` tell programs."""
+import json
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from clew_command import Run, run_graph
+
+
+def lines_of(*arguments):
+    run = Run(arguments)
+    assert run.status == 0, run.err
+    return run.out.splitlines()
+
+
+class ListForPrograms(unittest.TestCase):
+    def test_names_and_json_tell_of_the_same(self):
+        for what in ("graphs", "worlds", "suites", "robots", "maps", "rulebases", "training",
+                     "topics"):
+            names = lines_of("list", what, "--names")
+            objects = [json.loads(line) for line in lines_of("list", what, "--json")]
+            self.assertTrue(names, what)
+            key = "topic" if what == "topics" else "name"
+            self.assertEqual([each[key] for each in objects], names)
+
+    def test_one_file_is_told_with_its_text(self):
+        (line,) = lines_of("list", "robots", "disc-015", "--json")
+        told = json.loads(line)
+        self.assertIn("radius_m: 0.15", told["text"])
+        self.assertTrue(told["file"].endswith("disc-015.yaml"))
+
+    def test_a_stage_is_told_with_ports_behaviours_and_parameters(self):
+        (line,) = lines_of("list", "drive", "--json")
+        drive = json.loads(line)
+        self.assertEqual([(p["topic"], p["direction"], p["delayed"]) for p in drive["ports"]],
+                         [("command", "in", True), ("state", "out", False),
+                          ("target", "out", False), ("odometry", "out", False)])
+        (unicycle,) = [b for b in drive["behaviours"] if b["name"] == "unicycle"]
+        speed = {p["name"]: p for p in unicycle["parameters"]}["max_speed_mps"]
+        self.assertEqual((speed["default"], speed["unit"], speed["range"]),
+                         (0.6096, "m/s", [0.01, 10.0]))
+        self.assertEqual(lines_of("list", "drive", "--names"),
+                         [b["name"] for b in drive["behaviours"]])
+        (one,) = json.loads(lines_of("list", "drive", "unicycle", "--json")[0])["behaviours"]
+        self.assertEqual(one, unicycle)
+
+    def test_topics_name_who_writes_and_reads_them(self):
+        topics = {t["topic"]: t for t in map(json.loads, lines_of("list", "topics", "--json"))}
+        self.assertEqual(topics["command"]["writers"], ["control"])
+        self.assertEqual(topics["command"]["readers"], ["drive"])
+        self.assertEqual(topics["scan"]["type"], "clew::msg::Scan")
+
+    def test_what_is_not_there_is_named(self):
+        for arguments, words in ((["topics", "scna"], "did you mean 'scan'?"),
+                                 (["drive", "unicycl"], "did you mean 'unicycle'?"),
+                                 (["drive.behaviuor"], "unknown part of drive"),
+                                 (["robts"], "did you mean 'robots'?")):
+            run = Run(["list", *arguments, "--json"])
+            self.assertEqual(run.status, 2, run.out)
+            self.assertIn(words, run.err)
+
+    def test_check_tells_the_wiring(self):
+        told = json.loads(lines_of("check", "reactive", "--json")[0])
+        self.assertEqual((told["graph"], told["tick_s"], told["radius_m"]), ("reactive", 0.3, 0.15))
+        self.assertEqual([s["stage"] for s in told["stages"]], ["drive", "sense", "control"])
+        self.assertIn({"topic": "command", "from": "control", "to": "drive", "delayed": True},
+                      told["wiring"])
+
+    def test_check_draws_a_graph_that_graphviz_reads(self):
+        dot = "\n".join(lines_of("check", "krishna_kalra", "--dot"))
+        self.assertIn('"control" -> "drive" [label="command", style=dashed];', dot)
+        if shutil.which("dot"):
+            svg = subprocess.run(["dot", "-Tsvg"], input=dot, capture_output=True, text=True,
+                                 check=True).stdout
+            self.assertIn("<svg", svg)
+
+    def test_plot_and_train_tell_what_they_wrote(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            run_graph("reactive", "--world", "open-field", "--layout", "composed", "--record",
+                      folder / "a.mcap")
+            told = json.loads(lines_of("plot", folder / "a.mcap", "-o", folder / "a.svg",
+                                       "--json")[0])
+            self.assertEqual(told, {"picture": str(folder / "a.svg"),
+                                    "recordings": [str(folder / "a.mcap")], "tick": None})
+        for what in ("som", "neuro-fuzzy"):
+            refused = Run(["train", what, "--json"])
+            self.assertEqual(refused.status, 2)
+            self.assertIn("--output", refused.err)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A robot of ROS 2 in the place of sense and drive. The robot is a program with nothing of Clew in
+it, on either vendor, without a watchdog of its own: if it stands in the end, it was told to."""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import threading
+import unittest
+
+from clew_command import SOURCE, Run, components_of, start, wait_until
+from ros2_bridge_test import free_domains
+
+ROBOTS = pathlib.Path(os.environ.get("CLEW_ROS2_TESTS", SOURCE / "build/tests/ros2"))
+WALLS = [(0, 0, 4, 0), (4, 0, 4, 3), (4, 3, 0, 3), (0, 3, 0, 0), (1.6, 1.1, 1.6, 1.9)]
+START = (0.6, 1.5, 0.0)
+TARGET = (2.8, 1.5)
+WORLD = f"""format: clew-world/1
+name: robot-room
+about: "The walls are for pictures: what the robot meets is the robot's."
+bounds: [0, 0, 4, 3]
+walls: [[1.6, 1.1, 1.6, 1.9]]
+start: {list(START)}
+target: {list(TARGET)}
+target_radius: 0.15
+"""
+GRAPH = """world: ./world.yaml
+robot: disc-015
+sense: {{ros2: {{{settings}}}, behaviour: laser, range_m: 3, field_deg: 350, beams: 71}}
+recover: {{detector: known_detour, escape: [remembered_map], immediate_memory: false}}
+control: {{behaviour: fuzzy_behaviourist, guard_margin_m: 0.05}}
+drive: {{ros2: {{{settings}}}, behaviour: unicycle, max_speed_mps: 0.8, max_acceleration_mps2: 1.5}}
+"""
+
+
+class Robot:
+    """The far side."""
+
+    def __init__(self, program, domain, pose=START, namespace="r1"):
+        walls = [",".join(map(str, wall)) for wall in WALLS]
+        self.process = subprocess.Popen(
+            [ROBOTS / program, str(domain), namespace, *map(str, pose), *walls], text=True,
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        assert self.process.stdout.readline() == "ready\n", "it did not start"
+        self.commands = []
+        self.places = []
+        self.thread = threading.Thread(target=self.read)
+        self.thread.start()
+
+    def read(self):
+        for line in self.process.stdout:
+            word, *values = line.split()
+            values = [float(value) for value in values]
+            (self.commands if word == "command" else self.places).append(values)
+
+    def order(self, text):
+        self.process.stdin.write(text + "\n")
+        self.process.stdin.flush()
+
+    def is_told(self, moving):
+        return bool(self.commands) and any(self.commands[-1]) == moving
+
+    def where(self):
+        """Pose, speeds, contacts and number of commands as they are now."""
+        before = len(self.places)
+        self.order("where")
+        assert wait_until(lambda: len(self.places) > before)
+        return self.places[-1]
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.stdin.close()
+        self.thread.join(20)
+        self.process.wait(20)
+
+
+class Ros2Robot(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (self.folder / "world.yaml").write_text(WORLD, encoding="utf-8")
+        self.ros_domain, self.domain = free_domains(2)
+
+    def graph(self, **settings):
+        settings = {"namespace": "r1", "timeout_s": 0.3, **settings}
+        text = ", ".join(f"{key}: {value}" for key, value in settings.items())
+        (self.folder / "graph.yaml").write_text(GRAPH.format(settings=text), encoding="utf-8")
+        return "graph.yaml"
+
+    def meet(self, program, pose=START):
+        robot = Robot(program, self.ros_domain, pose)
+        self.addCleanup(robot.close)
+        return robot
+
+    def environment(self):
+        return {**os.environ, "ROS_DOMAIN_ID": str(self.ros_domain)}
+
+    def launch(self, *arguments, **settings):
+        """A run in a session of its own; its name is `robot`."""
+        run = start(["run", self.graph(**settings), "--domain", self.domain, "--json", *arguments],
+                    cwd=self.folder, env=self.environment(), start_new_session=True)
+        self.addCleanup(self.end, run)
+        return run
+
+    @staticmethod
+    def end(run):
+        if run.poll() is None:
+            run.kill()
+        run.communicate(timeout=20)
+
+    def finish(self, run, status=0):
+        out, err = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, status, out + err)
+        return json.loads(out.splitlines()[-1]), err
+
+    def check_stands(self, robot):
+        """The robot was told to stand, and does, and has touched nothing."""
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=False)), robot.commands[-3:])
+        self.assertTrue(wait_until(lambda: robot.where()[3:5] == [0, 0]))
+        self.assertEqual(robot.where()[5], 0)
+
+    def check_arrives(self, robot, run):
+        report, err = self.finish(run)
+        self.assertEqual(report["outcome"], "reached", err)
+        self.check_stands(robot)
+        x, y = robot.where()[:2]
+        # It rolls out after the tick in which it arrives.
+        self.assertLess(((x - TARGET[0]) ** 2 + (y - TARGET[1]) ** 2) ** 0.5, 0.5)
+        return report, err
+
+    def test_a_robot_on_cyclone_dds_reaches_its_target_and_replays_exactly(self):
+        robot = self.meet("cyclone_robot")
+
+        self.check_arrives(robot, self.launch("--record", "run.mcap"))
+
+        replay = Run(["replay", "run.mcap", "--json"], cwd=self.folder)
+        self.assertEqual(replay.status, 0, replay.out + replay.err)
+        self.assertTrue(replay.report["identical"])
+        self.assertIn("sense is a robot of ROS 2", replay.err)
+        refused = Run(["replay", "run.mcap", "--component", "drive"], cwd=self.folder)
+        self.assertNotEqual(refused.status, 0)
+        self.assertIn("drive was a robot of ROS 2: what it told is in the recording", refused.err)
+
+    def test_a_robot_on_fast_dds_with_a_wrong_clock_and_losses_reaches_it_too(self):
+        robot = self.meet("fastdds_robot")
+        robot.order("skew -3600")
+        robot.order("loss 20")
+        run = self.launch(middleware="fastdds", command="twist_stamped", distro="humble")
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)))
+
+        robot.order("skew 3600")  # as when ntp sets it
+
+        self.check_arrives(robot, run)
+
+    def test_a_robot_that_is_not_heard_is_told_to_stand_still(self):
+        robot = self.meet("cyclone_robot")
+        run = self.launch(middleware="fastdds")  # each vendor understands the other
+        # What the bridge says of this run must not be taken for the robot's own word.
+        bridge = start(["bridge", "ros2", "--domain", self.domain, "--namespace", "r1"],
+                       env=self.environment())
+        self.addCleanup(self.end, bridge)
+        self.assertIn("ROS domain", bridge.stderr.readline())
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)))
+
+        for order in ("scan off", "scan frozen", "odom off"):
+            robot.order(order)
+            self.assertTrue(wait_until(lambda: robot.is_told(moving=False), 5), order)
+            robot.order(order.split()[0] + " on")
+            self.assertTrue(wait_until(lambda: robot.is_told(moving=True), 5), order)
+
+        _, err = self.check_arrives(robot, run)
+        for topic in ("scan", "odom"):
+            self.assertRegex(err, f"nothing new on /r1/{topic} for 0\\.[0-9]+ s: the robot is told "
+                                  "to stand still")
+        self.assertIn("the robot is heard again", err)
+
+    def test_a_robot_may_be_started_anew(self):
+        robot = self.meet("cyclone_robot")
+        run = self.launch()
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)))
+        pose = robot.where()[:3]
+        robot.close()
+
+        second = self.meet("cyclone_robot", pose)
+
+        self.check_arrives(second, run)
+
+    def test_a_robot_that_stays_silent_ends_the_run(self):
+        robot = self.meet("cyclone_robot")
+        run = self.launch(give_up_s=1)
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)))
+
+        robot.order("scan off")
+
+        report, err = self.finish(run, status=1)
+        self.assertEqual(report["outcome"], "aborted")
+        self.assertIn("drive: nothing new on /r1/scan for 1 s", err)
+        self.check_stands(robot)
+
+    def test_however_the_run_ends_the_robot_stands(self):
+        for number, victim in ((signal.SIGINT, None), (signal.SIGKILL, None),
+                               (signal.SIGKILL, "drive"), (signal.SIGKILL, "control")):
+            with self.subTest(signal=number.name, of=victim or "the run"):
+                robot = self.meet("cyclone_robot")
+                run = self.launch()
+                self.assertTrue(wait_until(lambda: robot.is_told(moving=True)))
+                pid = components_of(run.pid)[victim] if victim else run.pid
+
+                os.kill(pid, number)
+
+                self.check_stands(robot)
+                run.communicate(timeout=20)
+                robot.close()
+
+    def test_the_goal_may_be_changed_on_the_way(self):
+        robot = self.meet("cyclone_robot")
+        run = self.launch("--record", "run.mcap")
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)))
+
+        goal = Run(["goal", self.domain, 0.7, 2.3, 0.15])
+        self.assertEqual(goal.status, 0, goal.err)
+
+        report, err = self.finish(run)
+        self.assertEqual(report["outcome"], "reached", err)
+        self.check_stands(robot)
+        x, y = robot.where()[:2]
+        self.assertLess(((x - 0.7) ** 2 + (y - 2.3) ** 2) ** 0.5, 0.5)
+        replay = Run(["replay", "run.mcap", "--json"], cwd=self.folder)
+        self.assertEqual(replay.status, 0, replay.out + replay.err)
+
+    def test_what_is_missing_or_wrong_is_named(self):
+        run = Run(["run", self.graph(), "--domain", self.domain], cwd=self.folder,
+                  environment=self.environment())
+        self.assertEqual(run.status, 1, run.out)
+        self.assertIn(f"the robot is not there: ROS domain {self.ros_domain} on 127.0.0.1 lacks "
+                      "/r1/scan, /r1/odom, a reader of /r1/cmd_vel", run.err)
+        for arguments, settings, words in (
+                (["--pace", "2x"], {}, "--pace: a robot of ROS 2 takes part; allowed: realtime"),
+                ([], {"scna": "x"}, "ros2 of sense: unknown key of ros2 'scna' (did you mean 'scan'"),
+                (["--layout", "composed"], {}, "has ros2: a robot is a process"),
+                (["--domain", self.ros_domain], {}, "is the run's own: ROS needs another one")):
+            run = Run(["run", self.graph(**settings), *arguments], cwd=self.folder,
+                      environment=self.environment())
+            self.assertEqual(run.status, 2, run.err)
+            self.assertIn(words, run.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
