@@ -188,11 +188,22 @@ std::function<void(std::string)> say(Link& link, FrameType type) {
   return [&link, type](std::string text) { link.post(type, Text{std::move(text)}); };
 }
 
+/// The robot's process is told of its supervisor's death (SIGTERM) instead of dying with it. It
+/// then has a moment to bring the robot to rest; a process that hangs dies after that.
+void outlive_supervisor_for_a_moment() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { ::alarm(static_cast<unsigned>(kRestTimeout.count()) + 1); };
+  ::sigaction(SIGTERM, &action, nullptr);
+}
+
 /// Makes nodes of any kind.
 runtime::MakeNode node_maker(Link& link, const RobotMaker& robots) {
   return [&link, of_robot = robots.make](const runtime::RunPlan& plan,
                                          const runtime::GraphStage& stage) {
-    if (stage.deployment.ros2) return of_robot(plan, stage);
+    if (stage.deployment.ros2) {
+      outlive_supervisor_for_a_moment();  // its last word to the robot comes after its line's end
+      return of_robot(plan, stage);
+    }
     if (stage.deployment.json_lines) {
       return make_json_lines_node(plan, stage, end_with_program(link, stage));
     }
@@ -229,14 +240,6 @@ Result<Prepared> prepare(const runtime::MakeNode& make, const Assignment& assign
   prepared.last =
       plans->empty() ? std::make_shared<const runtime::RunPlan>(prepared.plan) : plans->back();
   return prepared;
-}
-
-/// The robot's process is told of its supervisor's death (SIGTERM) instead of dying with it. It
-/// then has a moment to bring the robot to rest; a process that hangs dies after that.
-void outlive_supervisor_for_a_moment() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { ::alarm(static_cast<unsigned>(kRestTimeout.count()) + 1); };
-  ::sigaction(SIGTERM, &action, nullptr);
 }
 
 NodeHost::Handlers handlers_for(Link& link) {

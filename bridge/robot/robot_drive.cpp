@@ -43,6 +43,7 @@ void RobotDrive::step(const runtime::TickInputs& inputs, runtime::TickOutputs& o
   state.outcome = referee_.judge(inputs.tick(), state.pose_world_robot, 0, motion);
 
   const bool goes_on = is_heard(view) && state.outcome == domain::Outcome::kRunning;
+  if (!goes_on) state_.blocked = false;
   state_.told = goes_on ? braked(velocities_for(motion), view) : domain::Velocities{};
   link_->command(state_.told, now);
 
@@ -68,9 +69,9 @@ domain::Velocities RobotDrive::velocities_for(const domain::Motion& motion) cons
 
 domain::Velocities RobotDrive::braked(const domain::Velocities& asked, const RobotView& view) {
   // The next command comes a tick later, and then it still has to brake.
-  const double braking_s =
-      0.5 * std::fabs(asked.speed_mps) / std::max(model_->limits().acceleration_mps2, 0.1);
-  const auto contact = bearing_of_contact_rad(ros2::returns_of(view.scan, view.pose_robot_laser),
+  const double braking_s = 0.5 * std::fabs(asked.speed_mps) / model_->limits().acceleration_mps2;
+  const core::Pose2 laser = view.laser_seen_from(view.odometry.pose_odom_robot);
+  const auto contact = bearing_of_contact_rad(ros2::returns_of(view.scan, laser),
                                               radius_m_ + link_->settings().brake_margin_m, asked,
                                               2.0 * model_->tick_s() + braking_s);
   if (contact && !state_.blocked) ++state_.safety_stops;

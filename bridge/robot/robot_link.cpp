@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/angle.hpp"
+#include "core/math.hpp"
 #include "ros2/names.hpp"
 
 namespace clew::robot {
@@ -16,6 +17,9 @@ namespace {
 /// Odometry that is kept: seconds of the fastest robot.
 constexpr std::size_t kMostPoses = 256;
 constexpr auto kLookPeriod = std::chrono::milliseconds(20);
+/// How often the last command is said, and how long after another.
+constexpr int kLastWords = 5;
+constexpr auto kLastWordsPeriod = std::chrono::milliseconds(40);
 constexpr ros2::QosProfile kTransformReader{false, false, 100};
 constexpr ros2::QosProfile kStaticTransformReader{true, true, 100};
 
@@ -26,10 +30,29 @@ core::Pose2 between(const core::Pose2& a, const core::Pose2& b, double part) {
           core::wrap_angle_rad(a.heading_rad + part * turn_rad)};
 }
 
+/// Where `pose` is in the frame of `base`, both given in one and the same frame.
+core::Pose2 relative_to(const core::Pose2& base, const core::Pose2& pose) {
+  const double c = core::cos(base.heading_rad);
+  const double s = core::sin(base.heading_rad);
+  const core::Vec2 way = pose.position() - base.position();
+  return {c * way.x() + s * way.y(), c * way.y() - s * way.x(),
+          core::wrap_angle_rad(pose.heading_rad - base.heading_rad)};
+}
+
+/// Where `pose`, given in the frame of `base`, is in the frame that `base` is given in.
+core::Pose2 placed_on(const core::Pose2& base, const core::Pose2& pose) {
+  const double c = core::cos(base.heading_rad);
+  const double s = core::sin(base.heading_rad);
+  return {base.x_m + c * pose.x_m - s * pose.y_m, base.y_m + s * pose.x_m + c * pose.y_m,
+          core::wrap_angle_rad(base.heading_rad + pose.heading_rad)};
+}
+
 ros2::Time later(const ros2::Time& stamp, double seconds) {
   constexpr std::int64_t kSecond_ns = 1000000000;
-  const std::int64_t ns = std::int64_t{stamp.sec} * kSecond_ns + stamp.nanosec +
-                          static_cast<std::int64_t>(std::llround(seconds * 1e9));
+  const std::int64_t sum_ns = std::int64_t{stamp.sec} * kSecond_ns + stamp.nanosec +
+                              static_cast<std::int64_t>(std::llround(seconds * 1e9));
+  // Stamps before zero are none.
+  const std::int64_t ns = std::max<std::int64_t>(sum_ns, 0);
   return {static_cast<std::int32_t>(ns / kSecond_ns), static_cast<std::uint32_t>(ns % kSecond_ns)};
 }
 
@@ -53,12 +76,17 @@ class RobotLink::Inlet : public bridge::SampleListener {
   RobotLink& link_;
 };
 
-RobotLink::RobotLink(const Settings& settings)
-    : settings_(settings), scan_(settings.timeout_s), odometry_message_(settings.timeout_s) {}
+RobotLink::RobotLink(const Settings& settings, double patience_s)
+    : settings_(settings),
+      patience_s_(patience_s),
+      scan_(settings.timeout_s),
+      odometry_message_(settings.timeout_s) {}
 
 core::Result<std::unique_ptr<RobotLink>> RobotLink::create(const Settings& settings,
-                                                           const std::string& origin) {
-  std::unique_ptr<RobotLink> self(new RobotLink(settings));
+                                                           const std::string& origin,
+                                                           double tick_s) {
+  std::unique_ptr<RobotLink> self(
+      new RobotLink(settings, std::max(settings.timeout_s, 2.0 * tick_s)));
   ros2::NodeConfig config;
   config.vendor = settings.vendor;
   config.network = settings.network;
@@ -70,6 +98,7 @@ core::Result<std::unique_ptr<RobotLink>> RobotLink::create(const Settings& setti
   if (!node.ok()) return node.error();
   self->node_ = std::move(node).value();
   CLEW_RETURN_IF_ERROR(self->open());
+  self->watchdog_ = std::thread([link = self.get()] { link->watch(); });
   return self;
 }
 
@@ -104,13 +133,33 @@ core::Result<void> RobotLink::open() {
 }
 
 RobotLink::~RobotLink() {
-  if (twist_ || twist_stamped_) stand_still();
+  if (watchdog_.joinable()) {
+    if (!stands_still_) stand_still();
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ends_ = true;
+    }
+    ending_.notify_one();
+    watchdog_.join();
+  }
   readers_.clear();
+}
+
+void RobotLink::watch() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!ending_.wait_for(lock, kLookPeriod, [&] { return ends_; })) {
+    const Time now = Time::clock::now();
+    if (commanded_ && seconds_between(*commanded_, now) > patience_s_) publish({}, now);
+  }
 }
 
 void RobotLink::take(ros2::LaserScan scan, const std::string& writer, Time now) {
   if (!scan_.listens_to(writer, now) || !ros2::check_fan(scan).ok()) return;
+  if (!ros2::measured_anything(scan)) return;
+  // Nobody knows where it was measured.
+  if (mount_ && !mount_of(scan.header.frame_id)) return;
   scan_.take(std::move(scan), writer, now);
+  note_mount();
 }
 
 void RobotLink::take(ros2::Odometry odometry, const std::string& writer, Time now) {
@@ -124,17 +173,24 @@ void RobotLink::take(ros2::Odometry odometry, const std::string& writer, Time no
   if (!past_.empty() && stamp_s <= past_.back().first) past_.clear();
   past_.emplace_back(stamp_s, odometry_.pose_odom_robot);
   if (past_.size() > kMostPoses) past_.pop_front();
+  note_mount();
 }
 
 void RobotLink::take(const ros2::TFMessage& transforms, const std::string& /*writer*/,
                      Time /*now*/) {
   transforms_.add(transforms);
+  note_mount();
 }
 
-std::optional<Mount> RobotLink::mount() const {
+std::optional<Mount> RobotLink::mount_of(const std::string& frame) const {
   if (settings_.laser) return Mount{*settings_.laser, false};
-  const std::string& base = odometry_message_.message().child_frame_id;
-  return transforms_.mount(base, scan_.message().header.frame_id);
+  if (!odometry_message_.is_there()) return std::nullopt;
+  return transforms_.mount(odometry_message_.message().child_frame_id, frame);
+}
+
+void RobotLink::note_mount() {
+  if (!scan_.is_there()) return;
+  if (const auto mount = mount_of(scan_.message().header.frame_id)) mount_ = mount;
 }
 
 std::string RobotLink::missing() const {
@@ -146,7 +202,7 @@ std::string RobotLink::missing() const {
   lacks(scan_.is_there(), settings_.scan_topic);
   lacks(odometry_message_.is_there(), settings_.odometry_topic);
   lacks(node_->is_read(settings_.command_topic), "a reader of " + settings_.command_topic);
-  if (text.empty() && !mount()) {
+  if (text.empty() && !mount_) {
     text = fmt::format(
         "where '{}' is on '{}' in /tf_static and /tf (or give laser_x_m, laser_y_m "
         "and laser_heading_deg)",
@@ -188,7 +244,7 @@ RobotView RobotLink::look(Time now) const {
   view.odometry_age_s = odometry_message_.age_s(now);
   view.scan = scan_.message();
   view.scan_age_s = scan_.age_s(now);
-  const Mount laser = mount().value_or(Mount{});
+  const Mount& laser = mount_.value();
   view.pose_robot_laser = laser.pose_robot_laser;
   if (laser.upside_down) {
     view.scan.angle_min = -view.scan.angle_min;
@@ -199,15 +255,24 @@ RobotView RobotLink::look(Time now) const {
   return view;
 }
 
+core::Pose2 RobotView::laser_seen_from(const core::Pose2& pose_odom_robot) const {
+  if (!pose_odom_at_scan) return pose_robot_laser;
+  return placed_on(relative_to(pose_odom_robot, *pose_odom_at_scan), pose_robot_laser);
+}
+
 void RobotLink::command(const domain::Velocities& velocities, Time now) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  commanded_ = now;
   publish(stands_still_ ? domain::Velocities{} : velocities, now);
 }
 
 void RobotLink::stand_still() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  stands_still_ = true;
-  publish({}, Time::clock::now());
+  for (int i = 0; i < kLastWords; ++i) {
+    if (i > 0) std::this_thread::sleep_for(kLastWordsPeriod);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stands_still_ = true;
+    publish({}, Time::clock::now());
+  }
 }
 
 void RobotLink::publish(const domain::Velocities& velocities, Time now) {

@@ -26,9 +26,4 @@ class RobotSense final : public runtime::Component {
   const double radius_m_;
 };
 
-/// Where `pose` is in the frame of `base`, both given in one and the same frame.
-core::Pose2 relative_to(const core::Pose2& base, const core::Pose2& pose);
-/// Where `pose`, given in the frame of `base`, is in the frame that `base` is given in.
-core::Pose2 placed_on(const core::Pose2& base, const core::Pose2& pose);
-
 }  // namespace clew::robot

@@ -15,7 +15,7 @@ namespace clew::robot {
 namespace {
 
 /// Of the time in which a run must have started; the rest is for the others.
-constexpr double kShareOfStart = 0.8;
+constexpr double kShareOfStart = 0.6;
 
 /// The settings of a stage in a run on `run_domain`, if that is known.
 core::Result<Settings> settings_of(const runtime::GraphStage& stage,
@@ -35,6 +35,32 @@ core::Result<Settings> settings_of(const runtime::GraphStage& stage,
 
 bool is_robot(const runtime::GraphStage& stage) { return stage.deployment.ros2.has_value(); }
 
+bool is_drive(const runtime::GraphStage& stage) { return stage.ports.delayed_inputs.any(); }
+
+/// Each says the last word to the robot if the other dies.
+core::Result<void> check_body(const runtime::Graph& graph) {
+  for (const runtime::GraphStage& stage : graph.stages) {
+    const std::string& name = stage.info->name;
+    const bool is_body = is_drive(stage) || stage.info->scan_layout != nullptr;
+    if (is_body && !is_robot(stage)) {
+      return stage.place.error(name + " has no ros2: a robot takes the place of sense and drive");
+    }
+    if (is_robot(stage) && !stage.deployment.group.empty()) {
+      return stage.deployment.group_place.error(
+          name + " has ros2, and shares a process; allowed: one of its own");
+    }
+  }
+  return {};
+}
+
+/// Before an obstacle it brakes as its drive says.
+core::Result<void> check_brakes(const runtime::GraphStage& stage) {
+  const runtime::PartChoice& drive = stage.config.part("behaviour");
+  if (drive.parameters.count("max_acceleration_mps2") > 0) return {};
+  return stage.place.error(stage.info->name + " has ros2, and " + drive.name +
+                           " as if it could stop at once; allowed: unicycle");
+}
+
 }  // namespace
 
 bool has_robot(const runtime::Graph& graph) {
@@ -42,12 +68,14 @@ bool has_robot(const runtime::Graph& graph) {
 }
 
 core::Result<void> check_robots(const runtime::Graph& graph, std::optional<int> run_domain) {
+  if (!has_robot(graph)) return {};
   for (const runtime::GraphStage& stage : graph.stages) {
     if (!is_robot(stage)) continue;
     const auto settings = settings_of(stage, run_domain);
     if (!settings.ok()) return settings.error();
+    if (is_drive(stage)) CLEW_RETURN_IF_ERROR(check_brakes(stage));
   }
-  return {};
+  return check_body(graph);
 }
 
 core::Result<std::shared_ptr<RobotLink>> Robots::meet(const runtime::RunPlan& plan,
@@ -57,7 +85,7 @@ core::Result<std::shared_ptr<RobotLink>> Robots::meet(const runtime::RunPlan& pl
   if (found != links_.end()) return found->second;
   const auto settings = settings_of(stage, run_domain_);
   if (!settings.ok()) return settings.error();
-  auto link = RobotLink::create(*settings, run_id_);
+  auto link = RobotLink::create(*settings, run_id_, plan.graph.tick_s);
   if (!link.ok()) return link.error();
   const auto patience = std::chrono::duration_cast<Time::duration>(
       std::chrono::duration<double>(kShareOfStart * plan.graph.start_timeout_s));
@@ -75,7 +103,7 @@ core::Result<runtime::Node> Robots::make_node(const runtime::RunPlan& plan,
   if (!link.ok()) return link.error();
   const domain::BehaviourSetup& setup = plan.setup.behaviour;
   std::unique_ptr<runtime::Component> component;
-  if (stage.ports.delayed_inputs.any()) {
+  if (is_drive(stage)) {
     auto model = drive::drive_models().make(stage.config.part("behaviour"), setup);
     if (!model.ok()) return model.error();
     const world::World& world = *plan.setup.world;

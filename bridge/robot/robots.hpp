@@ -14,8 +14,9 @@
 
 namespace clew::robot {
 
-/// Refused, with the place in the graph: settings of a robot that are none, and a ROS domain that
-/// is `run_domain`, since a run has a DDS domain for itself.
+/// Refused, with the place in the graph: settings of a robot that are none, a ROS domain that is
+/// `run_domain`, since a run has a DDS domain for itself, one of *sense* and *drive* without the
+/// other, and a drive that has no acceleration to brake with.
 core::Result<void> check_robots(const runtime::Graph& graph, std::optional<int> run_domain = {});
 
 /// Whether a stage of the graph is a robot's.
@@ -34,7 +35,7 @@ class Robots {
         on_notice_(std::move(on_notice)),
         on_fatal_(std::move(on_fatal)) {}
 
-  /// A node for a stage that has `ros2`; waits until the robot is there, for most of the time in
+  /// A node for a stage that has `ros2`; waits until the robot is there, for part of the time in
   /// which a run must have started.
   core::Result<runtime::Node> make_node(const runtime::RunPlan& plan,
                                         const runtime::GraphStage& stage);

@@ -52,6 +52,11 @@ core::Result<void> check_fan(const LaserScan& scan) {
   return {};
 }
 
+bool measured_anything(const LaserScan& scan) {
+  return std::any_of(scan.ranges.begin(), scan.ranges.end(),
+                     [&](float range) { return is_return(range, scan) || range > scan.range_max; });
+}
+
 std::vector<core::Vec2> returns_of(const LaserScan& scan, const core::Pose2& pose_robot_laser) {
   std::vector<core::Vec2> places;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {

@@ -22,6 +22,9 @@ core::Result<core::Pose2> to_pose2(const Pose& pose);
 /// Refused: a scan whose numbers make no fan of beams.
 core::Result<void> check_fan(const LaserScan& scan);
 
+/// Whether the laser saw something, or that nothing is there (REP 117: +inf).
+bool measured_anything(const LaserScan& scan);
+
 /// Where the laser saw something, in the robot's frame; the scan must be a fan.
 std::vector<core::Vec2> returns_of(const LaserScan& scan, const core::Pose2& pose_robot_laser);
 

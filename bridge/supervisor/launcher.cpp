@@ -104,6 +104,12 @@ std::string middleware_of(const GraphStage& stage, const ProcessLayout& layout) 
   return stage.deployment.middleware.empty() ? layout.middleware : stage.deployment.middleware;
 }
 
+bool speaks_to_robot(const Member& member, const Graph& graph) {
+  return std::any_of(member.stages.begin(), member.stages.end(), [&](const std::string& stage) {
+    return graph.find(stage)->deployment.ros2.has_value();
+  });
+}
+
 ChildCommand command_of(const Member& member, const runtime::RunPlan& plan,
                         const ProcessLayout& layout, const ThirdPartyEnvironment& environment) {
   const GraphStage& stage = *plan.graph.find(member.stages.front());
@@ -125,8 +131,8 @@ ChildCommand command_of(const Member& member, const runtime::RunPlan& plan,
     command.arguments.insert(command.arguments.begin(), shell.begin(), shell.end());
     command.keeps_terminal = true;
   }
-  command.brings_to_rest =
-      member.starts_ticks && !member.third_party && layout.pace == Pace::kRealtime;
+  command.brings_to_rest = (member.starts_ticks || speaks_to_robot(member, plan.graph)) &&
+                           !member.third_party && layout.pace == Pace::kRealtime;
   return command;
 }
 

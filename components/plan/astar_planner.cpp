@@ -59,6 +59,7 @@ void AStarPlanner::note_where_held(const Situation& situation) {
 }
 
 bool AStarPlanner::is_old(const Situation& situation) const {
+  if (situation.target != state_.target) return true;  // a new goal
   if (!situation.map.changes()) return false;
   const auto age = static_cast<double>(situation.odometry.stamp.tick - state_.planned_tick);
   return (age + 0.5) * tick_s_ >= parameters_.replan_s;
@@ -76,6 +77,7 @@ void AStarPlanner::plan(const Situation& situation) {
   const core::Vec2 robot = situation.odometry.pose_odom_robot.position();
   state_.planned = true;
   state_.planned_tick = situation.odometry.stamp.tick;
+  state_.target = situation.target;
   state_.piece = 0;
   state_.path.clear();
   if (state_.closed.empty() &&
@@ -92,6 +94,7 @@ void AStarPlanner::plan(const Situation& situation) {
     cells =
         &search_.find(costs_, robot, situation.target, situation.target_radius_m + half_diagonal_m);
   }
+  if (cells->empty()) state_.closed.clear();
   if (!cells->empty()) map::pull_tight(costs_, *cells, robot, state_.path);
 }
 

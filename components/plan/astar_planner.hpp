@@ -58,7 +58,8 @@ void visit_parameters(Visitor& visit, AStarPlannerParameters& p) {
 /// *Deviations*, each makes it better: the place to pursue comes nearer, down to a quarter, where
 /// no straight line leads to it, so that pursuit does not cut corners; where the straight line to
 /// the target is open nothing is sought; and a place before which the robot is held for `held_s` is
-/// closed, in place of the recoveries of a behaviour tree.
+/// closed, in place of the recoveries of a behaviour tree. Where no path is left, all of them are
+/// open again: what stood there may have gone.
 ///
 /// Where there is no path the target itself is the subgoal.
 class AStarPlanner final : public Planner {
@@ -70,7 +71,8 @@ class AStarPlanner final : public Planner {
     std::uint32_t piece = 0;  ///< of the path, that the robot is beside: begins at this corner
     bool planned = false;
     std::uint64_t planned_tick = 0;
-    core::Vec2 held = core::Vec2::Zero();  ///< where the robot has been since held_tick
+    core::Vec2 target = core::Vec2::Zero();  ///< that it was planned to
+    core::Vec2 held = core::Vec2::Zero();    ///< where the robot has been since held_tick
     std::uint64_t held_tick = 0;
   };
 
@@ -111,7 +113,7 @@ class AStarPlanner final : public Planner {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, AStarPlanner::State& s) {
-  visit(s.path, s.closed, s.piece, s.planned, s.planned_tick, s.held, s.held_tick);
+  visit(s.path, s.closed, s.piece, s.planned, s.planned_tick, s.target, s.held, s.held_tick);
 }
 
 }  // namespace clew::plan

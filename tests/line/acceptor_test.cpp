@@ -107,7 +107,11 @@ TEST_F(Door, KeepsAProcessOfTheRunHoweverManyStrangersCome) {
     const bool told = ::read(speak[0], &sign, 1) == 1;
     _exit(told && own->post(FrameType::kHello, Hello{"sense", 42, "fingerprint"}) ? 0 : 1);
   }
-  while (acceptor_.sockets().size() == 1) acceptor_.arrivals(kNow);
+  const Time deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  while (acceptor_.sockets().size() == 1) {
+    ASSERT_LT(std::chrono::steady_clock::now(), deadline) << "the child does not connect";
+    acceptor_.arrivals(kNow);
+  }
   std::vector<std::unique_ptr<Link>> crowd;
   for (std::size_t i = 0; i < 2 * kMostNewcomers; ++i) {
     crowd.push_back(connect());

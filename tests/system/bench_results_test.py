@@ -196,7 +196,10 @@ class Whole(Published):
 
             self.assert_published(own_lines(runs, report), text)
             for run in runs:
-                if "cones" in run["variant"] or "laser" in run["variant"]:
+                if "laser" in run["variant"] and run["world"] == "unsolvable-behind-wall":
+                    # It goes round and round, so no cut stands for proof_s: docs/notes/recover.md.
+                    self.assertEqual(run["outcome"], "timeout", run["variant"])
+                elif "cones" in run["variant"] or "laser" in run["variant"]:
                     self.assertTrue(run["success"], (suite, run["variant"], run["world"]))
 
     def test_the_arrivals(self):

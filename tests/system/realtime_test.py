@@ -4,6 +4,7 @@ import itertools
 import os
 import pathlib
 import signal
+import struct
 import tempfile
 import time
 import unittest
@@ -49,6 +50,31 @@ class RealTime(unittest.TestCase):
         # No tick begins before its time, and a late command does not hold up the next one.
         self.assertGreaterEqual(run.report["wall_s"], run.report["ticks"] * TICK_S)
         self.assertAlmostEqual(run.report["ticks_per_s"] * TICK_S, 1.0, delta=0.1)
+
+    def test_a_wall_clock_that_is_set_back_by_minutes_changes_nothing(self):
+        growing = pathlib.Path(f"{self.recording}.tmp~")
+        offset = self.directory / "offset"
+        offset.write_bytes(struct.pack("l", 0))
+        # Of 12 s. With drive alone on the other vendor, the others are given up after a lease.
+        run = start(["run", "default", "--pace", "realtime", "--middleware", "drive=fastdds",
+                     "--max-ticks", "40", "--record", self.recording, "--json"],
+                    env={**os.environ, "LD_PRELOAD": THIRD_PARTY / "libwall_clock.so",
+                         "CLEW_CLOCK_OFFSET": offset})
+        self.assertTrue(wait_until(lambda: growing.exists() and len(states_of(growing)) > 5))
+
+        # Whoever waits for a time of that clock just then waits a minute longer: which thread that
+        # is differs from time to time.
+        for minutes in range(1, 9):
+            with open(offset, "r+b") as file:
+                file.write(struct.pack("l", -60 * minutes))
+            time.sleep(0.37)
+        out, err = run.communicate(timeout=60)
+
+        self.assertEqual(run.returncode, 3, err)
+        self.assertIn('"outcome":"timeout"', out)
+        late = sum(state.command_late for state in states_of(self.recording))
+        self.assertLess(late, 20, "half of the ticks")
+        self.assertTrue(Run(["replay", self.recording, "--json"]).report["identical"])
 
     def test_the_robot_rests_while_control_is_frozen_and_the_recording_says_so(self):
         frozen_s = 1.0  # shorter than the two seconds after which a component is given up

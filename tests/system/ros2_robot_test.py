@@ -76,6 +76,41 @@ class Robot:
         self.process.wait(20)
 
 
+class Launched:
+    """A run under way, in a session of its own, and what it says meanwhile."""
+
+    def __init__(self, arguments, **options):
+        self.process = start(arguments, start_new_session=True, **options)
+        self.pid = self.process.pid
+        self.lines = []
+        self.thread = threading.Thread(target=self.read)
+        self.thread.start()
+
+    def read(self):
+        for line in self.process.stderr:
+            self.lines.append(line)
+
+    @property
+    def err(self):
+        return "".join(self.lines)
+
+    def says(self, text):
+        return wait_until(lambda: text in self.err)
+
+    def wait(self):
+        """What it printed; its last line is the report."""
+        self.process.wait(60)
+        self.thread.join(20)
+        return self.process.stdout.read()
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.wait()
+        self.process.stdout.close()
+        self.process.stderr.close()
+
+
 class Ros2Robot(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
@@ -97,22 +132,15 @@ class Ros2Robot(unittest.TestCase):
         return {**os.environ, "ROS_DOMAIN_ID": str(self.ros_domain)}
 
     def launch(self, *arguments, **settings):
-        """A run in a session of its own; its name is `robot`."""
-        run = start(["run", self.graph(**settings), "--domain", self.domain, "--json", *arguments],
-                    cwd=self.folder, env=self.environment(), start_new_session=True)
-        self.addCleanup(self.end, run)
+        run = Launched(["run", self.graph(**settings), "--domain", self.domain, "--json",
+                        *arguments], cwd=self.folder, env=self.environment())
+        self.addCleanup(run.close)
         return run
 
-    @staticmethod
-    def end(run):
-        if run.poll() is None:
-            run.kill()
-        run.communicate(timeout=20)
-
     def finish(self, run, status=0):
-        out, err = run.communicate(timeout=60)
-        self.assertEqual(run.returncode, status, out + err)
-        return json.loads(out.splitlines()[-1]), err
+        out = run.wait()
+        self.assertEqual(run.process.returncode, status, out + run.err)
+        return json.loads(out.splitlines()[-1])
 
     def check_stands(self, robot):
         """The robot was told to stand, and does, and has touched nothing."""
@@ -121,13 +149,11 @@ class Ros2Robot(unittest.TestCase):
         self.assertEqual(robot.where()[5], 0)
 
     def check_arrives(self, robot, run):
-        report, err = self.finish(run)
-        self.assertEqual(report["outcome"], "reached", err)
+        self.assertEqual(self.finish(run)["outcome"], "reached", run.err)
         self.check_stands(robot)
         x, y = robot.where()[:2]
         # It rolls out after the tick in which it arrives.
         self.assertLess(((x - TARGET[0]) ** 2 + (y - TARGET[1]) ** 2) ** 0.5, 0.5)
-        return report, err
 
     def test_a_robot_on_cyclone_dds_reaches_its_target_and_replays_exactly(self):
         robot = self.meet("cyclone_robot")
@@ -147,7 +173,7 @@ class Ros2Robot(unittest.TestCase):
         robot.order("skew -3600")
         robot.order("loss 20")
         run = self.launch(middleware="fastdds", command="twist_stamped", distro="humble")
-        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)))
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)), run.err)
 
         robot.order("skew 3600")  # as when ntp sets it
 
@@ -155,30 +181,33 @@ class Ros2Robot(unittest.TestCase):
 
     def test_a_robot_that_is_not_heard_is_told_to_stand_still(self):
         robot = self.meet("cyclone_robot")
+        robot.order("scan off")
         run = self.launch(middleware="fastdds")  # each vendor understands the other
         # What the bridge says of this run must not be taken for the robot's own word.
-        bridge = start(["bridge", "ros2", "--domain", self.domain, "--namespace", "r1"],
-                       env=self.environment())
-        self.addCleanup(self.end, bridge)
-        self.assertIn("ROS domain", bridge.stderr.readline())
-        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)))
+        bridge = Launched(["bridge", "ros2", "--domain", self.domain, "--namespace", "r1"],
+                          env=self.environment())
+        self.addCleanup(bridge.close)
+        self.assertTrue(bridge.says("ROS domain"), run.err)
+        robot.order("scan on")
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)), run.err)
 
-        for order in ("scan off", "scan frozen", "odom off"):
+        for count, (order, topic) in enumerate(
+                (("scan off", "scan"), ("scan frozen", "scan"), ("odom off", "odom")), 1):
             robot.order(order)
-            self.assertTrue(wait_until(lambda: robot.is_told(moving=False), 5), order)
-            robot.order(order.split()[0] + " on")
-            self.assertTrue(wait_until(lambda: robot.is_told(moving=True), 5), order)
+            said = f"nothing new on /r1/{topic} for "
+            self.assertTrue(wait_until(lambda: run.err.count("the robot is told to stand still")
+                                       == count and said in run.err), order + run.err)
+            self.assertTrue(wait_until(lambda: robot.where()[3:5] == [0, 0]), order)
+            robot.order(topic + " on")
+            self.assertTrue(wait_until(lambda: run.err.count("the robot is heard again") == count),
+                            order + run.err)
 
-        _, err = self.check_arrives(robot, run)
-        for topic in ("scan", "odom"):
-            self.assertRegex(err, f"nothing new on /r1/{topic} for 0\\.[0-9]+ s: the robot is told "
-                                  "to stand still")
-        self.assertIn("the robot is heard again", err)
+        self.check_arrives(robot, run)
 
     def test_a_robot_may_be_started_anew(self):
         robot = self.meet("cyclone_robot")
         run = self.launch()
-        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)))
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)), run.err)
         pose = robot.where()[:3]
         robot.close()
 
@@ -189,13 +218,12 @@ class Ros2Robot(unittest.TestCase):
     def test_a_robot_that_stays_silent_ends_the_run(self):
         robot = self.meet("cyclone_robot")
         run = self.launch(give_up_s=1)
-        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)))
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)), run.err)
 
         robot.order("scan off")
 
-        report, err = self.finish(run, status=1)
-        self.assertEqual(report["outcome"], "aborted")
-        self.assertIn("drive: nothing new on /r1/scan for 1 s", err)
+        self.assertEqual(self.finish(run, status=1)["outcome"], "aborted")
+        self.assertIn("drive: nothing new on /r1/scan for 1 s", run.err)
         self.check_stands(robot)
 
     def test_however_the_run_ends_the_robot_stands(self):
@@ -204,25 +232,24 @@ class Ros2Robot(unittest.TestCase):
             with self.subTest(signal=number.name, of=victim or "the run"):
                 robot = self.meet("cyclone_robot")
                 run = self.launch()
-                self.assertTrue(wait_until(lambda: robot.is_told(moving=True)))
+                self.assertTrue(wait_until(lambda: robot.is_told(moving=True)), run.err)
                 pid = components_of(run.pid)[victim] if victim else run.pid
 
                 os.kill(pid, number)
 
                 self.check_stands(robot)
-                run.communicate(timeout=20)
+                run.wait()
                 robot.close()
 
     def test_the_goal_may_be_changed_on_the_way(self):
         robot = self.meet("cyclone_robot")
         run = self.launch("--record", "run.mcap")
-        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)))
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)), run.err)
 
         goal = Run(["goal", self.domain, 0.7, 2.3, 0.15])
         self.assertEqual(goal.status, 0, goal.err)
 
-        report, err = self.finish(run)
-        self.assertEqual(report["outcome"], "reached", err)
+        self.assertEqual(self.finish(run)["outcome"], "reached", run.err)
         self.check_stands(robot)
         x, y = robot.where()[:2]
         self.assertLess(((x - 0.7) ** 2 + (y - 2.3) ** 2) ** 0.5, 0.5)

@@ -3,18 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "stages/all.hpp"
+#include "tests/recording/scratch_directory.hpp"
 #include "tests/source_path.hpp"
 
 namespace clew::tune {
 namespace {
-
-namespace fs = std::filesystem;
 
 const runtime::ConfigPath& configs() {
   static const runtime::ConfigPath all({tests::source_path("configs")});
@@ -23,26 +24,20 @@ const runtime::ConfigPath& configs() {
 
 class Tune : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
+  Tune() {
     write("suite.yaml",
           "format: clew-suite/1\ngraphs: [reactive]\nworlds: {open: [open-field, "
           "forest]}\ngenerated: {seed: 3, count: 4, families: [clutter]}\n"
           "max_ticks: 300\n");
     request_.graph = "reactive";
-    request_.suite = (folder_ / "suite.yaml").string();
+    request_.suite = folder_.file("suite.yaml");
     request_.set = {"sense.range_m=0.6..1.5"};
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
+    recording_test::write_bytes(folder_.file(name), text);
   }
   std::string read(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(folder_ / name).rdbuf();
-    return text.str();
+    return recording_test::read_bytes(folder_.file(name));
   }
 
   TuneSpace space() const {
@@ -58,13 +53,36 @@ class Tune : public testing::Test {
     TuneOptions options;
     options.evaluations = 8;
     options.jobs = jobs;
-    options.directory = (folder_ / out).string();
+    options.directory = folder_.file(out);
     auto end = tune(space(), {configs(), stages::all()}, options);
     if (!end.ok()) ADD_FAILURE() << end.error().text();
     return std::move(end).value();
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / "clew-tune-test";
+  /// Of all settings that were tried: the least mean over the worlds to tune in.
+  double least_cost_of_tuning(const std::string& file) const {
+    const TuneSpace all = space();
+    const auto& worlds = all.tuning.worlds;
+    std::map<std::string, std::pair<double, int>> sums;
+    std::istringstream lines(read(file));
+    std::string line;
+    std::getline(lines, line);  // the header
+    while (std::getline(lines, line)) {
+      const auto run = nlohmann::json::parse(line);
+      const bool is_tuning = std::any_of(worlds.begin(), worlds.end(), [&](const TuneWorld& world) {
+        return world.name == run["world"];
+      });
+      if (!is_tuning || run["settings"] == "") continue;
+      auto& [sum, count] = sums[run["settings"]];
+      sum += run["cost"].get<double>();
+      ++count;
+    }
+    double least = kFailureCost;
+    for (const auto& [settings, of] : sums) least = std::min(least, of.first / of.second);
+    return least;
+  }
+
+  const recording_test::ScratchDirectory folder_;
   TuneRequest request_;
 };
 
@@ -89,8 +107,35 @@ TEST_F(Tune, FindsSettingsNoWorseThanAnyThatItTried) {
   EXPECT_EQ(end.best_tuning.runs, 3u);
   EXPECT_EQ(end.best_validation.runs, 3u);
   EXPECT_EQ(end.default_validation.runs, 3u);
-  EXPECT_LE(end.best_tuning.cost, kFailureCost);
-  EXPECT_GE(end.best_tuning.cost, 1.0 - 0.05);  // the target's radius is no part of the way
+  EXPECT_EQ(end.default_tuning.runs, 3u);
+  EXPECT_DOUBLE_EQ(end.best_tuning.cost, least_cost_of_tuning("out/runs.jsonl"));
+}
+
+TEST_F(Tune, RefusesRunsOfAnotherGraph) {
+  const std::string text = configs().find("graphs", "reactive")->text;
+  request_.graph = folder_.file("mine.yaml");
+  write("mine.yaml", text);
+  tuned("out", 1);
+  write("mine.yaml", text + "\n# another\n");
+
+  TuneOptions options;
+  options.directory = folder_.file("out");
+  const auto end = tune(space(), {configs(), stages::all()}, options);
+
+  ASSERT_FALSE(end.ok());
+  EXPECT_EQ(end.error().message.rfind("it was made with 'graph ", 0), 0u) << end.error().message;
+}
+
+TEST_F(Tune, RefusesAFileOfSomebodyElse) {
+  std::filesystem::create_directory(folder_.file("out"));
+  write("out/runs.jsonl", "{\"format\": 3}\n");
+
+  TuneOptions options;
+  options.directory = folder_.file("out");
+  const auto end = tune(space(), {configs(), stages::all()}, options);
+
+  ASSERT_FALSE(end.ok());
+  EXPECT_EQ(end.error().message, "is no file of results; expected format clew-tune/1");
 }
 
 TEST_F(Tune, IsTheSameWithAnyNumberOfJobsAndAfterAnInterruption) {
@@ -100,7 +145,7 @@ TEST_F(Tune, IsTheSameWithAnyNumberOfJobsAndAfterAnInterruption) {
   const std::string whole = read("one/runs.jsonl");
   std::size_t end = 0;
   for (int line = 0; line < 13; ++line) end = whole.find('\n', end) + 1;
-  fs::create_directories(folder_ / "torn");
+  std::filesystem::create_directory(folder_.file("torn"));
   write("torn/runs.jsonl", whole.substr(0, end + 20));
 
   const Tuned again = tuned("torn", 2);

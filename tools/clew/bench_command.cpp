@@ -14,10 +14,10 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/own_program.hpp"
 #include "clew/plugin_options.hpp"
 #include "clew/terminal.hpp"
 #include "clew/version.hpp"
-#include "core/hash128.hpp"
 #include "runtime/plugin_list.hpp"
 #include "stages/all.hpp"
 
@@ -40,19 +40,6 @@ struct BenchCommandOptions {
 
 using core::Result;
 using Clock = std::chrono::steady_clock;
-
-/// What of the program the results depend on: all of it.
-Result<std::string> program_text() {
-  std::FILE* file = std::fopen("/proc/self/exe", "rb");
-  if (file == nullptr) return core::Error{"cannot be read", "/proc/self/exe", 0, 0};
-  std::string bytes;
-  char buffer[1 << 16];
-  for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file)) > 0;) {
-    bytes.append(buffer, got);
-  }
-  std::fclose(file);
-  return fmt::format("{} (build {})", CLEW_VERSION, core::hash128(bytes).hex());
-}
 
 /// Loads what the command line names, and what the suite's graphs do.
 Result<void> load_plugins_of_bench(const bench::BenchOrder& order,
@@ -93,7 +80,7 @@ Result<bench::BenchPlan> make_plan(
   }
   auto plan = bench::plan_bench(*suite, changes, configs, stages::all());
   if (!plan.ok()) return plan.error();
-  const auto program = program_text();
+  const auto program = program_fingerprint();
   if (!program.ok()) return program.error();
   plan->configuration["clew"] = *program;
   // Results of another plug-in are no results of this one.

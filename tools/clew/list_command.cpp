@@ -123,7 +123,7 @@ int list_files(const ListOptions& options) {
 int list_topics(const ListOptions& options) {
   std::vector<std::string> known;
   bool found = false;
-  for (const ordered_json& topic : topics_json()) {
+  for (const ordered_json& topic : json_of_topics()) {
     const auto name = topic["topic"].get<std::string>();
     known.push_back(name);
     if (!options.name.empty() && name != options.name) continue;

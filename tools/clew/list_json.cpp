@@ -82,7 +82,7 @@ ordered_json json_of(const runtime::StageInfo& stage, const std::string& part,
   return json;
 }
 
-ordered_json topics_json() {
+ordered_json json_of_topics() {
   ordered_json topics = ordered_json::array();
   for (const domain::Topic topic : domain::kAllTopics) {
     std::vector<std::string> writers;

@@ -15,6 +15,6 @@ nlohmann::ordered_json json_of(const runtime::StageInfo& stage, const std::strin
                                const std::string& name);
 
 /// The topics that the stages exchange: name, type, who writes it and who reads it.
-nlohmann::ordered_json topics_json();
+nlohmann::ordered_json json_of_topics();
 
 }  // namespace clew::tools

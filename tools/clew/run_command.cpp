@@ -80,6 +80,9 @@ Result<void> check_options(const RunOptions& options) {
     return Error{core::unknown_name("choice", options.on_record_error, kOnRecordError),
                  "--on-record-error", 0, 0};
   }
+  if (!options.pace.empty()) {
+    if (const auto speed = read_pace(options.pace); !speed.ok()) return speed.error();
+  }
   return {};
 }
 

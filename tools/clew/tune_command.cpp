@@ -12,9 +12,10 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/own_program.hpp"
 #include "clew/plugin_options.hpp"
 #include "clew/terminal.hpp"
-#include "clew/version.hpp"
+#include "runtime/plugin_list.hpp"
 #include "stages/all.hpp"
 #include "tune/tune.hpp"
 
@@ -110,7 +111,12 @@ int tune_command(TuneCommandOptions& options) {
   how.jobs = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
   how.directory = options.out;
   how.restart = options.force;
-  how.configuration["clew"] = CLEW_VERSION;
+  const auto program = program_fingerprint();
+  if (!program.ok()) return complain(program.error());
+  how.configuration["clew"] = *program;
+  for (const auto& plugin : runtime::loaded_plugins()) {
+    how.configuration["plugin " + plugin.name] = plugin.digest;
+  }
   how.progress = terminal_progress();
   const auto tuned = tune::tune(*space, {configs, stages::all()}, how);
   if (how.progress) std::fputs("\r\033[K", stderr);

@@ -65,7 +65,7 @@ void validate(const TuneSpace& space, const TuneRuns& runs, Tuned& tuned) {
     }
   }
   tuned.median_gain = bench::quantile(gains, 0.5);
-  tuned.gain_interval = bench::median_interval(gains);
+  tuned.gain_interval = bench::quantile_interval(gains, 0.5);
 }
 
 }  // namespace

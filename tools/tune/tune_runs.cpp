@@ -30,10 +30,8 @@ std::string text_of(const Settings& settings) {
 /// What the results of a run depend on, besides its settings, world's name and seed.
 bench::Configuration configuration_of(const TuneSpace& space, const TuneOptions& options) {
   bench::Configuration configuration = options.configuration;
-  const hunt::GraphChoice& graph = space.graph;
-  configuration["graph"] = graph.graph + " with " + text_of(graph.with) + " set " +
-                           text_of(graph.set) + " robot " + graph.robot.value_or("") + " ticks " +
-                           std::to_string(graph.max_ticks.value_or(0));
+  configuration["graph " + space.graph.graph] = space.graph_digest;
+  configuration["max_ticks"] = std::to_string(space.graph.max_ticks.value_or(0));
   for (const TuneWorlds* worlds : {&space.tuning, &space.validation}) {
     for (const TuneWorld& world : worlds->worlds) {
       configuration["world " + world.name] = core::hash128(world.text).hex();
@@ -46,7 +44,8 @@ bench::Configuration configuration_of(const TuneSpace& space, const TuneOptions&
 Result<void> check_header(const std::string& line, const bench::Configuration& now,
                           const std::string& path) {
   const auto json = ordered_json::parse(line, nullptr, false);
-  if (!json.is_object() || json.value("format", "") != kFormat || !json.contains("configuration")) {
+  const bool is_ours = json.is_object() && json.contains("format") && json["format"] == kFormat;
+  if (!is_ours || !json.contains("configuration")) {
     return Error{std::string("is no file of results; expected format ") + kFormat, path, 1, 0};
   }
   bench::Configuration made_with;
@@ -106,7 +105,7 @@ Result<void> TuneRuns::take(const std::string& line, int number) {
           json.at("seed").get<std::uint64_t>()}] = {json.at("success").get<bool>(),
                                                     json.at("cost").get<double>()};
   } catch (const nlohmann::json::exception&) {
-    return Error{"is no run: " + line, file_.path(), number, 0};
+    return Error{"is no line of a run", file_.path(), number, 0};
   }
   return {};
 }
@@ -122,7 +121,8 @@ Result<std::string> TuneRuns::run(const Order& order) const {
   const hunt::FieldValues& values = (*outcome)->values;
   const std::string word = values.word(hunt::Field::kOutcome);
   const bool success = values[hunt::Field::kSuccess].value_or(0.0) != 0.0;
-  const auto ratio = word == "reached" ? values[hunt::Field::kPathRatio] : std::nullopt;
+  std::optional<double> ratio;
+  if (word == "reached") ratio = values[hunt::Field::kPathRatio];
   return ordered_json({{"settings", text_of(order.settings)},
                        {"world", order.world->name},
                        {"seed", order.seed},

@@ -6,6 +6,7 @@
 
 #include "bench/bench_plan.hpp"
 #include "bench/suite.hpp"
+#include "core/hash128.hpp"
 #include "trap_worlds/generated_world.hpp"
 
 namespace clew::tune {
@@ -81,6 +82,18 @@ Result<void> check_is_another(const TuneSpace& space, const std::string& suite) 
   return {};
 }
 
+/// What the runs depend on besides worlds and searched settings: graph, robot, rule bases, ...
+Result<std::string> digest_of_graph(const TuneSpace& space, const hunt::Workshop& workshop) {
+  const TuneWorld& world = space.tuning.worlds.front();
+  const auto plan = hunt::plan_case({space.graph, world.text, world.name, 1}, workshop);
+  if (!plan.ok()) return plan.error();
+  std::string content;
+  for (const auto& [name, text] : plan->bundle) {
+    if (name != "world.yaml") content += name + '\n' + text + '\n';
+  }
+  return core::hash128(content).hex();
+}
+
 Result<void> check_ends(const TuneSpace& space, const hunt::Workshop& workshop) {
   for (const double share : {0.0, 1.0}) {
     hunt::RunCase which{space.graph, space.tuning.worlds.front().text,
@@ -125,6 +138,9 @@ Result<TuneSpace> make_space(const TuneRequest& request, const runtime::ConfigPa
         request.suite, 0, 0};
   }
   CLEW_RETURN_IF_ERROR(check_ends(space, {configs, stages}));
+  auto digest = digest_of_graph(space, {configs, stages});
+  if (!digest.ok()) return digest.error();
+  space.graph_digest = std::move(digest).value();
   return space;
 }
 

@@ -38,6 +38,7 @@ struct TuneWorlds {
 
 struct TuneSpace {
   hunt::GraphChoice graph;
+  std::string graph_digest;  ///< of all that the graph is made of, but its world
   std::vector<hunt::ParameterRange> ranges;
   TuneWorlds tuning;
   TuneWorlds validation;  ///< none of them is a world to tune in

@@ -51,19 +51,21 @@ export class Insides {
     if (!wanted) return this.say("Insides are computed from recordings. This run is under way; they can be asked for once it is recorded.");
     if (this.session.playing) return this.say("Pause to see the insides of a tick.");
     const key = `${wanted.recording} ${wanted.tick}`;
-    if (key === this.asked) return;
+    // Whoever waits asks of another tick or run.
     window.clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.ask(key, wanted), kPatience_ms);
+    if (key === this.asked) return;
+    const run = this.session.run;
+    this.timer = window.setTimeout(() => void this.ask(key, run, wanted), kPatience_ms);
   }
 
-  private async ask(key: string, wanted: { recording: number; tick: number }): Promise<void> {
+  private async ask(key: string, run: Run | undefined, wanted: { recording: number; tick: number }): Promise<void> {
     this.asked = key;
     this.body.setAttribute("aria-busy", "true");
     try {
       const told = await ask_insides(wanted);
       if (this.asked !== key) return;
       this.told = told;
-      this.told_of = { run: this.session.run, tick: wanted.tick };
+      this.told_of = { run, tick: wanted.tick };
       this.draw();
       this.show_on_map();
     } catch (error) {

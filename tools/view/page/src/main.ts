@@ -152,6 +152,7 @@ async function add_what_if(): Promise<void> {
 async function open_served(id: number, name: string): Promise<Run> {
   const run = await open(name, (recording, on_piece) => read_served(id, recording, on_piece));
   run.served = id;
+  session.tell("runs");
   return run;
 }
 
