@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Giving way to moving objects, in pairs: for paper-table.
 
-Each run has its pair, the same graph in the same world without the reaction `give_way`.
+Each run has its pair in the same world: `any_sensor`, which is the graph `give_way` without classifier
+and reaction, and moves as `give_way` does without its reaction.
 """
 import dataclasses
 
 GRAPH = "give_way"
-WITHOUT = ["--with", "control.reaction="]
+WITHOUT = "any_sensor"
 SUITE = "crowds"
 CONTROLLERS = {
     "fuzzy_behaviourist": [],
