@@ -85,7 +85,8 @@ void ObjectTracks::forget(std::uint64_t tick) {
   for (std::size_t t = 0; t < state_.tracks.size(); ++t) {
     Track& track = state_.tracks[t];
     auto& sightings = track.sightings;
-    if (elapsed_s(sightings[sightings.size() - 1].tick, tick) > parameters_.lost_s) continue;
+    const double unseen_s = elapsed_s(sightings[sightings.size() - 1].tick, tick);
+    if (unseen_s > parameters_.lost_s + 0.5 * tick_s_) continue;
     std::size_t first = 0;
     while (first + 1 < sightings.size() &&
            elapsed_s(sightings[first].tick, tick) > parameters_.window_s + 0.5 * tick_s_) {
