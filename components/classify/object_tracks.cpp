@@ -79,17 +79,19 @@ void ObjectTracks::see(std::uint64_t tick, Track& track, std::size_t object) {
   track.width_m = widths_m_[object];
 }
 
-/// Drops tracks that were not seen for too long, and sightings before the window.
+/// Drops tracks that were not seen for too long, and sightings before the window, which ends with
+/// the last one.
 void ObjectTracks::forget(std::uint64_t tick) {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < state_.tracks.size(); ++t) {
     Track& track = state_.tracks[t];
     auto& sightings = track.sightings;
-    const double unseen_s = elapsed_s(sightings[sightings.size() - 1].tick, tick);
+    const std::uint64_t seen = sightings[sightings.size() - 1].tick;
+    const double unseen_s = elapsed_s(seen, tick);
     if (unseen_s > parameters_.lost_s + 0.5 * tick_s_) continue;
     std::size_t first = 0;
     while (first + 1 < sightings.size() &&
-           elapsed_s(sightings[first].tick, tick) > parameters_.window_s + 0.5 * tick_s_) {
+           elapsed_s(sightings[first].tick, seen) > parameters_.window_s + 0.5 * tick_s_) {
       ++first;
     }
     for (std::size_t i = first; i < sightings.size(); ++i) sightings[i - first] = sightings[i];
