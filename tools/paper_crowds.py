@@ -11,7 +11,6 @@ WITHOUT = "any_sensor"
 SUITE = "crowds"
 CONTROLLERS = {
     "fuzzy_behaviourist": [],
-    "krishna_kalra_fuzzy": ["--with", "control=krishna_kalra_fuzzy"],
     "nearest_virtual_target": ["--with", "control=nearest_virtual_target"],
     "polar_neural_map": ["--with", "control=polar_neural_map", "--with", "drive=unicycle"],
 }
