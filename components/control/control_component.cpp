@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "control/scan_overlay.hpp"
+#include "runtime/on_demand.hpp"
 
 namespace clew::control {
 
@@ -15,15 +16,18 @@ std::vector<runtime::PortInfo> ControlComponent::ports() {
       runtime::required_input(Topic::kScan, "what is around"),
       runtime::optional_input(Topic::kGuidance, "the active target, and what recovery asks for"),
       runtime::fallback_input(Topic::kTarget, Topic::kGuidance, "the mission's target"),
+      runtime::on_demand_input(Topic::kLandmark, "what moves around the robot"),
       runtime::output(Topic::kCommand, "the motion for this tick")};
 }
 
 ControlComponent::ControlComponent(std::unique_ptr<Controller> controller,
                                    const ControlParameters& parameters,
-                                   const runtime::RunSetup& setup)
+                                   const runtime::RunSetup& setup,
+                                   std::vector<NamedReaction> reactions)
     : controller_(std::move(controller)),
       approach_(parameters.approach, setup.behaviour),
       guard_(parameters.guard, setup.behaviour),
+      reactions_(std::move(reactions)),
       radius_m_(setup.behaviour.robot.radius_m) {}
 
 void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
@@ -40,39 +44,62 @@ void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
   if (guidance != nullptr) {
     overlay_virtual_obstacles(*guidance, odometry.pose_odom_robot, radius_m_, seen_);
   }
+  motion = steer(inputs, guidance);
+}
+
+/// What recovery, the final approach or the controller wants, after reactions and guard.
+domain::Motion ControlComponent::steer(const runtime::TickInputs& inputs,
+                                       const domain::Guidance* guidance) {
+  const auto& odometry = inputs.get<domain::Odometry>();
+  reacted_.reset();
   if (guidance != nullptr && guidance->has_override) {
     decider_ = Decider::kRecovery;
     wanted_ = guidance->override_motion;
-    motion = guard_.limit(wanted_, odometry, seen_);
-    return;
+  } else {
+    const core::Vec2 target_odom = guidance != nullptr
+                                       ? core::Vec2(guidance->target_x_m, guidance->target_y_m)
+                                       : inputs.get<domain::Target>().position();
+    if (const auto motion = approach(inputs, guidance, target_odom)) return *motion;
+    decider_ = Decider::kController;
+    wanted_ = controller_->step(odometry, seen_, target_odom);
   }
-  const core::Vec2 target_odom = guidance != nullptr
-                                     ? core::Vec2(guidance->target_x_m, guidance->target_y_m)
-                                     : inputs.get<domain::Target>().position();
-  motion = steer(odometry, guidance, target_odom);
+  asked_ = react(inputs).value_or(wanted_);
+  return guard_.limit(asked_, odometry, seen_);
 }
 
-/// The final approach where it can, else the controller.
-domain::Motion ControlComponent::steer(const domain::Odometry& odometry,
-                                       const domain::Guidance* guidance,
-                                       const core::Vec2& target_odom) {
-  if (guidance == nullptr || !guidance->target_is_virtual) {
-    if (const auto straight = approach_.step(odometry, seen_, target_odom)) {
-      const auto cut = guard_.cut_step(*straight, odometry, seen_, approach_.needs());
-      decider_ = Decider::kApproach;
-      wanted_ = *straight;
-      if (cut) return *cut;
-      approach_.hold(odometry);
-    }
+/// The motion of the final approach; nothing where the controller must steer.
+std::optional<domain::Motion> ControlComponent::approach(const runtime::TickInputs& inputs,
+                                                         const domain::Guidance* guidance,
+                                                         const core::Vec2& target_odom) {
+  if (guidance != nullptr && guidance->target_is_virtual) return std::nullopt;
+  const auto& odometry = inputs.get<domain::Odometry>();
+  const auto straight = approach_.step(odometry, seen_, target_odom);
+  if (!straight) return std::nullopt;
+  decider_ = Decider::kApproach;
+  wanted_ = *straight;
+  asked_ = react(inputs).value_or(wanted_);
+  if (reacted_) return guard_.limit(asked_, odometry, seen_);
+  const auto cut = guard_.cut_step(wanted_, odometry, seen_, approach_.needs());
+  if (!cut) approach_.hold(odometry);
+  return cut;
+}
+
+/// The motion of the first reaction that does not let the wanted one pass.
+std::optional<domain::Motion> ControlComponent::react(const runtime::TickInputs& inputs) {
+  for (std::size_t i = 0; i < reactions_.size(); ++i) {
+    auto other = reactions_[i].reaction->react(inputs.get<domain::Odometry>(), seen_,
+                                               inputs.get<domain::Landmark>(), wanted_);
+    if (!other) continue;
+    reacted_ = i;
+    return other;
   }
-  decider_ = Decider::kController;
-  wanted_ = controller_->step(odometry, seen_, target_odom);
-  return guard_.limit(wanted_, odometry, seen_);
+  return std::nullopt;
 }
 
 void ControlComponent::save(core::StateWriter& writer) const {
   writer(guard_.state(), approach_.state());
   controller_->save(writer);
+  for (const NamedReaction& one : reactions_) one.reaction->save(writer);
 }
 
 void ControlComponent::load(core::StateReader& reader) {
@@ -80,6 +107,7 @@ void ControlComponent::load(core::StateReader& reader) {
   const auto side = guard_.state().turning_side;
   if (!reader.check(-1 <= side && side <= 1, "there is no such side")) guard_.state() = {};
   controller_->load(reader);
+  for (const NamedReaction& one : reactions_) one.reaction->load(reader);
 }
 
 }  // namespace clew::control

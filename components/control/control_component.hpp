@@ -2,10 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "control/controller.hpp"
 #include "control/final_approach.hpp"
+#include "control/reactions/reaction.hpp"
 #include "control/step_guard.hpp"
 #include "runtime/component.hpp"
 #include "runtime/stage.hpp"
@@ -26,13 +29,19 @@ void visit_parameters(Visitor& visit, ControlParameters& p) {
 /// Turns the active target and the scan into a motion. What recovery asks for is done here, not
 /// in the controller, so that any escape goes with any controller: its virtual obstacles are
 /// applied to the scan, its override replaces the controller's motion, *unreachable* becomes giving
-/// up. Near the target the final approach steers in its place. The step guard has the last word.
+/// up. Near the target the final approach steers in its place. The first reaction that asks for
+/// another motion than these has it. The step guard has the last word.
 class ControlComponent final : public runtime::Component {
  public:
+  struct NamedReaction {
+    std::string name;
+    std::unique_ptr<Reaction> reaction;
+  };
+
   static std::vector<runtime::PortInfo> ports();
 
   ControlComponent(std::unique_ptr<Controller> controller, const ControlParameters& parameters,
-                   const runtime::RunSetup& setup);
+                   const runtime::RunSetup& setup, std::vector<NamedReaction> reactions = {});
 
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
   void save(core::StateWriter& writer) const override;
@@ -47,17 +56,24 @@ class ControlComponent final : public runtime::Component {
                   domain::Inside& inside) const;
   void tell_decision(const domain::Odometry& odometry, const core::Vec2& target_odom,
                      domain::Inside& inside) const;
+  void tell_reactions(const runtime::TickInputs& samples, domain::Inside& inside) const;
   void tell_guard(const domain::Motion& motion, domain::Inside& inside) const;
-  domain::Motion steer(const domain::Odometry& odometry, const domain::Guidance* guidance,
-                       const core::Vec2& target_odom);
+  std::optional<domain::Motion> react(const runtime::TickInputs& inputs);
+  std::optional<domain::Motion> approach(const runtime::TickInputs& inputs,
+                                         const domain::Guidance* guidance,
+                                         const core::Vec2& target_odom);
+  domain::Motion steer(const runtime::TickInputs& inputs, const domain::Guidance* guidance);
 
   std::unique_ptr<Controller> controller_;
   FinalApproach approach_;
   StepGuard guard_;
+  std::vector<NamedReaction> reactions_;
   double radius_m_;
   // Scratch, of the last step.
   domain::Scan seen_;      // the scan with virtual obstacles in it
-  domain::Motion wanted_;  // before the guard
+  domain::Motion wanted_;  // before reactions and guard
+  domain::Motion asked_;   // before the guard
+  std::optional<std::size_t> reacted_;
   Decider decider_ = Decider::kNobody;
 };
 

@@ -41,6 +41,7 @@ void ControlComponent::tell(const runtime::TickInputs& samples, domain::Inside& 
       {"active target", domain::PictureLayer::Kind::kGoal, {}, {target_odom}});
   tell_sight(odometry, samples.get<domain::Scan>(), inside);
   tell_decision(odometry, target_odom, inside);
+  tell_reactions(samples, inside);
   tell_guard(motion, inside);
 }
 
@@ -102,8 +103,27 @@ void ControlComponent::tell_decision(const domain::Odometry& odometry,
   inside.values.text("asked_for", domain::say_motion(wanted_));
 }
 
+void ControlComponent::tell_reactions(const runtime::TickInputs& samples,
+                                      domain::Inside& inside) const {
+  for (std::size_t i = 0; i < reactions_.size() && i <= reacted_.value_or(i); ++i) {
+    domain::Inside part;
+    reactions_[i].reaction->tell(samples.get<domain::Odometry>(), seen_,
+                                 samples.get<domain::Landmark>(), wanted_, part);
+    const bool acted = reacted_ == i;
+    inside.say(part.text);
+    if (acted) {
+      inside.say("So " + reactions_[i].name + " asks to " + domain::say_motion(asked_) + ".");
+    }
+    for (auto& layer : part.picture.layers) inside.picture.layers.push_back(std::move(layer));
+    domain::InsideGroup& item = inside.values.item("reaction");
+    item.text("name", reactions_[i].name);
+    item.flag("acted", acted);
+    for (const domain::InsideValue& value : part.values.values()) item.put(value);
+  }
+}
+
 void ControlComponent::tell_guard(const domain::Motion& motion, domain::Inside& inside) const {
-  const bool kept = same_motion(motion, wanted_);
+  const bool kept = same_motion(motion, asked_);
   domain::InsideGroup& guard = inside.values.group("step_guard");
   guard.flag("changed_the_motion", !kept);
   guard.number("turning_side", guard_.state().turning_side);

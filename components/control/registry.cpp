@@ -8,6 +8,7 @@
 #include "control/infrared/neuro_fuzzy.hpp"
 #include "control/polar/polar_neural_map.hpp"
 #include "control/pursuit/regulated_pure_pursuit.hpp"
+#include "control/reactions/give_way.hpp"
 
 namespace clew::control {
 
@@ -32,6 +33,18 @@ runtime::Registry<Controller>& controllers() {
       runtime::registration<Controller, RegulatedPurePursuit>(
           "regulated_pure_pursuit",
           "pursues a place on a path, slower where that is due (Macenski et al. 2023)"),
+  };
+  return registry;
+}
+
+runtime::Registry<Reaction>& reactions() {
+  static const runtime::TopicSet landmark =
+      runtime::TopicSet().set(index_of(domain::Topic::kLandmark));
+  static runtime::Registry<Reaction> registry = {
+      runtime::registration<Reaction, GiveWay>(
+          "give_way",
+          "gives way to what moving_objects recognises (the outlook of Krishna & Kalra 2000)",
+          landmark),
   };
   return registry;
 }

@@ -81,10 +81,13 @@ std::vector<runtime::PortInfo> RecoverComponent::ports() {
 void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto& target = inputs.get<domain::Target>();
   const core::Vec2 target_odom = target.position();
+  const auto* landmark = inputs.find<domain::Landmark>();
+  // Without a vector, recognitions are of moving objects, which are no places.
+  if (landmark != nullptr && !landmark->presented) landmark = nullptr;
   const Situation situation{inputs.tick(),
                             inputs.get<domain::Odometry>(),
                             inputs.get<domain::Scan>(),
-                            inputs.find<domain::Landmark>(),
+                            landmark,
                             target_odom,
                             state_.virtual_target_odom.value_or(target_odom),
                             target.radius_m,

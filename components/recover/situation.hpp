@@ -14,7 +14,7 @@ struct Situation {
   std::uint64_t tick = 0;
   const domain::Odometry& odometry;
   const domain::Scan& scan;
-  const domain::Landmark* landmark = nullptr;  ///< null if nobody classifies
+  const domain::Landmark* landmark = nullptr;  ///< null if no vector was presented
   core::Vec2 target_odom;                      ///< the mission's
   core::Vec2 pursued_odom;       ///< the active target in the tick before: an escape's own, or that
   double target_radius_m = 0.0;  ///< arrival within this distance of the mission's

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "runtime/on_demand.hpp"
+
 namespace clew::runtime {
 namespace {
 
@@ -29,32 +31,55 @@ Result<TopicSet> written_topics(const Graph& graph, PortInfo::Need need) {
   return written;
 }
 
-Result<void> check_needs(const GraphStage& stage, const TopicSet& written) {
+// Calls `see(part, variant)` for each behaviour that a stage's configuration chooses.
+template <typename See>
+void for_each_choice(const GraphStage& stage, const See& see) {
   for (const PartInfo& part : stage.info->parts) {
     const auto chosen = stage.config.parts.find(part.name);
     if (chosen == stage.config.parts.end()) continue;
     for (const PartChoice& choice : chosen->second) {
       for (const VariantInfo& variant : part.variants) {
-        const TopicSet missing = variant.needs & ~written;
-        if (variant.name != choice.name || missing.none()) continue;
-        std::string topics;
-        for (Topic topic : domain::kAllTopics) {
-          if (missing[index_of(topic)]) topics += (topics.empty() ? "" : ", ") + quoted(topic);
-        }
-        return stage.place.error(stage.info->name + '.' + part.name + " '" + choice.name +
-                                 "' needs " + topics + ", and no stage of this graph writes it");
+        if (variant.name == choice.name) see(part, variant);
       }
     }
   }
+}
+
+Result<void> check_needs(const GraphStage& stage, const TopicSet& written) {
+  std::string unmet;
+  for_each_choice(stage, [&](const PartInfo& part, const VariantInfo& variant) {
+    const TopicSet missing = variant.needs & ~written;
+    if (!unmet.empty() || missing.none()) return;
+    std::string topics;
+    for (Topic topic : domain::kAllTopics) {
+      if (missing[index_of(topic)]) topics += (topics.empty() ? "" : ", ") + quoted(topic);
+    }
+    unmet = stage.info->name + '.' + part.name + " '" + variant.name + "' needs " + topics +
+            ", and no stage of this graph writes it";
+  });
+  if (!unmet.empty()) return stage.place.error(unmet);
   return {};
+}
+
+// Reads what the chosen behaviours need and is there for it.
+void wire_on_demand(GraphStage& stage, const TopicSet& written) {
+  TopicSet needed;
+  for_each_choice(stage,
+                  [&](const PartInfo&, const VariantInfo& variant) { needed |= variant.needs; });
+  for (const PortInfo& port : stage.info->ports) {
+    const std::size_t index = index_of(port.topic);
+    if (is_on_demand(port) && needed[index] && written[index]) stage.ports.inputs.set(index);
+  }
 }
 
 Result<void> check_ports(GraphStage& stage, const TopicSet& written, const TopicSet& taken_over,
                          Graph& graph) {
   stage.ports = resolve_ports(*stage.info, written, taken_over);
+  wire_on_demand(stage, written);
   for (const PortInfo& port : stage.info->ports) {
     const bool is_written = written[index_of(port.topic)];
     if (port.direction == PortInfo::Direction::kOutput || is_written) continue;
+    if (is_on_demand(port)) continue;  // if it is needed, check_needs says who needs it
     if (port.need == PortInfo::Need::kOptional) {
       graph.unwired.push_back(stage.info->name + '.' + std::string(domain::topic_name(port.topic)));
       continue;

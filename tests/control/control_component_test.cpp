@@ -28,13 +28,26 @@ class Recorder final : public Controller {
   core::Vec2 target = core::Vec2::Zero();
 };
 
+/// Turns in place of any motion ahead while something is recognised.
+class Shy final : public Reaction {
+ public:
+  std::optional<domain::Motion> react(const domain::Odometry&, const domain::Scan&,
+                                      const domain::Landmark& landmark,
+                                      const domain::Motion& wanted) override {
+    if (landmark.recognitions.empty() || wanted.step_m == 0.0) return std::nullopt;
+    domain::Motion motion;
+    motion.kind = CommandKind::kTurnAndStep;
+    motion.turn_rad = 0.5;
+    return motion;
+  }
+  void save(core::StateWriter&) const override {}
+  void load(core::StateReader&) override {}
+};
+
 class ControlComponentTest : public ::testing::Test {
  protected:
   ControlComponentTest() {
-    auto controller = std::make_unique<Recorder>();
-    controller_ = controller.get();
-    component_ = std::make_unique<ControlComponent>(std::move(controller), ControlParameters{},
-                                                    runtime::RunSetup{});
+    make({});
     auto& scan = std::get<domain::Scan>(messages_);
     scan.bearing_first_rad = core::radians(45.0);
     scan.bearing_step_rad = core::radians(-15.0);
@@ -47,6 +60,20 @@ class ControlComponentTest : public ::testing::Test {
       inputs_.set(index_of(topic));
     }
     command_.set(index_of(Topic::kCommand));
+  }
+
+  void make(std::vector<ControlComponent::NamedReaction> reactions) {
+    auto controller = std::make_unique<Recorder>();
+    controller_ = controller.get();
+    component_ = std::make_unique<ControlComponent>(std::move(controller), ControlParameters{},
+                                                    runtime::RunSetup{}, std::move(reactions));
+  }
+  void make_shy() {
+    std::vector<ControlComponent::NamedReaction> reactions;
+    reactions.push_back({"shy", std::make_unique<Shy>()});
+    make(std::move(reactions));
+    inputs_.set(index_of(Topic::kLandmark));
+    std::get<domain::Landmark>(messages_).recognitions.push_back({});
   }
 
   domain::Guidance& guidance() { return std::get<domain::Guidance>(messages_); }
@@ -106,6 +133,41 @@ TEST_F(ControlComponentTest, GuardsAnOverrideToo) {
 
   // 0.27 m from the centre, less radius and margin of 0.2 m.
   EXPECT_NEAR(step().step_m, 0.07, 1e-12);
+}
+
+TEST_F(ControlComponentTest, AReactionTakesThePlaceOfTheController) {
+  make_shy();
+
+  const domain::Motion motion = step();
+
+  EXPECT_EQ(controller_->calls, 1);
+  EXPECT_EQ(motion.turn_rad, 0.5);
+  EXPECT_EQ(motion.step_m, 0.0);
+}
+
+TEST_F(ControlComponentTest, AReactionTakesThePlaceOfAnOverrideToo) {
+  make_shy();
+  guidance().has_override = true;
+  guidance().override_motion.kind = CommandKind::kTurnAndStep;
+  guidance().override_motion.step_m = 0.1;
+
+  EXPECT_EQ(step().turn_rad, 0.5);
+}
+
+TEST_F(ControlComponentTest, AReactionTakesThePlaceOfTheFinalApproach) {
+  make_shy();
+  guidance().target_x_m = 1.0;
+
+  EXPECT_EQ(step().turn_rad, 0.5);
+  EXPECT_EQ(controller_->calls, 0);
+}
+
+TEST_F(ControlComponentTest, WhatAReactionLetsPassIsDone) {
+  make_shy();
+  std::get<domain::Landmark>(messages_).recognitions.clear();
+
+  EXPECT_EQ(step().turn_rad, 0.0);
+  EXPECT_GT(step().step_m, 0.0);
 }
 
 TEST_F(ControlComponentTest, GivesUpWhatIsUnreachable) {

@@ -5,6 +5,8 @@
 
 #include <deque>
 
+#include "runtime/on_demand.hpp"
+
 namespace clew::runtime {
 namespace {
 
@@ -185,6 +187,31 @@ TEST_F(Wiring, RefusesAPartThatMissesATopicAndNamesBothSides) {
 
   add("classify", {output(Topic::kLandmark, "")});
   EXPECT_EQ(wire_it(), "wired");
+}
+
+TEST_F(Wiring, WiresAnInputOnDemandOnlyForABehaviourThatNeedsIt) {
+  const VariantInfo heeds{"heeds", "", {}, TopicSet().set(index_of(Topic::kLandmark))};
+  add("classify", {output(Topic::kLandmark, "")});
+  add("control", {on_demand_input(Topic::kLandmark, ""), output(Topic::kCommand, "")},
+      {{"reaction", true, {heeds}}}, {{"reaction", {}}});
+
+  EXPECT_EQ(wire_it(), "wired");
+  EXPECT_TRUE(graph_.readers_of(Topic::kLandmark).empty());
+
+  graph_.stages[1].config.parts["reaction"] = {{"heeds", {}}};
+  EXPECT_EQ(wire_it(), "wired");
+  ASSERT_EQ(graph_.readers_of(Topic::kLandmark).size(), 1u);
+  EXPECT_EQ(graph_.readers_of(Topic::kLandmark).front()->info->name, "control");
+}
+
+TEST_F(Wiring, RefusesABehaviourWhoseInputOnDemandNobodyWrites) {
+  const VariantInfo heeds{"heeds", "", {}, TopicSet().set(index_of(Topic::kLandmark))};
+  add("control", {on_demand_input(Topic::kLandmark, ""), output(Topic::kCommand, "")},
+      {{"reaction", true, {heeds}}}, {{"reaction", {{"heeds", {}}}}});
+
+  EXPECT_EQ(wire_it(),
+            "control.reaction 'heeds' needs 'landmark', and no stage of this graph writes it");
+  EXPECT_TRUE(graph_.unwired.empty());
 }
 
 }  // namespace

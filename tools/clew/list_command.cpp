@@ -12,6 +12,7 @@
 #include "core/nearest_name.hpp"
 #include "core/yaml_reader.hpp"
 #include "runtime/config_source.hpp"
+#include "runtime/on_demand.hpp"
 #include "runtime/plugin_list.hpp"
 #include "runtime/stage.hpp"
 #include "stages/all.hpp"
@@ -51,7 +52,9 @@ void print_parameters(const std::vector<core::ParameterInfo>& infos) {
 void print_port(const PortInfo& port) {
   std::string kind = port.direction == PortInfo::Direction::kOutput ? "out" : "in";
   if (port.need == PortInfo::Need::kOptional) kind += ", optional";
-  if (port.need == PortInfo::Need::kFallback) {
+  if (runtime::is_on_demand(port)) {
+    kind += ", if a behaviour needs it";
+  } else if (port.need == PortInfo::Need::kFallback) {
     kind += port.direction == PortInfo::Direction::kOutput
                 ? ", if no other stage writes it"
                 : ", if there is no " + std::string(domain::topic_name(port.instead_of));

@@ -90,6 +90,7 @@ class TrackReader {
   }
 
   void enter_landmark(RunTrack& track) {
+    if (!landmark_->presented) return;
     for (const auto& recognition : landmark_->recognitions) {
       track.landmarks.push_back({state_->pose_world_robot.position(), recognition.network});
     }

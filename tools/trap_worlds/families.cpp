@@ -43,7 +43,8 @@ const std::vector<Family>& families() {
        draw_rooms},
       {"maze", "maze of corridors 0.9 m wide, with loops", true, Claim::kByChance, draw_maze},
       {"mix", "rooms, corridors 0.9 m wide, doors, openings and furniture", true, Claim::kByChance,
-       draw_mix}};
+       draw_mix},
+      {"crowd", "hall in which people walk to and fro", true, Claim::kByChance, draw_crowd}};
   return all;
 }
 

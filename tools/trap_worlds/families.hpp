@@ -74,4 +74,8 @@ WorldDraft draw_rooms(Dice& dice, double depth_m);
 WorldDraft draw_maze(Dice& dice, double depth_m);
 WorldDraft draw_mix(Dice& dice, double depth_m);
 
+// Halls in which people walk from place to place for three minutes and then stand at a side wall.
+// There are the more of them the greater the depth.
+WorldDraft draw_crowd(Dice& dice, double depth_m);
+
 }  // namespace clew::trap_worlds

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "control/reactions/give_way.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace clew::control {
+namespace {
+
+using core::Vec2;
+using domain::MovingObject;
+using domain::ObjectMotion;
+
+constexpr double kRange_m = 4.0;
+constexpr double kRobot_m = 0.15;
+constexpr double kTick_s = 0.3;
+constexpr double kSpeed_mps = 0.4;
+
+domain::BehaviourSetup setup() {
+  domain::BehaviourSetup setup;
+  setup.tick_s = kTick_s;
+  setup.robot.radius_m = kRobot_m;
+  setup.limits.speed_mps = kSpeed_mps;
+  setup.limits.turn_rate_radps = core::radians(100.0);
+  return setup;
+}
+
+/// A robot that wants to go straight ahead at full speed, in the open.
+class GiveWayTest : public ::testing::Test {
+ protected:
+  GiveWayTest() : reaction_({}, setup()) {
+    scan_.bearing_first_rad = 0.5 * core::kPi;
+    scan_.bearing_step_rad = -core::kPi / 360.0;
+    scan_.range_max_m = kRange_m;
+    scan_.ranges_m.assign(361, kRange_m);
+    wanted_.kind = domain::CommandKind::kTurnAndStep;
+    wanted_.step_m = kSpeed_mps * kTick_s;
+  }
+
+  /// Something at `now` that moves steadily, seen as `motion`.
+  void see(ObjectMotion motion, const Vec2& now, const Vec2& velocity_mps) {
+    MovingObject object;
+    object.motion = motion;
+    object.bearing_rad = std::atan2(now.y(), now.x());
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double before_s = 0.5 * static_cast<double>(2 - i);
+      object.ranges_m[i] = (now - before_s * velocity_mps).norm() - kRobot_m;
+    }
+    landmark_.recognitions.push_back(domain::to_recognition(object, kRange_m));
+  }
+  std::optional<domain::Motion> react() { return reaction_.react({}, scan_, landmark_, wanted_); }
+
+  GiveWay reaction_;
+  domain::Scan scan_;
+  domain::Landmark landmark_;
+  domain::Motion wanted_;
+};
+
+TEST_F(GiveWayTest, NothingAroundLetsTheMotionPass) { EXPECT_FALSE(react().has_value()); }
+
+TEST_F(GiveWayTest, WhatRecedesOrStandsLetsItPass) {
+  see(ObjectMotion::kReceding, {0.8, 0.0}, {0.5, 0.0});
+  see(ObjectMotion::kStatic, {0.9, 0.2}, {0.0, 0.0});
+
+  EXPECT_FALSE(react().has_value());
+}
+
+TEST_F(GiveWayTest, GoesAsideForWhatApproaches) {
+  // They would meet after 2 s. To keep 0.25 m of room at 0.4 m/s the robot must leave the line.
+  see(ObjectMotion::kApproaching, {2.0, 0.0}, {-0.6, 0.0});
+
+  const auto motion = react();
+
+  ASSERT_TRUE(motion.has_value());
+  EXPECT_GE(std::fabs(motion->turn_rad), core::radians(14.0));
+}
+
+TEST_F(GiveWayTest, PassesBehindOrWaitsForWhatCrosses) {
+  // It crosses to the left and would be ahead of the robot when that is there: after 2.5 s.
+  see(ObjectMotion::kCrossingLeft, {1.0, -1.25}, {0.0, 0.5});
+
+  const auto motion = react();
+
+  // A turn to the left would run along with it.
+  ASSERT_TRUE(motion.has_value());
+  EXPECT_TRUE(motion->turn_rad < 0.0 || motion->step_m == 0.0) << motion->turn_rad;
+}
+
+TEST_F(GiveWayTest, WhatCrossesBehindLetsItPass) {
+  see(ObjectMotion::kCrossingLeft, {-1.5, -1.0}, {0.0, 0.5});
+
+  EXPECT_FALSE(react().has_value());
+}
+
+TEST_F(GiveWayTest, WhatComesLaterThanTheHorizonLetsItPass) {
+  // 3 s at 0.4 + 0.1 m/s leave 3.5 - 1.5 m between the centres.
+  see(ObjectMotion::kApproaching, {3.5, 0.0}, {-0.1, 0.0});
+
+  EXPECT_FALSE(react().has_value());
+}
+
+TEST_F(GiveWayTest, DoesNotGoAsideIntoAWall) {
+  // A corridor 0.8 m wide: aside is no room, so it does not leave its line for a wall.
+  see(ObjectMotion::kApproaching, {1.6, 0.0}, {-0.6, 0.0});
+  for (std::size_t i = 0; i < scan_.ranges_m.size(); ++i) {
+    const double across = std::fabs(std::sin(scan_.bearing_rad(i)));
+    if (across > 0.15) scan_.ranges_m[i] = std::min(kRange_m, 0.4 / across - kRobot_m);
+  }
+
+  const auto motion = react();
+
+  ASSERT_TRUE(motion.has_value());
+  const bool goes = motion->step_m > 0.0;
+  EXPECT_TRUE(!goes || std::fabs(motion->turn_rad) < core::radians(45.0)) << motion->turn_rad;
+}
+
+TEST_F(GiveWayTest, LandmarksAreNoMovingObjects) {
+  see(ObjectMotion::kApproaching, {1.0, 0.0}, {-0.6, 0.0});
+  landmark_.presented = true;
+
+  EXPECT_FALSE(react().has_value());
+}
+
+TEST_F(GiveWayTest, AMotionInVelocitiesIsJudgedAlike) {
+  see(ObjectMotion::kApproaching, {2.0, 0.0}, {-0.6, 0.0});
+  wanted_ = {};
+  wanted_.kind = domain::CommandKind::kVelocities;
+  wanted_.speed_mps = kSpeed_mps;
+
+  EXPECT_TRUE(react().has_value());
+}
+
+}  // namespace
+}  // namespace clew::control
