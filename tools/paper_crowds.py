@@ -12,7 +12,6 @@ SUITE = "crowds"
 CONTROLLERS = {
     "fuzzy_behaviourist": [],
     "nearest_virtual_target": ["--with", "control=nearest_virtual_target"],
-    "polar_neural_map": ["--with", "control=polar_neural_map", "--with", "drive=unicycle"],
 }
 # With the world's start and moved ones.
 SHIPPED = ["lm-text-walking-people", "moving-crossing"]
