@@ -12,9 +12,11 @@ PERIOD_S = 0.02
 
 
 def role(pid):
-    """What a process of a run is: `run`, `recorder`, or its stage."""
+    """What a process of a run is: `run`, `recorder`, or its stage; empty before it is any of these."""
     words = command_line(pid)
-    return words[3] if words[1:2] == ["component"] else (words[1:2] or [""])[0]
+    if words[1:2] == ["component"]:
+        return words[3]
+    return words[1] if words[1:2] in (["run"], ["recorder"]) else ""
 
 
 def peak_kib(pid):
