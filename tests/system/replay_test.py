@@ -53,7 +53,7 @@ class Info(Recordings):
         self.assertEqual(info["hash"], self.report["hash"])
         self.assertEqual(info["recorded_hash"], self.report["hash"])
         self.assertEqual((info["world"], info["robot"], info["seed"]), ("comb", "disc-015", 1))
-        self.assertEqual(info["stages"]["control"], {"behaviour": ["krishna_kalra_fuzzy"]})
+        self.assertEqual(info["stages"]["control"], {"behaviour": ["krishna_kalra_fuzzy"], "reaction": []})
         self.assertEqual([topic["topic"] for topic in info["topics"]],
                          ["command", "odometry", "scan", "state", "target"])
         for topic in info["topics"]:
