@@ -141,7 +141,10 @@ TEST_P(EveryFamily, IsAsSolvableAndAsLongAsItsFilesSay) {
 
     EXPECT_EQ(world.solvable(), GetParam().solvable);
     EXPECT_EQ(length_m.has_value(), GetParam().solvable);
-    EXPECT_EQ(world.shortest_path_m().has_value(), GetParam().solvable && world.moving().empty());
+    // Where something moves, the way of the walls may or may not be told.
+    if (world.moving().empty()) {
+      EXPECT_EQ(world.shortest_path_m().has_value(), GetParam().solvable);
+    }
     if (!length_m || !world.shortest_path_m()) continue;
     // Eight directions are at most 8.3 % longer, corners at most a step each, and the flood ends at
     // the target's rim.
