@@ -8,6 +8,8 @@ namespace clew::map {
 namespace {
 
 constexpr double kPieceCells = 64.0;
+// Of a grid over what was seen: 200 m x 200 m of cells of 50 mm.
+constexpr double kMostCells = 1 << 24;
 
 /// Falls from narrow_cost to 1 between touching and comfortable.
 double narrow_cost(const Inflation& inflation, double distance_m) {
@@ -45,30 +47,30 @@ CostmapBuilder::CostmapBuilder(const Inflation& inflation, double seen_cell_m)
   suspected_cost_[NearestMarks::kFar] = 1.0F;
 }
 
+/// What lies far away is left out if it makes the grid too large.
 Grid CostmapBuilder::grid_over(const SeenMap& seen, const Vec2& from, const Vec2& to,
                                double margin_m, double reach_m) const {
   Vec2 least = from.cwiseMin(to);
   Vec2 most = from.cwiseMax(to);
+  double farthest_m = 0.0;
   for (const auto& [key, tile] : seen.state().tiles) {
     const Vec2 corner(key.first * seen.tile_m(), key.second * seen.tile_m());
-    if (seen.distance_m(key, from) > reach_m) continue;
+    const double distance_m = seen.distance_m(key, from);
+    if (distance_m > reach_m) continue;
+    farthest_m = std::max(farthest_m, distance_m);
     least = least.cwiseMin(corner);
     most = most.cwiseMax(corner + Vec2(seen.tile_m(), seen.tile_m()));
   }
   // In whole pieces: so the grid seldom grows.
   const double piece_m = kPieceCells * cell_m_;
-  const auto first = [&](double at_m) {
-    return kPieceCells * std::floor((at_m - margin_m) / piece_m);
-  };
-  const auto end = [&](double at_m) {
-    return kPieceCells * std::ceil((at_m + margin_m) / piece_m);
-  };
-  Grid grid;
-  grid.cell_m = cell_m_;
-  grid.corner = cell_m_ * Vec2(first(least.x()), first(least.y()));
-  grid.columns = static_cast<std::int32_t>(end(most.x()) - first(least.x()));
-  grid.rows = static_cast<std::int32_t>(end(most.y()) - first(least.y()));
-  return grid;
+  const Vec2 first = ((least.array() - margin_m) / piece_m).floor() * kPieceCells;
+  const Vec2 end = ((most.array() + margin_m) / piece_m).ceil() * kPieceCells;
+  const Vec2 cells = end - first;
+  if (cells.x() * cells.y() > kMostCells && farthest_m > margin_m) {
+    return grid_over(seen, from, to, margin_m, 0.5 * farthest_m);
+  }
+  return {cell_m_ * first, cell_m_, static_cast<std::int32_t>(cells.x()),
+          static_cast<std::int32_t>(cells.y())};
 }
 
 const Costmap& CostmapBuilder::update(const SeenMap& seen, const Vec2& from, const Vec2& to,

@@ -71,7 +71,7 @@ class CostmapBuilder {
   CostmapBuilder(const Inflation& inflation, double seen_cell_m);
 
   /// The costs over all that was seen within `reach_m` of `from`, and at least `margin_m` around it
-  /// and around both places.
+  /// and around both places. The reach is less where the grid would have more than 2^24 cells.
   const Costmap& update(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m,
                         double reach_m = std::numeric_limits<double>::infinity());
   /// Until the next update, a cell costs this, whatever was seen.

@@ -95,6 +95,22 @@ TEST(CostmapBuilder, TakesInAnotherMapThatItIsGiven) {
   expect_same(found, anew.update(second, {0.3, 0.2}, {2.0, 0.0}, kMargin_m), 0);
 }
 
+/// Such a place comes from a state that somebody made up, or from odometry that jumps.
+TEST(CostmapBuilder, LeavesOutWhatMakesTheGridTooLarge) {
+  RandomSights sights(5);
+  SeenMap seen(kCell_m, 400);
+  sights.look({0.0, 0.0}, seen);
+  CostmapBuilder builder(inflation(), kCell_m);
+  CostmapBuilder anew(inflation(), kCell_m);
+  const Costmap& expected = anew.update(seen, {0.0, 0.0}, {2.0, 0.0}, kMargin_m);
+
+  for (const Vec2& far : {Vec2(3000.0, 3000.0), Vec2(-1e7, 1e7), Vec2(1e9, 1e9)}) {
+    SeenMap wide = seen;
+    wide.mark_hit(far);
+    expect_same(builder.update(wide, {0.0, 0.0}, {2.0, 0.0}, kMargin_m), expected, 0);
+  }
+}
+
 /// Every hit within reach, looked at one by one.
 TEST(CostmapBuilder, KeepsTheDistanceToTheNearestHit) {
   RandomSights sights(3);
