@@ -16,7 +16,11 @@ ASAN_CLEW = os.environ.get("CLEW_ASAN_COMMAND", str(SOURCE / "build-asan" / "cle
 THIRD_PARTY = pathlib.Path(os.environ.get("CLEW_THIRD_PARTY", SOURCE / "build/tests/third_party"))
 SOAK = os.environ.get("CLEW_SOAK") == "1"
 # Other builds of the command, which must give the same bytes.
-OTHER_BUILDS = {"debug": DEBUG_CLEW, **({"sanitized": ASAN_CLEW} if SOAK else {})}
+OTHER_BUILDS = {"sanitized": ASAN_CLEW, **({"debug": DEBUG_CLEW} if SOAK else {})}
+# Of the libraries, not of ours: see tests/leaks_of_libraries.txt and cmake/ClewTests.cmake.
+os.environ.setdefault("ASAN_OPTIONS", "new_delete_type_mismatch=0")
+os.environ.setdefault("LSAN_OPTIONS",
+                      f"suppressions={SOURCE / 'tests' / 'leaks_of_libraries.txt'}")
 TIMEOUT_S = 120
 
 # Every way to run a graph, which must make no difference to a single byte.

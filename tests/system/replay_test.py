@@ -258,7 +258,7 @@ class Builds(unittest.TestCase):
 def registered_behaviours():
     """All that `clew list` knows, as --with takes them: `recover.detector=none`."""
     listed = "".join(Run(["list", stage]).out
-                     for stage in ("drive", "sense", "classify", "recover", "control"))
+                     for stage in ("drive", "sense", "classify", "recover", "plan", "control"))
     return [f"{part}={name}" for part, name in re.findall(r"^  (\w+\.\w+) (\w+): ", listed, re.M)]
 
 

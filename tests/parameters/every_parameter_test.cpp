@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "../recording/scratch_directory.hpp"
-#include "every_behaviour.hpp"
-#include "recorded_run.hpp"
+#include "../replay/every_behaviour.hpp"
+#include "../replay/recorded_run.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/recorded_plan.hpp"
 #include "run/sample_account.hpp"
@@ -165,7 +165,7 @@ std::optional<runtime::RunPlan> changed_to(const RunRecording& recording,
 
 /// Each parameter that has no effect in any trial, with the reason.
 std::map<std::string, std::string> without_effect() {
-  std::ifstream stream(tests::source_path("tests/replay/parameters_without_effect.txt"));
+  std::ifstream stream(tests::source_path("tests/parameters/parameters_without_effect.txt"));
   std::map<std::string, std::string> reasons;
   for (std::string line; std::getline(stream, line);) {
     const std::size_t colon = line.find(": ");
