@@ -34,7 +34,7 @@ add_compile_options($<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}/
   $<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_BINARY_DIR}/=build/>)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2")
 set(CMAKE_C_FLAGS_RELEASE "-O2")
-# In a debugger every argument and local has its value, and macros are known. tools/test asks for
+# In a debugger every argument and local has its value, and macros are known. tools/soak asks for
 # -Og -g1 instead, since it runs whole missions, which take forty times as long without optimisation.
 set(CLEW_DEBUG_FLAGS "-O0 -g3" CACHE STRING "Compiler flags of Debug builds")
 set(CMAKE_CXX_FLAGS_DEBUG "${CLEW_DEBUG_FLAGS}")
@@ -44,9 +44,13 @@ set(CMAKE_C_FLAGS_RELWITHDEBINFO "-O2 -g")
 
 set(CLEW_SANITIZE "" CACHE STRING "Sanitizers, as in -fsanitize=")
 if(CLEW_SANITIZE)
-  # A sanitizer's report needs lines only, and its suite runs whole missions.
-  set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
-  set(CMAKE_C_FLAGS_DEBUG "-O1 -g1")
+  # A sanitizer's report needs lines only. Whole missions run with ASan, none with ThreadSanitizer.
+  set(level -O1)
+  if(CLEW_SANITIZE STREQUAL "thread")
+    set(level -O0)
+  endif()
+  set(CMAKE_CXX_FLAGS_DEBUG "${level} -g1")
+  set(CMAKE_C_FLAGS_DEBUG "${level} -g1")
   add_compile_options(-fsanitize=${CLEW_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   # A null pointer traps by itself, and x86 reads what is not aligned; these checks take a third of the
   # time to compile.
@@ -67,11 +71,15 @@ target_compile_options(clew_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow
 # What nearly every file of ours includes, parsed once for all targets.
 set(CLEW_PRECOMPILED <Eigen/Core> <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory>
   <optional> <string> <string_view> <variant> <vector>)
-add_library(clew_precompiled STATIC ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
-target_precompile_headers(clew_precompiled PRIVATE ${CLEW_PRECOMPILED})
-target_link_libraries(clew_precompiled PUBLIC Eigen3::Eigen PRIVATE clew_warnings)
-# A sum of products has one order, whatever vector unit a machine has.
-target_compile_definitions(clew_precompiled PUBLIC EIGEN_DONT_VECTORIZE)
+function(clew_precompile name)
+  add_library(${name} STATIC ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+  target_precompile_headers(${name} PRIVATE ${CLEW_PRECOMPILED})
+  target_link_libraries(${name} PUBLIC Eigen3::Eigen PRIVATE clew_warnings)
+  # A sum of products has one order, whatever vector unit a machine has.
+  target_compile_definitions(${name} PUBLIC EIGEN_DONT_VECTORIZE)
+endfunction()
+clew_precompile(clew_precompiled)
+set(CLEW_PRECOMPILED_BY clew_precompiled)
 
 # clew_library(<folder name> SOURCES ... [LINK ...] [PRIVATE_LINK ...])
 # One static library a folder, clew_<name>, alias clew::<name>. Headers are included by their path
@@ -83,7 +91,7 @@ function(clew_library name)
   target_include_directories(clew_${name} PUBLIC "$<BUILD_INTERFACE:${CLEW_INCLUDE_ROOT}>")
   target_link_libraries(clew_${name} PUBLIC ${ARG_LINK}
     PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:clew_warnings>)
-  target_precompile_headers(clew_${name} REUSE_FROM clew_precompiled)
+  target_precompile_headers(clew_${name} REUSE_FROM ${CLEW_PRECOMPILED_BY})
 endfunction()
 
 # Where programs look for the modules that they load: in the build tree beside the command, as seen
@@ -106,7 +114,7 @@ function(clew_module name)
   target_include_directories(clew_${name}_module PRIVATE ${CLEW_INCLUDE_ROOT})
   target_link_libraries(clew_${name}_module PRIVATE ${ARG_LINK} clew_warnings)
   target_link_options(clew_${name}_module PRIVATE -Wl,-z,now)
-  target_precompile_headers(clew_${name}_module REUSE_FROM clew_precompiled)
+  target_precompile_headers(clew_${name}_module REUSE_FROM ${CLEW_PRECOMPILED_BY})
   set_target_properties(clew_${name}_module PROPERTIES OUTPUT_NAME clew-${name}
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 endfunction()

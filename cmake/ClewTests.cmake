@@ -10,11 +10,6 @@ add_library(clew_precompiled_tests STATIC ${CMAKE_CURRENT_LIST_DIR}/precompiled.
 target_precompile_headers(clew_precompiled_tests PRIVATE ${CLEW_PRECOMPILED} <fstream> <gtest/gtest.h>)
 target_link_libraries(clew_precompiled_tests PUBLIC GTest::gtest clew_precompiled
   PRIVATE clew_warnings)
-# What a sanitizer is to watch are the libraries. A test that runs once is not worth optimising.
-if(CLEW_SANITIZE)
-  set(CLEW_TEST_OPTIONS -O0)
-endif()
-target_compile_options(clew_precompiled_tests PRIVATE ${CLEW_TEST_OPTIONS})
 
 # clew_test(<folder> [EVERY_TEST] SOURCES ... LINK ... [LABELS ...])
 # One test executable a folder, clew_<folder>_test. Every TEST of it is a CTest; or the executable is
@@ -33,7 +28,6 @@ function(clew_test name)
     clew_precompiled_tests clew_warnings)
   target_precompile_headers(clew_${name}_test REUSE_FROM clew_precompiled_tests)
   target_include_directories(clew_${name}_test PRIVATE ${PROJECT_SOURCE_DIR})
-  target_compile_options(clew_${name}_test PRIVATE ${CLEW_TEST_OPTIONS})
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
   endif()
