@@ -147,16 +147,10 @@ void LocalPath::refuse(const Vec2& place_odom) {
 }
 
 void LocalPath::close_refused(const Grid& grid) {
-  const auto reach = static_cast<std::int32_t>(std::ceil(kRefused_m / grid.cell_m));
   for (const Vec2& place : state_.refused_odom) {
-    const auto middle = grid.cell_at(place);
-    if (!middle) continue;
-    for (std::int32_t rows = -reach; rows <= reach; ++rows) {
-      for (std::int32_t columns = -reach; columns <= reach; ++columns) {
-        const Cell cell{middle->column + columns, middle->row + rows};
-        if (!grid.contains(cell) || core::length(grid.centre(cell) - place) > kRefused_m) continue;
-        finder_->costs.overrule(grid.index(cell), Costmap::kBlocked, Clearance::kNone);
-      }
+    cells_within(grid, place, kRefused_m, cells_);
+    for (const Cell& cell : cells_) {
+      finder_->costs.overrule(grid.index(cell), Costmap::kBlocked, Clearance::kNone);
     }
   }
 }

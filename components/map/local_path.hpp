@@ -122,6 +122,7 @@ class LocalPath {
   PathFinders own_finders_;
   PathFinder* finder_ = nullptr;  // chosen when the first path is sought
   std::vector<Vec2> hits_odom_;   // memory to work in
+  std::vector<Cell> cells_;       // the same
   State state_;
 };
 

@@ -25,6 +25,10 @@ struct Situation {
   const core::Pose2& pose() const { return odometry.pose_odom_robot; }
   double target_bearing_rad() const { return core::bearing_rad(pose(), target_odom); }
   double target_distance_m() const { return core::distance_m(pose(), target_odom); }
+  /// The same with another scan, as of fewer beams, and without a map.
+  Situation with(const domain::Scan& other) const {
+    return {tick, odometry, other, landmark, target_odom, pursued_odom, target_radius_m};
+  }
   /// The path to the mission's target over what was seen; with a local map only.
   map::PathRequest path_request() const {
     return {tick, pose().position(), target_odom, target_radius_m, *local_map, path_finders};

@@ -35,15 +35,8 @@ ObstacleFollowing::ObstacleFollowing(const Parameters& parameters, const WallRul
       eyes_(parameters.range_m),
       loop_(parameters.same_place_m) {}
 
-/// The situation as seven cones see it.
-Situation ObstacleFollowing::as_seen(const Situation& situation) {
-  return {situation.tick,           situation.odometry,    eyes_.see(situation.scan),
-          situation.landmark,       situation.target_odom, situation.pursued_odom,
-          situation.target_radius_m};
-}
-
 void ObstacleFollowing::begin(const Situation& all, const TrapEvidence&) {
-  const Situation situation = as_seen(all);
+  const Situation situation = all.with(eyes_.see(all.scan));
   const double last_leave_m = state_.last_leave_m;
   state_ = {};
   state_.last_leave_m = last_leave_m;
@@ -60,7 +53,7 @@ void ObstacleFollowing::begin(const Situation& all, const TrapEvidence&) {
 }
 
 EscapeStatus ObstacleFollowing::step(const Situation& all, domain::Guidance& guidance) {
-  const Situation situation = as_seen(all);
+  const Situation situation = all.with(eyes_.see(all.scan));
   EscapeStatus status = EscapeStatus::kActive;
   if (state_.phase == Phase::kSeek) status = seek(situation);
   if (state_.phase == Phase::kFollow) status = follow(situation, guidance);

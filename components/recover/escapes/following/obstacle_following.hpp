@@ -128,7 +128,9 @@ class ObstacleFollowing final : public Escape {
   ObstacleFollowing(const Parameters& parameters, const WallRules& rules,
                     const domain::BehaviourSetup& setup);
 
-  void watch(const Situation& situation) override { leaving_.watch(as_seen(situation)); }
+  void watch(const Situation& situation) override {
+    leaving_.watch(situation.with(eyes_.see(situation.scan)));
+  }
   void begin(const Situation& situation, const TrapEvidence& evidence) override;
   EscapeStatus step(const Situation& situation, domain::Guidance& guidance) override;
   void tell(const Situation& situation, domain::Inside& inside) const override;
@@ -141,7 +143,6 @@ class ObstacleFollowing final : public Escape {
   void begin_turning(double turn_rad, const Situation& situation);
   void begin_following(const Situation& situation);
 
-  Situation as_seen(const Situation& situation);
   EscapeStatus seek(const Situation& situation);
   void turn_about(const Situation& situation, domain::Guidance& guidance);
   EscapeStatus follow(const Situation& situation, domain::Guidance& guidance);

@@ -16,15 +16,8 @@ core::Result<std::unique_ptr<TrackMode>> TrackMode::create(const Parameters& par
   return std::make_unique<TrackMode>(parameters, *rules);
 }
 
-/// The situation as seven cones see it.
-Situation TrackMode::as_seen(const Situation& situation) {
-  return {situation.tick,           situation.odometry,    eyes_.see(situation.scan),
-          situation.landmark,       situation.target_odom, situation.pursued_odom,
-          situation.target_radius_m};
-}
-
 void TrackMode::begin(const Situation& all, const TrapEvidence&) {
-  const Situation situation = as_seen(all);
+  const Situation situation = all.with(eyes_.see(all.scan));
   const Side target = side_of(situation.target_bearing_rad());
   const bool sees = follower_.sees_obstacle(situation.scan);
   state_ = {};
@@ -40,7 +33,7 @@ void TrackMode::begin_tracking(const Situation& situation) {
 }
 
 EscapeStatus TrackMode::step(const Situation& all, domain::Guidance& guidance) {
-  const Situation situation = as_seen(all);
+  const Situation situation = all.with(eyes_.see(all.scan));
   const double travel_m = situation.odometry.travel_m;
   const bool at_end = follower_.at_break(situation.scan, state_.wall);
   if (!at_end && !state_.at_wall) {

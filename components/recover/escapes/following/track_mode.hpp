@@ -84,7 +84,6 @@ class TrackMode final : public Escape {
   void load(core::StateReader& reader) override;
 
  private:
-  Situation as_seen(const Situation& situation);
   void begin_tracking(const Situation& situation);
   bool may_leave(const Situation& situation, bool at_end);
   bool crosses_line(const Situation& situation);
