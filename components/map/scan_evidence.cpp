@@ -18,6 +18,13 @@ struct RayGroup {
 };
 constexpr RayGroup kRayGroups[] = {
     {core::radians(6.0), HUGE_VAL}, {core::radians(24.0), 0.9}, {core::radians(96.0), 0.35}};
+/// From a bearing to the nearest of the rays, all of which have the same step between them.
+double to_nearest_ray_rad(const domain::Scan& scan, double bearing_rad) {
+  const double step_rad = scan.bearing_step_rad;
+  const double steps = core::wrap_angle_rad(bearing_rad - scan.bearing_rad(0)) / step_rad;
+  return std::fabs(steps - std::round(steps)) * std::fabs(step_rad);
+}
+
 // Where a contact is beyond the skin: the drive's bumpers feel within a centimetre.
 constexpr double kContactReach_m = 0.005;
 
@@ -43,20 +50,25 @@ void ScanEvidence::mark_free_parts(const core::Pose2& pose, const domain::Scan& 
                                    SeenMap& seen) const {
   const std::size_t count = scan.ranges_m.size();
   if (scan.beam_width_rad > 0.0) {
-    for (std::size_t i = 0; i < count; ++i) mark_between(pose, scan, i, i, HUGE_VAL, seen);
+    for (std::size_t i = 0; i < count; ++i) mark_between(pose, scan, i, i, HUGE_VAL, {}, seen);
     const bool side_by_side =
         std::fabs(scan.bearing_step_rad) <= scan.beam_width_rad * (1.0 + 1e-9);
     for (std::size_t i = 1; side_by_side && i < count; ++i) {
-      mark_between(pose, scan, i - 1, i, HUGE_VAL, seen);
+      mark_between(pose, scan, i - 1, i, HUGE_VAL, {}, seen);
     }
     return;
   }
   const double step_rad = std::fabs(scan.bearing_step_rad);
   if (count < 2 || step_rad > kMostBetweenRays_rad) return;
+  const SeenMap::IsGone is_gone = [&](const Vec2& place) {
+    return core::length(place - pose.position()) *
+               to_nearest_ray_rad(scan, core::bearing_rad(pose, place)) <=
+           0.5 * seen.cell_m();
+  };
   for (const RayGroup& wide : kRayGroups) {
     const auto group = static_cast<std::size_t>(std::max(2.0, wide.width_rad / step_rad));
     for (std::size_t i = 0; i + 1 < count; i += group / 2) {
-      mark_between(pose, scan, i, std::min(count - 1, i + group), wide.reach_m, seen);
+      mark_between(pose, scan, i, std::min(count - 1, i + group), wide.reach_m, is_gone, seen);
     }
   }
 }
@@ -65,7 +77,7 @@ void ScanEvidence::mark_free_parts(const core::Pose2& pose, const domain::Scan& 
 /// that of the other, or all of a single one.
 void ScanEvidence::mark_between(const core::Pose2& pose, const domain::Scan& scan,
                                 std::size_t first, std::size_t last, double reach_m,
-                                SeenMap& seen) const {
+                                const SeenMap::IsGone& is_gone, SeenMap& seen) const {
   const auto begin = scan.ranges_m.begin();
   const double shortest_m = *std::min_element(begin + static_cast<std::ptrdiff_t>(first),
                                               begin + static_cast<std::ptrdiff_t>(last) + 1);
@@ -77,7 +89,8 @@ void ScanEvidence::mark_between(const core::Pose2& pose, const domain::Scan& sca
   const double right_rad = std::min(scan.bearing_rad(first), scan.bearing_rad(last)) - widening_rad;
   const double opening_rad =
       std::fabs(scan.bearing_rad(last) - scan.bearing_rad(first)) + 2.0 * widening_rad;
-  seen.mark_free(Sector(pose.position(), radius_m, pose.heading_rad + right_rad, opening_rad));
+  seen.mark_free(Sector(pose.position(), radius_m, pose.heading_rad + right_rad, opening_rad),
+                 is_gone);
 }
 
 void ScanEvidence::mark_arc(const core::Pose2& pose, double distance_m, double bearing_rad,

@@ -17,8 +17,9 @@ namespace clew::map {
 ///
 /// Beams side by side are taken together at their borders, so that no cell is left out between
 /// them: two cones, or rays with at most a few degrees between them, are free as far as the
-/// shortest reading of their neighbours. Rays farther apart mark nothing free. The body's own disc
-/// is free, and contacts of the bumpers are hits on its skin.
+/// shortest reading of their neighbours. What was hit before is gone only where a ray went through
+/// its cell: the end of a wall, or one that a ray grazes, fits between two. Rays farther apart mark
+/// nothing free. The body's own disc is free, and contacts of the bumpers are hits on its skin.
 class ScanEvidence {
  public:
   struct Parameters {
@@ -34,7 +35,8 @@ class ScanEvidence {
  private:
   void mark_free_parts(const core::Pose2& pose, const domain::Scan& scan, SeenMap& seen) const;
   void mark_between(const core::Pose2& pose, const domain::Scan& scan, std::size_t first,
-                    std::size_t last, double reach_m, SeenMap& seen) const;
+                    std::size_t last, double reach_m, const SeenMap::IsGone& is_gone,
+                    SeenMap& seen) const;
   void mark_arc(const core::Pose2& pose, double distance_m, double bearing_rad, double width_rad,
                 SeenMap& seen) const;
 

@@ -23,21 +23,15 @@ double within_reach(double tiles) {
 
 std::size_t index(Mark mark) { return static_cast<std::size_t>(mark); }
 
-/// Marks the cells of a tile's row that lie wholly between two places, measured from
-/// the tile.
-void mark_row_free(SeenMap::Tile& tile, std::size_t row, double cell_m, double from_m,
-                   double to_m) {
+/// The cells of a tile's row that lie wholly between two places, measured from the tile.
+std::uint64_t cells_between(double cell_m, double from_m, double to_m) {
   const double from = std::max(0.0, from_m / cell_m);
   const double to = std::min<double>(SeenMap::kTileCells, to_m / cell_m);
-  if (!(from <= SeenMap::kTileCells - 1.0) || !(to >= 1.0)) return;
+  if (!(from <= SeenMap::kTileCells - 1.0) || !(to >= 1.0)) return 0;
   const auto whole = static_cast<std::int32_t>(from);
   const std::int32_t first = whole < from ? whole + 1 : whole;
   const std::int32_t last = static_cast<std::int32_t>(to) - 1;
-  if (first > last) return;
-  const std::uint64_t bits = bits_between(first, last);
-  tile.rows[index(Mark::kFree)][row] |= bits;
-  tile.rows[index(Mark::kHit)][row] &= ~bits;
-  tile.rows[index(Mark::kSuspected)][row] &= ~bits;
+  return first > last ? 0 : bits_between(first, last);
 }
 
 }  // namespace
@@ -69,7 +63,20 @@ SeenMap::Tile* SeenMap::tile_at(const TileKey& key) {
   return &state_.tiles[key];
 }
 
-void SeenMap::mark_free(const Sector& sector) {
+/// Takes the obstacles that are not gone out of what is to be marked in a row.
+void SeenMap::keep_obstacles(const TileKey& key, const Tile& tile, std::size_t row,
+                             const IsGone& is_gone, std::uint64_t& bits) const {
+  const Vec2 corner(key.first * tile_m(), key.second * tile_m());
+  std::uint64_t obstacles =
+      bits & (tile.rows[index(Mark::kHit)][row] | tile.rows[index(Mark::kSuspected)][row]);
+  for (; obstacles != 0; obstacles &= obstacles - 1) {
+    const int column = __builtin_ctzll(obstacles);
+    const Vec2 middle = corner + cell_m_ * Vec2(column + 0.5, static_cast<double>(row) + 0.5);
+    if (!is_gone(middle)) bits &= ~(std::uint64_t{1} << column);
+  }
+}
+
+void SeenMap::mark_free(const Sector& sector, const IsGone& is_gone) {
   const core::Vec2 least = sector.least();
   const core::Vec2 most = sector.most();
   // Where the lower sides of a row of tiles' rows cut the sector, and the upper side of the last.
@@ -90,8 +97,14 @@ void SeenMap::mark_free(const Sector& sector) {
       const double left_m = x * tile_m();
       for (std::size_t row = first_row; row < end; ++row) {
         // A convex set holds a cell if it holds the cell's lower and upper side.
-        mark_row_free(*tile, row, cell_m_, std::max(cuts[row].from, cuts[row + 1].from) - left_m,
-                      std::min(cuts[row].to, cuts[row + 1].to) - left_m);
+        std::uint64_t bits =
+            cells_between(cell_m_, std::max(cuts[row].from, cuts[row + 1].from) - left_m,
+                          std::min(cuts[row].to, cuts[row + 1].to) - left_m);
+        if (bits == 0) continue;
+        if (is_gone) keep_obstacles({x, y}, *tile, row, is_gone, bits);
+        tile->rows[index(Mark::kFree)][row] |= bits;
+        tile->rows[index(Mark::kHit)][row] &= ~bits;
+        tile->rows[index(Mark::kSuspected)][row] &= ~bits;
       }
     }
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -40,6 +41,7 @@ class SeenMap {
     std::array<std::array<std::uint64_t, kTileCells>, kMarks> rows{};
   };
   using TileKey = std::pair<std::int32_t, std::int32_t>;  ///< column and row of a tile
+  using IsGone = std::function<bool(const Vec2& place)>;  ///< empty: all are
   struct State {
     std::map<TileKey, Tile> tiles;
   };
@@ -50,8 +52,9 @@ class SeenMap {
   double cell_m() const { return cell_m_; }
   double tile_m() const { return cell_m_ * kTileCells; }
 
-  /// Marks the cells that lie wholly within the sector as free.
-  void mark_free(const Sector& sector);
+  /// Marks the cells that lie wholly within the sector as free; of those that are an obstacle, only
+  /// where `is_gone(middle of the cell)` is true.
+  void mark_free(const Sector& sector, const IsGone& is_gone = {});
   /// Marks the cell of a place as an obstacle, or as a suspected one.
   void mark_hit(const Vec2& place) { mark_obstacle(place, Mark::kHit); }
   /// Does nothing where an obstacle is known already.
@@ -93,6 +96,8 @@ class SeenMap {
   bool find_in(const TileKey& key, const Tile& tile, Mark mark, const Vec2& least, const Vec2& most,
                Predicate&& is_it) const;
   void mark_obstacle(const Vec2& place, Mark mark);
+  void keep_obstacles(const TileKey& key, const Tile& tile, std::size_t row, const IsGone& is_gone,
+                      std::uint64_t& bits) const;
 
   double cell_m_;
   std::size_t capacity_;

@@ -129,6 +129,23 @@ TEST_F(ScanEvidenceTest, WhatOutliersLeaveNearTheRobotIsSeenFreeByTheNextScan) {
   EXPECT_EQ(obstacles(Mark::kHit), 0);
 }
 
+/// At 3.9 m rays are 34 mm apart: the end of a wall, or one that they graze, fits between two.
+TEST_F(ScanEvidenceTest, WhatLiesBetweenTwoRaysIsNotGone) {
+  use_laser();
+  scan_.range_max_m = 4.0;
+  scan_.ranges_m.assign(361, 4.0);
+  stand(0.0, 0.0, -0.0673);  // rays 4.6 mm below and 29.5 mm above the axis, there
+  const Vec2 between(3.9125, 0.0125);
+  const Vec2 on_a_ray(3.9125, -0.0125);
+  seen_.mark_hit(between);
+  seen_.mark_hit(on_a_ray);
+
+  mark();
+
+  EXPECT_TRUE(seen_.is(Mark::kHit, between));
+  EXPECT_TRUE(seen_.is(Mark::kFree, on_a_ray));
+}
+
 TEST_F(ScanEvidenceTest, RaysFarApartTellNothingOfWhatIsBetween) {
   scan_.bearing_first_rad = core::radians(90.0);
   scan_.bearing_step_rad = core::radians(-90.0);
