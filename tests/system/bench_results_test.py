@@ -196,9 +196,10 @@ class Whole(Published):
 
             self.assert_published(own_lines(runs, report), text)
             for run in runs:
-                if "laser" in run["variant"] and run["world"] == "unsolvable-behind-wall":
-                    # It goes round and round, so no cut stands for proof_s: docs/notes/recover.md.
-                    self.assertEqual(run["outcome"], "timeout", run["variant"])
+                if run["world"] == "unsolvable-behind-wall" and run["variant"].endswith(
+                        "sense=laser(range_m=4) recover.escape=remembered_astar]"):
+                    # Its slits are told again and again: docs/notes/recover.md.
+                    self.assertEqual(run["outcome"], "timeout")
                 elif "cones" in run["variant"] or "laser" in run["variant"]:
                     self.assertTrue(run["success"], (suite, run["variant"], run["world"]))
 
