@@ -19,11 +19,14 @@ namespace {
 // Of what was written last, so many bytes are looked for again.
 constexpr std::size_t kTailBytes = 64;
 
-enum class PathKind { kMissing, kRegularFile, kDirectory, kDevice, kOther };
+enum class PathKind { kMissing, kRegularFile, kDirectory, kDevice, kLinkToNothing, kOther };
 
 PathKind kind_of(const std::string& path) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return PathKind::kMissing;
+  if (::stat(path.c_str(), &status) != 0) {
+    const bool is_there = ::lstat(path.c_str(), &status) == 0;
+    return is_there ? PathKind::kLinkToNothing : PathKind::kMissing;
+  }
   if (S_ISREG(status.st_mode)) return PathKind::kRegularFile;
   if (S_ISDIR(status.st_mode)) return PathKind::kDirectory;
   return S_ISCHR(status.st_mode) ? PathKind::kDevice : PathKind::kOther;
@@ -55,6 +58,10 @@ core::Result<void> OutputFile::reserve(const std::string& path, bool overwrite) 
   if (kind == PathKind::kDirectory) return error_at(path, "is a directory, a file is needed");
   if (kind == PathKind::kRegularFile && !overwrite) {
     return error_at(path, "exists; it is overwritten only with --force");
+  }
+  if (kind == PathKind::kLinkToNothing) {
+    return error_at(path,
+                    "is a symbolic link to what is not there; a recording is written to a file");
   }
   if (kind == PathKind::kOther) {
     return error_at(path, "is a pipe, a socket or a disk; a recording is written to a file");

@@ -138,6 +138,16 @@ class Swap(unittest.TestCase):
         self.assertIn("stopped by a command", err)
         self.assertIn(f"no run is called '{name}'", Run(["stop", name]).err)
 
+    def test_a_change_that_comes_after_the_end_is_told(self):
+        for layout in ([], ["--layout", "composed"]):
+            with self.subTest(layout=layout):
+                done = Run(["run", "reactive", "--max-ticks", "9", "--json", "--at", "5:goal=1,1",
+                            "--at", "50:goal=2,2", *layout])
+
+                self.assertEqual(done.status, 3, done.err)
+                self.assertEqual(done.report["notes"],
+                                 ["the change at tick 50 did not come to pass: the run ended at tick 9"])
+
     def test_what_cannot_be_changed_is_said_before_anything_starts(self):
         for change, why in (("5:drive=unicycle", "only its goal can be changed"),
                             ("5:sense=laser", "the scan would have other beams"),

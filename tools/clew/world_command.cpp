@@ -346,7 +346,7 @@ void add_world(CLI::App& main, int& status) {
   solve
       ->add_option("-o,--output", options->output,
                    "write the world with 'solvable' and 'shortest_path' filled in")
-      ->check(file_to_write());
+      ->check(given_name());
   solve->add_flag("--json", options->json, "print it as one JSON object");
   solve->callback([options, &status] { status = solve_command(*options); });
 
@@ -363,7 +363,7 @@ void add_world(CLI::App& main, int& status) {
   CLI::App* picture = add_part(*world, "picture", "Draw it with its traps", *options);
   picture->add_option("-o,--output", options->output, "FILE.svg, FILE.png or FILE.pdf")
       ->required()
-      ->check(file_to_write());
+      ->check(given_name());
   picture->callback([options, &status] { status = picture_command(*options); });
 }
 
