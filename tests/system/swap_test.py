@@ -116,6 +116,10 @@ class Swap(unittest.TestCase):
         late = Run(["swap", name, "control=krishna_kalra_fuzzy", "--at", "1"])
         self.assertEqual(late.status, 2)
         self.assertRegex(late.err, r"at tick \d+ already; the earliest is tick \d+")
+        never = Run(["goal", name, "1", "1", "--at", str(2**63 - 1)])
+        self.assertEqual(never.status, 2)
+        self.assertRegex(never.err, r"tick 9223372036854775807 never comes: the run ends at tick "
+                                    r"\d+, its max_ticks")
         self.assertEqual(Run(["resume", name]).status, 0)
         out, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 3, err)
