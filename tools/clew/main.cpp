@@ -14,6 +14,7 @@
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/stack_limit.hpp"
 #include "clew/train_commands.hpp"
 #include "clew/version.hpp"
 #include "core/nearest_name.hpp"
@@ -91,7 +92,9 @@ std::string parse_error_text(const CLI::ParseError& error) {
     const bool is_whole = found.find_first_not_of("+-0123456789") == std::string::npos;
     return fmt::format("{}: found '{}'; allowed: a {}number",
                        text.substr(converting.size(), value - converting.size()), found,
-                       !is_number ? "" : is_whole ? "smaller " : "whole ");
+                       !is_number ? ""
+                       : is_whole ? "smaller "
+                                  : "whole ");
   }
   const auto option = text.find(twice);
   if (option != std::string::npos) {
@@ -149,6 +152,7 @@ int complain_of_output(int number) {
 
 int main(int argc, char** argv) {
   using namespace clew::tools;
+  raise_small_stacks();
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   // Writing reports these instead: a reader that has gone, a file that has reached its limit.
   std::signal(SIGPIPE, SIG_IGN);
