@@ -318,7 +318,8 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
                               say(link, FrameType::kFatal));
   alive.emplace([&] {
     link.post(FrameType::kAlive,
-              Alive{host.is_stepping() || succession.is_busy(), host.step_times()});
+              Alive{host.is_stepping() || succession.is_busy(),
+                    host.processor_ns() + succession.processor_ns(), host.step_times()});
   });
   report_missing(barrier);
   const bool brings_to_rest = assignment.pace == Pace::kRealtime && host.starts_ticks();

@@ -265,11 +265,11 @@ void NodeHost::step() {
   runtime::TopicSet present = buffer_.take(messages_);
   if (rests_) present &= ~node_.ports().delayed_inputs;
   note_successions(tick);
-  stepping_ = true;
+  stepping_.begin();
   const Time began = Time::clock::now();
   node_.step(tick, present, messages_);
   steps_.add(Time::clock::now() - began);
-  stepping_ = false;
+  stepping_.end();
   publish();
   keep_tick(tick, present);
   const auto& truth = account_.statistics().truth;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -14,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "component/busy_thread.hpp"
 #include "component/input_history.hpp"
 #include "component/start_barrier.hpp"
 #include "dds/participant.hpp"
@@ -97,7 +97,9 @@ class NodeHost {
   const std::string& name() const { return name_; }
   bool starts_ticks() const { return node_.ports().delayed_inputs.any(); }
   /// Whether a step is under way. Does not wait for it.
-  bool is_stepping() const { return stepping_.load(); }
+  bool is_stepping() const { return stepping_.is_busy(); }
+  /// BusyThread's, of that step.
+  std::uint64_t processor_ns() const { return stepping_.processor_ns(); }
   /// How long its last steps took. Does not wait for one that is under way.
   StepTimes step_times() const { return steps_.times(); }
   /// Reports progress, and hands over what is spooled.
@@ -144,7 +146,7 @@ class NodeHost {
   Codecs codecs_;
   SampleAccount account_;
   TickClock clock_;
-  std::atomic<bool> stepping_{false};
+  BusyThread stepping_;
   RecentSteps steps_;
   bool started_ = false;
   bool rests_ = false;

@@ -161,6 +161,12 @@ bool ProcessHost::is_stepping() const {
                      [](const auto& host) { return host->is_stepping(); });
 }
 
+std::uint64_t ProcessHost::processor_ns() const {
+  std::uint64_t all = 0;
+  for (const auto& host : hosts_) all += host->processor_ns();
+  return all;
+}
+
 std::map<std::string, StepTimes> ProcessHost::step_times() const {
   std::map<std::string, StepTimes> times;
   for (const auto& host : hosts_) times.emplace(host->name(), host->step_times());

@@ -46,6 +46,8 @@ class ProcessHost {
   void poll(Time now);
   std::optional<Time> next_due() const;
   bool is_stepping() const;
+  /// BusyThread's, of all steps that are under way.
+  std::uint64_t processor_ns() const;
   /// By stage.
   std::map<std::string, StepTimes> step_times() const;
   void flush();

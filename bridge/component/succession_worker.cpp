@@ -45,7 +45,9 @@ void SuccessionWorker::work() {
     const domain::Intervention next = std::move(waiting_.front());
     waiting_.pop_front();
     lock.unlock();
+    work_.begin();
     change_all_hosts(next);
+    work_.end();
     lock.lock();
     busy_ = !waiting_.empty();
   }

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "component/busy_thread.hpp"
 #include "component/node_host.hpp"
 #include "runtime/intervention.hpp"
 
@@ -35,6 +36,8 @@ class SuccessionWorker {
   /// The run changes at a later tick. No host begins it before its node is there.
   void take(domain::Intervention intervention);
   bool is_busy() const { return busy_.load(); }
+  /// BusyThread's.
+  std::uint64_t processor_ns() const { return work_.processor_ns(); }
 
  private:
   void work();
@@ -52,7 +55,8 @@ class SuccessionWorker {
   std::condition_variable arrived_;
   std::deque<domain::Intervention> waiting_;
   bool ends_ = false;
-  std::atomic<bool> busy_{false};
+  std::atomic<bool> busy_{false};  ///< also while it has not begun yet
+  BusyThread work_;
   std::thread thread_;
 };
 

@@ -170,6 +170,7 @@ struct Waiting {
 
 struct Alive {
   bool busy = false;                            ///< with a step
+  std::uint64_t processor_ns = 0;               ///< of the threads that are busy, so far
   std::map<std::string, StepTimes> steps = {};  ///< by stage
 };
 
@@ -250,7 +251,7 @@ void visit_fields(V& v, Waiting& m) {
 }
 template <typename V>
 void visit_fields(V& v, Alive& m) {
-  v(m.busy, m.steps);
+  v(m.busy, m.processor_ns, m.steps);
 }
 template <typename V>
 void visit_fields(V& v, Progress& m) {

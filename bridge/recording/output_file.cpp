@@ -10,7 +10,9 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <utility>
 
 namespace clew::bridge::mcap {
@@ -19,14 +21,26 @@ namespace {
 // Of what was written last, so many bytes are looked for again.
 constexpr std::size_t kTailBytes = 64;
 
-enum class PathKind { kMissing, kRegularFile, kDirectory, kDevice, kOther };
+enum class PathKind { kMissing, kRegularFile, kDirectory, kDevice, kLinkToNothing, kOther };
 
 PathKind kind_of(const std::string& path) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return PathKind::kMissing;
+  if (::stat(path.c_str(), &status) != 0) {
+    const bool is_there = ::lstat(path.c_str(), &status) == 0;
+    return is_there ? PathKind::kLinkToNothing : PathKind::kMissing;
+  }
   if (S_ISREG(status.st_mode)) return PathKind::kRegularFile;
   if (S_ISDIR(status.st_mode)) return PathKind::kDirectory;
   return S_ISCHR(status.st_mode) ? PathKind::kDevice : PathKind::kOther;
+}
+
+/// The file that a path leads to: a symbolic link is written through, as by any program, and stays.
+std::string file_of(const std::string& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return path;
+  const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
+                                                         &std::free);
+  return real ? real.get() : path;
 }
 
 core::Error error_at(const std::string& path, const std::string& message) {
@@ -47,7 +61,7 @@ core::Error in_use(const std::string& path) {
 }  // namespace
 
 std::string OutputFile::temporary_name(const std::string& path) {
-  return kind_of(path) == PathKind::kDevice ? path : path + ".tmp~";
+  return kind_of(path) == PathKind::kDevice ? path : file_of(path) + ".tmp~";
 }
 
 core::Result<void> OutputFile::reserve(const std::string& path, bool overwrite) {
@@ -55,6 +69,10 @@ core::Result<void> OutputFile::reserve(const std::string& path, bool overwrite) 
   if (kind == PathKind::kDirectory) return error_at(path, "is a directory, a file is needed");
   if (kind == PathKind::kRegularFile && !overwrite) {
     return error_at(path, "exists; it is overwritten only with --force");
+  }
+  if (kind == PathKind::kLinkToNothing) {
+    return error_at(path,
+                    "is a symbolic link to what is not there; a recording is written to a file");
   }
   if (kind == PathKind::kOther) {
     return error_at(path, "is a pipe, a socket or a disk; a recording is written to a file");
@@ -263,11 +281,12 @@ core::Result<void> OutputFile::publish() {
 core::Result<void> OutputFile::give_name(const std::string& path, bool overwrite) {
   const std::string written_path = temporary_name(path);
   if (written_path == path) return {};
+  const std::string named = file_of(path);
   const unsigned flags = overwrite ? 0U : RENAME_NOREPLACE;
-  if (::renameat2(AT_FDCWD, written_path.c_str(), AT_FDCWD, path.c_str(), flags) == 0) return {};
+  if (::renameat2(AT_FDCWD, written_path.c_str(), AT_FDCWD, named.c_str(), flags) == 0) return {};
   // Not every file system can tell and rename at once.
   if (errno == EINVAL && kind_of(path) == PathKind::kMissing &&
-      std::rename(written_path.c_str(), path.c_str()) == 0) {
+      std::rename(written_path.c_str(), named.c_str()) == 0) {
     return {};
   }
   if (errno == EEXIST || errno == EINVAL) {

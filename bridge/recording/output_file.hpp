@@ -10,7 +10,8 @@
 namespace clew::bridge::mcap {
 
 /// A file that gets its name only when it is whole: it grows as `<path>.tmp~`, which publish()
-/// renames. A path that names a device or a pipe is written to directly. Destroyed before
+/// renames. A path that names a device or a pipe is written to directly, and a
+/// symbolic link stands for the file that it leads to. Destroyed before
 /// publish(), or after an error, it leaves what was written under the temporary name.
 class OutputFile {
  public:

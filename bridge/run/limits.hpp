@@ -43,6 +43,9 @@ inline constexpr auto kHeartbeatPeriod = std::chrono::milliseconds(100);
 /// lease ends for anybody, counted from its last announcement, up to 0.4 s before it froze: a
 /// participant that comes back after that may be known to some and forgotten by others for good.
 inline constexpr auto kFrozenAfter = std::chrono::seconds(1);
+/// A process that was killed so and then does not get further is given twice as long each time, up
+/// to half a minute: on a busy machine it was not frozen.
+inline constexpr std::uint32_t kMostDoublings = 5;
 /// In real time nothing is restarted, so a kill is the end of the run: while control is frozen, the
 /// robot rests.
 inline constexpr auto kRealtimeFrozenAfter = std::chrono::seconds(2);
@@ -57,7 +60,9 @@ inline constexpr auto kLonelyAfter = std::chrono::seconds(4);
 inline constexpr auto kStallTimeout = std::chrono::seconds(10);
 /// A third-party program that is asked for a line and does not answer is stuck, too.
 inline constexpr auto kLongestAnswer = std::chrono::seconds(10);
-/// Unless one of them says that it is busy with a step.
+/// Unless one of them says that it is busy with a step. A step may take as long as it uses
+/// processor time; one that has used none for so long waits for what does not come. As often is it
+/// told of a step that goes on.
 inline constexpr auto kLongestStep = std::chrono::seconds(60);
 
 // ---- what a line may carry ----

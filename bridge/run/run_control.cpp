@@ -54,6 +54,13 @@ Result<Intervention> RunControl::change(std::vector<std::string> changes, std::u
                        0,
                        0};
   }
+  if (tick > first_.graph.max_ticks) {
+    return core::Error{"tick " + std::to_string(tick) + " never comes: the run ends at tick " +
+                           std::to_string(first_.graph.max_ticks) + ", its max_ticks",
+                       {},
+                       0,
+                       0};
+  }
   Intervention intervention = runtime::planned_at(tick, std::move(changes));
   intervention.fed_from = std::max(intervention.fed_from, first_tick_);
   CLEW_RETURN_IF_ERROR(add(std::move(intervention)));

@@ -26,7 +26,7 @@ class RunControl {
   /// Plans changes before the run begins; those of one tick are one.
   core::Result<void> plan(std::vector<domain::Intervention> interventions);
   /// Changes the run from `tick` on. Refused, and nothing is changed: what runtime::change refuses,
-  /// and a tick at or before that of another change.
+  /// a tick at or before that of another change, and one after the run's last.
   core::Result<domain::Intervention> change(std::vector<std::string> changes, std::uint64_t tick);
   /// The first tick at which a change may follow those that are known.
   std::uint64_t next_free_tick() const;

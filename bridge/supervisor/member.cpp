@@ -48,6 +48,7 @@ void Member::note(const Frame& frame, std::chrono::steady_clock::time_point now)
   if (frame.type == FrameType::kPreparing) {
     if (const auto doing = frame.as<Text>()) missing = {doing->text};
     joined_at = now;
+    ++beats;
   } else if (frame.type == FrameType::kWaiting) {
     if (const auto waiting = frame.as<Waiting>()) {
       missing = waiting->missing;
@@ -61,7 +62,10 @@ void Member::note(const Frame& frame, std::chrono::steady_clock::time_point now)
     if (checkpoints.size() > kCheckpointsKept) checkpoints.pop_front();
   } else if (frame.type == FrameType::kAlive) {
     auto alive = frame.as<Alive>().value_or(Alive{});
+    ++beats;
+    if (alive.busy && alive.processor_ns != processor_ns) worked_at = now;
     busy = alive.busy;
+    processor_ns = alive.processor_ns;
     steps = std::move(alive.steps);
   } else if (frame.type == FrameType::kFinished) {
     finished = frame.as<Finished>();

@@ -37,12 +37,16 @@ struct Member {
   std::int64_t process_id = 0;       ///< of the process at the other end of its line
   std::vector<std::string> missing;  ///< what it still waits for
   bool ready = false;
-  bool busy = false;                       ///< with a step
+  bool busy = false;                                  ///< with a step
+  std::uint64_t processor_ns = 0;                     ///< that its busy threads have had
+  std::chrono::steady_clock::time_point worked_at{};  ///< when it had last had more of it
+  std::int64_t beats = 0;  ///< how often it has said that it lives, since the run last got on
   std::map<std::string, StepTimes> steps;  ///< by stage
   Progress progress;
   std::optional<Finished> finished;
   std::chrono::steady_clock::time_point joined_at{};  ///< when it began to wait for the others
   std::chrono::steady_clock::time_point heard_at{};
+  bool silence_told = false;  ///< that it has not been heard for long
   /// When its line broke; its process is about to end.
   std::optional<std::chrono::steady_clock::time_point> left_at;
   bool was_lonely = false;  ///< killed since it did not find the others
@@ -56,6 +60,8 @@ struct Member {
   std::chrono::steady_clock::time_point restart_at{};
   std::uint32_t restarts = 0;
   std::uint32_t deaths_in_place = 0;  ///< in a row without a tick more than the one before
+  std::uint32_t frozen_in_place = 0;  ///< likewise, how often it was killed since it did not report
+  std::uint64_t frozen_at = 0;        ///< ticks that it had done then
 
   /// Takes its place in a run that begins there.
   void begin(const ProcessStart& start);

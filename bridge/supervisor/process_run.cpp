@@ -17,6 +17,7 @@
 #include "supervisor/run_participants.hpp"
 #include "supervisor/supervisor.hpp"
 #include "supervisor/watchers.hpp"
+#include "vendors/loopback.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -67,6 +68,7 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
                                       const std::optional<RecordingOrder>& recording,
                                       const ProgressDisplay& display, const ProcessStart& start,
                                       RunControl* control, const WatchSamples& watch) {
+  CLEW_RETURN_IF_ERROR(check_loopback());
   const auto lock = DomainLock::take(layout.domain);
   if (!lock.ok()) return lock.error();
   std::optional<RunName> name;

@@ -83,7 +83,11 @@ std::vector<Member*> RestartPolicy::due(Time now) {
 std::vector<std::string> RestartPolicy::kill_frozen(Time now, Time::duration limit) {
   std::vector<std::string> lines;
   for (Member& member : members_) {
-    if (!member.link || !member.child || now - member.heard_at < limit) continue;
+    if (member.progress.ticks > member.frozen_at) member.frozen_in_place = 0;
+    const auto patience = limit * (1U << std::min(member.frozen_in_place, kMostDoublings));
+    if (!member.link || !member.child || now - member.heard_at < patience) continue;
+    member.frozen_at = member.progress.ticks;
+    ++member.frozen_in_place;
     lines.push_back(member.stage + " (process " + std::to_string(member.child->process_id()) +
                     ") does not report; killing it");
     member.child->signal(SIGKILL);

@@ -30,7 +30,8 @@ class RestartPolicy {
   /// The members whose processes are to be started now.
   std::vector<Member*> due(Time now);
   /// Kills processes that have not reported for `limit`: a frozen process cannot be waited for,
-  /// a dead one is restarted. Returns a line for the log for each.
+  /// a dead one is restarted. One that was killed so and got no further since is given twice as
+  /// long each time (kMostDoublings). Returns a line for the log for each.
   std::vector<std::string> kill_frozen(Time now, Time::duration limit);
   /// Kills processes that do not find the others although all of them have been there for four
   /// seconds, each once: discovery among processes that come and go can miss one, and then never

@@ -43,7 +43,8 @@ Supervisor::Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout
       live_control_(outside_.control, members_, layout.pace == Pace::kRealtime),
       started_at_(now),
       lead_(lead_of(plan, layout)),
-      credit_(start.next_tick + lead_) {
+      credit_(start.next_tick + lead_),
+      watched_at_(now) {
   for (Member& member : members_) {
     member.begin(start);
     if (outside_.control != nullptr) member.keep_inputs();
@@ -161,7 +162,7 @@ void Supervisor::serve_commands(Time now) {
   for (const domain::Intervention& change : live_control_.take_interventions()) {
     if (recording_) recording_->add(spooled(change), change.tick + 1);
   }
-  if (live_control_.holds()) stalled_since_ = now;
+  if (live_control_.holds()) got_on(now);
   if (!live_control_.stopped().empty()) end_at_rest(live_control_.stopped(), now);
 }
 
@@ -235,7 +236,7 @@ void Supervisor::handle(Member& member, Frame frame, Time now) {
 }
 
 void Supervisor::note_progress(Member& member, const Progress& progress, Time now) {
-  if (progress.ticks > member.progress.ticks) stalled_since_ = now;
+  if (progress.ticks > member.progress.ticks) got_on(now);
   member.progress = progress;
   if (progress.ticks >= member.lost_at) member.catching_up = false;
   if (member.starts_ticks) note_truth(progress.statistics, now);
@@ -256,7 +257,7 @@ void Supervisor::note_truth(const RunStatistics& statistics, Time now) {
 void Supervisor::note_observed(Time now) {
   for (Member& member : members_) {
     if (!member.third_party) continue;
-    if (observer_->ticks() > member.progress.ticks) stalled_since_ = now;
+    if (observer_->ticks() > member.progress.ticks) got_on(now);
     member.progress.ticks = observer_->ticks();
     if (!member.starts_ticks) continue;
     note_truth(observer_->statistics(), now);
@@ -281,7 +282,7 @@ void Supervisor::turn_recording(Time now) {
   recording_->serve(now);
   log(recording_->take_lines());
   // Nothing can go on before it has read again what was there.
-  if (!recording_->ready()) stalled_since_ = now;
+  if (!recording_->ready()) got_on(now);
   if (!recording_->failure().empty()) abort(recording_->failure());
 }
 

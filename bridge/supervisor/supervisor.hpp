@@ -99,6 +99,11 @@ class Supervisor {
   void watch(Time now);
   void watch_start(Time now);
   void watch_stall(Time now);
+  void got_on(Time now);
+  std::chrono::steady_clock::duration stalled(Time now) const;
+  void tell_long_steps(Time now);
+  void tell_silent(Time now);
+  void forgive_own_absence(Time now);
   bool may_restart_all() const;
   std::string ticks_done() const;
   void abort_start();
@@ -132,6 +137,8 @@ class Supervisor {
   Time ends_by_{};
   std::optional<Time> rests_at_;  ///< since when it does
   Time stalled_since_{};
+  Time long_step_told_at_{};
+  Time watched_at_;
   std::optional<std::uint64_t> restarted_at_;  ///< tick at which a stall was last answered
   Time displayed_at_{};
 };

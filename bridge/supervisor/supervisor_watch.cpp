@@ -15,6 +15,7 @@ namespace clew::bridge {
 using Clock = std::chrono::steady_clock;
 
 void Supervisor::watch(Time now) {
+  forgive_own_absence(now);
   if (gone_) {
     watch_stall(now);
   } else {
@@ -24,6 +25,8 @@ void Supervisor::watch(Time now) {
     const bool realtime = layout_.pace == Pace::kRealtime;
     log(restart_policy_.kill_frozen(now, realtime ? kRealtimeFrozenAfter : kFrozenAfter));
     if (!realtime) log(restart_policy_.kill_lonely(now));
+  } else {
+    tell_silent(now);
   }
   watch_rest(now);
   if (ends_at_rest_.empty()) {
@@ -49,7 +52,8 @@ void Supervisor::watch_start(Time now) {
 // together, since each that is known to the others only by half is then new to all. If that does
 // not help at the same tick, nothing will.
 void Supervisor::watch_stall(Time now) {
-  const auto stalled = now - stalled_since_;
+  tell_long_steps(now);
+  const auto stalled = this->stalled(now);
   if (stalled > stall_timeout()) {
     return abort(fmt::format(
         "no tick was completed for {} s; ticks done:{}",
@@ -63,8 +67,63 @@ void Supervisor::watch_stall(Time now) {
       "no tick was completed for {} s, though all report; restarting all; ticks done:{}",
       std::chrono::duration_cast<std::chrono::seconds>(restart_after).count(), ticks_done())});
   restarted_at_ = started;
-  stalled_since_ = now;
+  got_on(now);
   for (const Member& member : members_) member.child->signal(SIGKILL);
+}
+
+void Supervisor::got_on(Time now) {
+  stalled_since_ = now;
+  for (Member& member : members_) member.beats = 0;
+}
+
+// How long nothing has gone on. A step goes on while it gets processor time, be that little. And a
+// machine on which heartbeats come late is late with all else: its time is that of the member that
+// was heard least, half as often as on a quiet machine being often enough. Where nobody is killed
+// for being silent, silence must not stop the clock.
+Clock::duration Supervisor::stalled(Time now) const {
+  Time since = stalled_since_;
+  auto by_heartbeats = Clock::duration::max();
+  for (const Member& member : members_) {
+    since = std::max(since, member.worked_at);
+    if (!member.link || launcher_.patient()) continue;
+    by_heartbeats = std::min<Clock::duration>(by_heartbeats, 2 * kHeartbeatPeriod * member.beats);
+  }
+  return std::min(now - since, by_heartbeats);
+}
+
+void Supervisor::tell_long_steps(Time now) {
+  if (now - std::max(stalled_since_, long_step_told_at_) < kLongestStep) return;
+  for (const Member& member : members_) {
+    if (!member.busy) continue;
+    long_step_told_at_ = now;
+    log({fmt::format("{} has been busy with one tick for {} s; ticks done:{}", member.stage,
+                     std::chrono::duration_cast<std::chrono::seconds>(now - stalled_since_).count(),
+                     ticks_done())});
+  }
+}
+
+// A person should know for whom the run waits.
+void Supervisor::tell_silent(Time now) {
+  for (Member& member : members_) {
+    const bool silent = member.link && now - member.heard_at >= kStallTimeout;
+    if (silent && !member.silence_told) {
+      log({fmt::format(
+          "{} (process {}) has not reported for {} s; the run waits for it, {} s at most",
+          member.stage, member.process_id,
+          std::chrono::duration_cast<std::chrono::seconds>(kStallTimeout).count(),
+          std::chrono::duration_cast<std::chrono::seconds>(stall_timeout()).count())});
+    }
+    member.silence_told = silent;
+  }
+}
+
+// Who was away cannot say that the others were silent: of any time between two looks, no more
+// counts than a member may need to be heard.
+void Supervisor::forgive_own_absence(Time now) {
+  const auto absent = now - watched_at_ - 2 * kHeartbeatPeriod;
+  watched_at_ = now;
+  if (absent <= Clock::duration::zero()) return;
+  for (Member& member : members_) member.heard_at = std::min(now, member.heard_at + absent);
 }
 
 bool Supervisor::may_restart_all() const {
@@ -82,7 +141,8 @@ void Supervisor::abort_start() {
   std::vector<std::string> missing;
   if (observer_) missing = observer_->missing();
   if (recording_ && !recording_->ready()) missing.push_back("the recorder has not reported");
-  abort(fmt::format("startup timed out after {} s:{}", plan_.graph.start_timeout_s,
+  abort(fmt::format("startup timed out after {} s:{}",
+                    std::chrono::duration<double>(launcher_.start_timeout()).count(),
                     missing_text(members_, missing)));
 }
 
@@ -108,7 +168,7 @@ bool Supervisor::everybody_finished() const {
 
 void Supervisor::go(Time now) {
   gone_ = true;
-  stalled_since_ = now;
+  got_on(now);
   const bool all_wait = keeps_own_pace(members_);
   for (Member& member : members_) {
     const bool waits = all_wait || member.starts_ticks;

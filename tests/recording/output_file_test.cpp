@@ -47,6 +47,38 @@ TEST(OutputFile, OverwritesOnlyWhenAsked) {
   EXPECT_EQ(read_bytes(path), "new");
 }
 
+TEST(OutputFile, WritesTheFileThatALinkLeadsToAndKeepsTheLink) {
+  const ScratchDirectory scratch;
+  const ScratchDirectory elsewhere;
+  const std::string there = elsewhere.file("there");
+  const std::string link = scratch.file("link");
+  write_bytes(there, "old");
+  std::filesystem::create_symlink(there, link);
+
+  EXPECT_FALSE(OutputFile::create(link, false));
+  auto forced = OutputFile::create(link, true);
+  ASSERT_TRUE(forced && forced->append("new"));
+  EXPECT_EQ(read_bytes(there), "old") << "until it is whole";
+  ASSERT_TRUE(forced->publish());
+
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(read_bytes(there), "new");
+  EXPECT_FALSE(std::filesystem::exists(there + ".tmp~"));
+}
+
+TEST(OutputFile, RefusesALinkToNothing) {
+  const ScratchDirectory scratch;
+  const std::string link = scratch.file("link");
+  std::filesystem::create_symlink(scratch.file("nothing"), link);
+
+  for (const bool overwrite : {false, true}) {
+    const auto refused = OutputFile::create(link, overwrite);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().text(),
+              link + ": is a symbolic link to what is not there; a recording is written to a file");
+  }
+}
+
 TEST(OutputFile, KeepsARecordingThatWasCutOffUnlessForced) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("cut");

@@ -108,5 +108,28 @@ TEST_F(LonelyMember, IsNotOneThatHasNotSaidWhatItMisses) {
   EXPECT_TRUE(restarts.kill_lonely(kNow).empty());
 }
 
+TEST(FrozenMember, IsGivenTwiceAsLongEachTimeUntilItGetsFurther) {
+  std::vector<Member> members;
+  members.push_back(waiting_member("sense", seconds(0)));
+  runtime::Graph graph;
+  RestartPolicy policy(members, graph);
+  // Restarted again and again, it is heard once each time.
+  std::vector<seconds> silences;
+  for (const std::uint64_t ticks : {9U, 9U, 9U, 9U, 9U, 9U, 9U, 9U, 10U}) {
+    members[0].progress.ticks = ticks;
+    members[0].heard_at = kNow;
+    seconds silence(0);
+    while (policy.kill_frozen(kNow + silence, seconds(1)).empty()) ++silence;
+    silences.push_back(silence);
+  }
+
+  const std::vector<seconds> doubled = {seconds(1),  seconds(2),  seconds(4),
+                                        seconds(8),  seconds(16), seconds(32),
+                                        seconds(32), seconds(32), seconds(1)};
+  EXPECT_EQ(silences, doubled);
+  while (!members[0].child->reap()) {
+  }
+}
+
 }  // namespace
 }  // namespace clew::bridge

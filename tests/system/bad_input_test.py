@@ -161,6 +161,11 @@ class Options(BadInput):
                 (["--with", "sense=cones", "--with", "sense=laser"],
                  "--with sense: is given twice"),
                 (["--record", ""], "the name is empty"),
+                (["--name", ""], "--name: the name is empty"),
+                (["--record", "a.mcap", "--record", "b.mcap"],
+                 "--record: is given more than once; once is allowed"),
+                (["--domain", "x"], "--domain: found 'x'; allowed: a number"),
+                (["--domain", "1.5"], "--domain: found '1.5'; allowed: a whole number"),
                 (["--set", "sense.range_m"], "'='"),
                 (["--set", "sense.rnage_m=2"], "did you mean 'range_m'?"),
                 (["--set", "sens.range_m=2"], "did you mean 'sense'?"),
@@ -314,6 +319,15 @@ class Output(BadInput):
             self.assertEqual(path.read_text(), "precious")
             self.assertEqual(Run(["run", "reactive", "--world", "open-field", "--record", path,
                                   "--force"]).status, 0)
+
+    def test_a_recording_of_the_name_of_a_link_to_nothing_is_refused_before_the_run(self):
+        with tempfile.TemporaryDirectory() as directory:
+            path = pathlib.Path(directory) / "r.mcap"
+            path.symlink_to("/no/such/directory/r.mcap")
+
+            self.refused(Run(["run", "reactive", "--record", path]), str(path),
+                         "is a symbolic link to what is not there")
+            self.assertEqual(os.listdir(directory), ["r.mcap"])
 
     def test_a_refused_command_leaves_nothing_in_the_way_of_the_right_one(self):
         with tempfile.TemporaryDirectory() as directory:

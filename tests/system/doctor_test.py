@@ -46,6 +46,20 @@ class Doctor(unittest.TestCase):
                                       r" +what to do: .*ip link set lo up")
         self.assertRegex(done.stdout, r"good +configs")
 
+    def test_a_run_without_a_loopback_is_refused_and_a_composed_one_needs_none(self):
+        without = ["unshare", "--map-root-user", "--net", CLEW, "run", "reactive", "--max-ticks", "3"]
+        for vendor in ("cyclonedds", "fastdds"):
+            done = subprocess.run([*without, "--middleware", vendor], text=True, capture_output=True,
+                                  timeout=TIMEOUT_S, check=False)
+
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+            self.assertRegex(done.stderr, "^clew: no interface that is up has 127.0.0.1, .*"
+                                          "'clew doctor' says what to do")
+        composed = subprocess.run([*without, "--layout", "composed"], text=True, capture_output=True,
+                                  timeout=TIMEOUT_S, check=False)
+
+        self.assertEqual(composed.returncode, 3, composed.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

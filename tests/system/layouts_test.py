@@ -2,6 +2,7 @@
 """The same graph, world and seed give the same bytes in every layout, on either vendor, in either
 build, and under load."""
 import concurrent.futures
+import json
 import os
 import pathlib
 import subprocess
@@ -14,6 +15,14 @@ from clew_command import (CLEW, LAYOUTS, OTHER_BUILDS, SOAK, SOURCE, WORLDS, Run
 
 TICKS = "6000" if SOAK else "1500"
 REPEATS = 20
+# Where nothing is seen, the first step of neural_map takes one to ten seconds.
+FAR = """format: clew-world/1
+name: far
+bounds: [0, 0, 1000, 10]
+start: [1, 5, 0]
+target: [999, 5]
+target_radius: 0.2
+"""
 PROCESS_LAYOUTS = {name: layout for name, layout in LAYOUTS.items() if name != "composed"}
 
 
@@ -37,6 +46,33 @@ class Layouts(unittest.TestCase):
 
             self.assertEqual(len(set(hashes.values())), 1, f"{world}: {hashes}")
             self.assertRegex(hashes["composed"], "^[0-9a-f]{32}$")
+
+    def test_a_target_a_kilometre_away_is_no_reason_to_kill_anybody(self):
+        with tempfile.TemporaryDirectory() as directory:
+            world = pathlib.Path(directory) / "far.yaml"
+            world.write_text(FAR, encoding="utf-8")
+            for graph in ("default", "any_sensor", "neural_map"):
+                with self.subTest(graph=graph):
+                    arguments = [graph, "--world", str(world), "--max-ticks", "50"]
+                    composed = run_graph(*arguments, "--layout", "composed")
+                    processes = run_graph(*arguments)
+
+                    self.assertEqual(processes["hash"], composed["hash"])
+                    self.assertEqual(processes["outcome"], "timeout")
+                    self.assertEqual(processes["restarts"], 0)
+
+    def test_stacks_that_are_limited_to_little_change_nothing(self):
+        # The C library takes the limit for every thread; one of DDS needs more than 128 KiB.
+        wanted = run_graph("default", "--max-ticks", "50", "--layout", "composed")["hash"]
+        for vendor in ("cyclonedds", "fastdds"):
+            with self.subTest(vendor=vendor):
+                done = subprocess.run(
+                    ["sh", "-c", 'ulimit -s 64; exec "$@"', "sh", CLEW, "run", "default", "--json",
+                     "--max-ticks", "50", "--middleware", vendor], capture_output=True, text=True,
+                    timeout=120, check=False)
+
+                self.assertEqual(done.returncode, 3, done.stderr)
+                self.assertEqual(json.loads(done.stdout)["hash"], wanted)
 
     def test_every_shipped_graph_gives_one_hash_however_often_it_runs(self):
         ticks = ["--max-ticks", "1000" if SOAK else "300"]

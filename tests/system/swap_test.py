@@ -116,6 +116,10 @@ class Swap(unittest.TestCase):
         late = Run(["swap", name, "control=krishna_kalra_fuzzy", "--at", "1"])
         self.assertEqual(late.status, 2)
         self.assertRegex(late.err, r"at tick \d+ already; the earliest is tick \d+")
+        never = Run(["goal", name, "1", "1", "--at", str(2**63 - 1)])
+        self.assertEqual(never.status, 2)
+        self.assertRegex(never.err, r"tick 9223372036854775807 never comes: the run ends at tick "
+                                    r"\d+, its max_ticks")
         self.assertEqual(Run(["resume", name]).status, 0)
         out, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 3, err)
@@ -137,6 +141,16 @@ class Swap(unittest.TestCase):
         self.assertEqual(process.returncode, 1)
         self.assertIn("stopped by a command", err)
         self.assertIn(f"no run is called '{name}'", Run(["stop", name]).err)
+
+    def test_a_change_that_comes_after_the_end_is_told(self):
+        for layout in ([], ["--layout", "composed"]):
+            with self.subTest(layout=layout):
+                done = Run(["run", "reactive", "--max-ticks", "9", "--json", "--at", "5:goal=1,1",
+                            "--at", "50:goal=2,2", *layout])
+
+                self.assertEqual(done.status, 3, done.err)
+                self.assertEqual(done.report["notes"],
+                                 ["the change at tick 50 did not come to pass: the run ended at tick 9"])
 
     def test_what_cannot_be_changed_is_said_before_anything_starts(self):
         for change, why in (("5:drive=unicycle", "only its goal can be changed"),

@@ -194,6 +194,21 @@ class World(Told):
         self.assertEqual((found["solvable"], found["shortest_path_m"]), (False, None))
         self.assertIn(None, [trap["depth_m"] for trap in found["traps"]])
 
+    def test_a_world_that_is_too_large_is_left_undecided_at_once(self):
+        huge = write_file("format: clew-world/1\nname: huge\nbounds: [0, 0, 1000, 1000]\n"
+                          "start: [1, 1, 0]\ntarget: [999, 999]\ntarget_radius: 0.2\n")
+        why = ("it has 400 million places 0.05 m apart, more than the 50 million that are looked "
+               "at")
+
+        [found] = self.lines("world", "solve", huge, "--json")
+
+        self.assertEqual((found["solvable"], found["shortest_path_m"], found["undecided"]),
+                         (None, None, why))
+        self.assertIn("solvable: unknown, " + why, Run(["world", "check", huge]).out)
+        self.assertEqual(Run(["world", "severity", huge]).out.splitlines()[1], why)
+        self.refused(["world", "solve", huge, "-o", self.folder / "huge.yaml"],
+                     "is not decided: " + why)
+
     def test_a_world_that_says_what_is_not_so_is_told(self):
         text = (SOURCE / "configs/worlds/unsolvable-box.yaml").read_text(encoding="utf-8")
         wrong = write_file(text.replace("solvable: false", "solvable: true"))

@@ -51,6 +51,25 @@ TEST(Reachability, ALoopNeverSettles) {
       "[3, 3, 0]", "[7, 7]");
 
   EXPECT_EQ(settled_time_s(world), std::nullopt);
+  EXPECT_EQ(surveyed_time_s(world).error().text(), "something moves for ever");
+}
+
+world::World empty_world(const std::string& bounds) {
+  return world::World::parse("format: clew-world/1\nname: empty\nbounds: " + bounds +
+                                 "\nstart: [3, 3, 0]\ntarget: [7, 3]\ntarget_radius: 0.2\n",
+                             "empty.yaml")
+      .value();
+}
+
+TEST(Reachability, OfAWorldThatIsTooLargeForALatticeNothingIsComputed) {
+  // 20001 by 20001 nodes, and 4000001 by 4000001, more than 32 bits count.
+  EXPECT_EQ(surveyed_time_s(empty_world("[0, 0, 1000, 1000]")).error().text(),
+            "it has 400 million places 0.05 m apart, more than the 50 million that are looked at");
+  EXPECT_FALSE(fits_lattice(empty_world("[-100000, -100000, 100000, 100000]")));
+  // 20001 by 2001.
+  const auto long_world = empty_world("[0, 0, 1000, 100]");
+  EXPECT_EQ(lattice_nodes(long_world), 20001.0 * 2001.0);
+  EXPECT_EQ(surveyed_time_s(long_world).value(), 0.0);
 }
 
 }  // namespace

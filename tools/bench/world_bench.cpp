@@ -103,9 +103,9 @@ Result<runtime::RunPlan> WorldBench::prepare(const Variant& variant, std::uint64
 const world_analysis::TrapMap* WorldBench::traps(const runtime::RunPlan& run) {
   if (!grid_) {
     surveyed_ = run.setup.world;
-    const auto settled_s = world_analysis::settled_time_s(*surveyed_);
-    if (!settled_s) return nullptr;
-    grid_ = std::make_unique<world_analysis::ClearanceGrid>(*surveyed_, *settled_s);
+    const auto time_s = world_analysis::surveyed_time_s(*surveyed_);
+    if (!time_s.ok()) return nullptr;
+    grid_ = std::make_unique<world_analysis::ClearanceGrid>(*surveyed_, *time_s);
   }
   // Minima shallower than the robot is wide are none.
   const double radius_m = run.setup.behaviour.robot.radius_m;

@@ -273,7 +273,7 @@ void add_bench(CLI::App& main, int& status) {
   app->add_option("--out", options->out,
                   "directory for results and report (out/bench/SUITE); results that are there are "
                   "gone on from")
-      ->check(file_to_write());
+      ->check(given_name());
   app->add_flag("--force", options->force, "drop existing results");
   app->add_flag("--json", options->json, "print one JSON object a run");
   app->add_option("--write-worlds", options->write_worlds,

@@ -43,7 +43,7 @@ CLI::Validator number_between(double low, double high) {
           ""};
 }
 
-CLI::Validator file_to_write() {
+CLI::Validator given_name() {
   return {[](std::string& name) { return std::string(name.empty() ? "the name is empty" : ""); },
           ""};
 }

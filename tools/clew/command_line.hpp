@@ -16,8 +16,8 @@ CLI::Validator whole_number();
 /// it.
 CLI::Validator number_between(double low, double high);
 
-/// The name of a file to write.
-CLI::Validator file_to_write();
+/// A name that is not empty: of a file to write, of a run.
+CLI::Validator given_name();
 
 /// The options with which `run` and `check` change a graph.
 void add_overrides(CLI::App& app, runtime::GraphOverrides& overrides);

@@ -65,7 +65,7 @@ void add_export(CLI::App& main, int& status) {
   app->add_option("--csv", options->csv, "a table a topic in this directory");
   app->add_option("--foxglove", options->foxglove,
                   "FILE.mcap with channels for the panels of Foxglove and its like")
-      ->check(file_to_write());
+      ->check(given_name());
   app->add_option("--rosbag2", options->rosbag2, "a bag of ROS 2 Jazzy (MCAP) in this directory");
   app->add_option("--namespace", options->node_namespace, "of the bag's topics, as robot1");
   app->add_flag("--force", options->force, "replace what is there");

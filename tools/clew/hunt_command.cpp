@@ -264,7 +264,7 @@ void add_hunt(CLI::App& main, int& status) {
   app->add_option("--jobs", options->jobs, "worker processes (one a core); changes no result")
       ->check(number_between(1, 1024));
   app->add_option("--out", options->out, "directory for cases and runs.jsonl (out/hunt/GRAPH)")
-      ->check(file_to_write());
+      ->check(given_name());
   app->add_flag("--force", options->force, "drop the hunt that is there");
   app->add_option("--case", options->case_file, "run a case again, instead of searching");
   app->add_flag("--fields", options->fields, "list what a property may speak of");

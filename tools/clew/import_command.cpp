@@ -56,7 +56,7 @@ void add_import(CLI::App& main, int& status) {
       ->required();
   app->add_option("-o,--output", options->order.output, "the recording to write")
       ->required()
-      ->check(file_to_write());
+      ->check(given_name());
   app->add_flag("--force", options->order.force, "replace what is there");
   app->add_option("--graph", options->order.graph, "whose stages step on it")
       ->capture_default_str();

@@ -7,12 +7,14 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/stack_limit.hpp"
 #include "clew/train_commands.hpp"
 #include "clew/version.hpp"
 #include "core/nearest_name.hpp"
@@ -75,6 +77,32 @@ core::Result<void> check_options(const CLI::App& app) {
   return {};
 }
 
+/// What is wrong with the command line, in our words where CLI11 has its own.
+std::string parse_error_text(const CLI::ParseError& error) {
+  const std::string text = error.what();
+  const std::string converting = "Could not convert: ";
+  const std::string twice = ": At Most 1 required but received ";
+  const auto value = text.find(" = ");
+  if (text.rfind(converting, 0) == 0 && value != std::string::npos) {
+    const std::string found = text.substr(value + 3);
+    // What is a number, and not taken for one, has a fraction or too many digits.
+    char* end = nullptr;
+    std::strtod(found.c_str(), &end);
+    const bool is_number = !found.empty() && *end == '\0';
+    const bool is_whole = found.find_first_not_of("+-0123456789") == std::string::npos;
+    return fmt::format("{}: found '{}'; allowed: a {}number",
+                       text.substr(converting.size(), value - converting.size()), found,
+                       !is_number ? ""
+                       : is_whole ? "smaller "
+                                  : "whole ");
+  }
+  const auto option = text.find(twice);
+  if (option != std::string::npos) {
+    return text.substr(0, option) + ": is given more than once; once is allowed";
+  }
+  return text;
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Sensor-based navigation of a mobile robot as a graph of DDS components", "clew");
   app.require_subcommand(1);
@@ -100,7 +128,7 @@ int parse_and_run(int argc, char** argv) {
     const auto all_known = check_options(app);
     if (!all_known.ok()) return complain(all_known.error());
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    return complain({fmt::format("{}; see --help", error.what()), {}, 0, 0});
+    return complain({parse_error_text(error) + "; see --help", {}, 0, 0});
   }
   return status;
 }
@@ -124,6 +152,7 @@ int complain_of_output(int number) {
 
 int main(int argc, char** argv) {
   using namespace clew::tools;
+  raise_small_stacks();
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   // Writing reports these instead: a reader that has gone, a file that has reached its limit.
   std::signal(SIGPIPE, SIG_IGN);

@@ -145,7 +145,7 @@ void add_new(CLI::App& main, int& status) {
       ->required();
   app->add_option("name", options->name, "of the behaviour: small letters, digits and _")
       ->required();
-  app->add_option("--dir", options->directory, "where to (./NAME)")->check(file_to_write());
+  app->add_option("--dir", options->directory, "where to (./NAME)")->check(given_name());
   app->callback([options, &status] { status = new_command(*options); });
 }
 

@@ -81,7 +81,7 @@ void add_plot(CLI::App& main, int& status) {
   app->add_option("recording", options->recordings)->required();
   app->add_option("-o,--output", options->output, "FILE.svg, FILE.png or FILE.pdf")
       ->required()
-      ->check(file_to_write());
+      ->check(given_name());
   add_plugins(*app, options->plugins);
   app->add_option("--tick", options->tick,
                   "draw what the components show of this tick, from one recording")

@@ -210,7 +210,7 @@ void add_replay(CLI::App& main, int& status) {
          "as the recording has it, else nothing is run; may be repeated")
       ->allow_extra_args(false);
   app->add_option("--record", options->record, "write a recording of the branch (MCAP)")
-      ->check(file_to_write());
+      ->check(given_name());
   app->add_flag("--force", options->force, "overwrite it");
   app->add_option("--max-ticks", options->overrides.max_ticks,
                   "time out the branch after this many ticks")

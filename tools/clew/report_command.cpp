@@ -62,7 +62,7 @@ void add_report(CLI::App& main, int& status) {
       ->required();
   app->add_option("-o,--output", options->output, "FILE.html, which needs no server")
       ->required()
-      ->check(file_to_write());
+      ->check(given_name());
   app->callback([options, &status] {
     const auto written = write_report(*options);
     status = written.ok() ? kExitGood : complain(written.error());

@@ -63,7 +63,7 @@ void add_rules(CLI::App& main, int& status) {
   add_plugins(*app, options->plugins);
   app->add_option("-o,--output", options->output,
                   "draw sets and control surfaces instead: .svg, .png or .pdf")
-      ->check(file_to_write());
+      ->check(given_name());
   app->add_flag("--json", options->json, "print one JSON object a rule base, with every value");
   app->callback([options, &status] { status = rules_command(*options); });
 }

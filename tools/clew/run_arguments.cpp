@@ -32,6 +32,7 @@ void add_ways(CLI::App& app, RunOptions& options) {
                "start 'clew bridge ros2' beside it; --ros2=NAMESPACE: one robot of several")
       ->group("How it runs");
   app.add_option("--name", options.name, "what 'clew swap', 'clew goal' and others call the run")
+      ->check(given_name())
       ->group("How it runs");
   app.add_option(
          "--at", options.at,
@@ -44,7 +45,7 @@ void add_ways(CLI::App& app, RunOptions& options) {
       ->group("Debugging");
   app.add_option("--profile", options.profile,
                  "tell where the time of a composed run goes, and write a Chrome trace to a file")
-      ->check(file_to_write())
+      ->check(given_name())
       ->group("Debugging");
   app.add_option("--prefix", options.prefix, "STAGE='gdb --args': start it under a command")
       ->allow_extra_args(false)
@@ -55,7 +56,7 @@ void add_recording(CLI::App& app, RunOptions& options) {
   const auto add = [&](const char* name, auto& value, const char* about) {
     return app.add_option(name, value, about)->group("Recording");
   };
-  add("--record", options.record, "write a recording (MCAP)")->check(file_to_write());
+  add("--record", options.record, "write a recording (MCAP)")->check(given_name());
   app.add_flag("--force", options.force, "overwrite the recording")->group("Recording");
   add("--record-on", options.record_on,
       "trap: a black box. If a trap is detected, a collision happens or the run ends badly, it "

@@ -274,7 +274,7 @@ void judge_recording(const bridge::ProcessLayout& layout, bridge::RunReport& rep
 void print_result(const RunOptions& options, const bridge::RunReport& report,
                   const runtime::RunPlan& plan, const RunFacts& facts) {
   if (!options.json) {
-    for (const std::string& note : notes_on(report, plan)) {
+    for (const std::string& note : notes_on(report, plan, facts)) {
       std::fprintf(stderr, "clew: %s\n", note.c_str());
     }
   }
@@ -345,9 +345,11 @@ int run_command(const RunOptions& options) {
   if (job->recording && !wrote) {
     std::fputs("clew: nothing happened that the black box writes for: no recording\n", stderr);
   }
-  const RunFacts facts{layout_name,
-                       composed ? "inprocess" : middleware_text(job->plan.graph, *layout),
-                       wrote ? job->recording->path : ""};
+  RunFacts facts{layout_name, composed ? "inprocess" : middleware_text(job->plan.graph, *layout),
+                 wrote ? job->recording->path : ""};
+  for (const domain::Intervention& change : control.interventions()) {
+    if (!change.changes.empty()) facts.planned_changes.push_back(change.tick);
+  }
   print_result(options, *report, job->plan, facts);
   if (*feed) end_view(**feed, *report, signals);
   const auto told = tell_profile(profile, options.profile);

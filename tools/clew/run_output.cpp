@@ -148,7 +148,8 @@ std::string drift_text(const runtime::Graph& graph) {
 
 }  // namespace
 
-std::vector<std::string> notes_on(const RunReport& report, const runtime::RunPlan& plan) {
+std::vector<std::string> notes_on(const RunReport& report, const runtime::RunPlan& plan,
+                                  const RunFacts& facts) {
   std::vector<std::string> notes;
   const RunTruth truth = truth_of(report);
   if (stood_long(truth)) notes.push_back(standstill_note(report, truth));
@@ -156,6 +157,11 @@ std::vector<std::string> notes_on(const RunReport& report, const runtime::RunPla
   if (truth.outcome == Outcome::kUnreachable && !drift.empty()) {
     notes.push_back("odometry may be the reason for 'unreachable': it errs (" + drift +
                     "), and the proof holds in its frame");
+  }
+  for (const std::uint64_t tick : facts.planned_changes) {
+    if (tick <= truth.tick) continue;
+    notes.push_back(fmt::format(
+        "the change at tick {} did not come to pass: the run ended at tick {}", tick, truth.tick));
   }
   return notes;
 }
@@ -185,7 +191,7 @@ std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
                            {"x_m", truth.standstill.x_m},
                            {"y_m", truth.standstill.y_m}};
   }
-  json["notes"] = notes_on(report, plan);
+  json["notes"] = notes_on(report, plan, facts);
   json["restarts"] = report.restarts;
   json["start_s"] = report.start_s ? nlohmann::ordered_json(*report.start_s) : nullptr;
   json["wall_s"] = report.wall_s;

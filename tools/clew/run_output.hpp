@@ -18,6 +18,8 @@ struct RunFacts {
   std::string recording;  ///< the file, or empty
   /// Where the run branched off a recorded one; none: it did not.
   std::optional<std::uint64_t> branch_tick = std::nullopt;
+  std::vector<std::uint64_t> planned_changes =
+      {};  ///< their ticks, in the order in which they came
 };
 
 /// `reached`, ..., or `aborted`.
@@ -27,8 +29,10 @@ std::string outcome_word(const bridge::RunReport& report);
 int exit_status(const bridge::RunReport& report);
 
 /// What a reader of the result should know besides, in sentences: that the robot stood still for
-/// the last minute and more, since when and why; that `unreachable` may be odometry's error.
-std::vector<std::string> notes_on(const bridge::RunReport& report, const runtime::RunPlan& plan);
+/// the last minute and more, since when and why; that `unreachable` may be odometry's error; that a
+/// change was planned for later than the run's end.
+std::vector<std::string> notes_on(const bridge::RunReport& report, const runtime::RunPlan& plan,
+                                  const RunFacts& facts);
 
 /// The object that `run --json` prints, on one line.
 std::string report_json(const bridge::RunReport& report, const runtime::RunPlan& plan,

@@ -192,7 +192,7 @@ void add_shrink(CLI::App& main, int& status) {
   app->add_option("-o,--output", options->output,
                   "the world file to write; beside it go a picture, .svg, and a test, .case.yaml")
       ->required()
-      ->check(file_to_write());
+      ->check(given_name());
   app->add_option("--robot", options->graph.robot, "another robot: a name or a path");
   app->add_option("--with", options->graph.with, "STAGE[.PART]=NAME[,NAME...]: another behaviour")
       ->allow_extra_args(false);

@@ -129,11 +129,11 @@ void add_train_neuro_fuzzy(CLI::App& train, int& status) {
   app->add_option("--recording", options->recording,
                   "learn from the commands of a run with infrared rangers, not from the expert");
   auto* output = app->add_option("-o,--output", options->output, "the file to write (stdout)")
-                     ->check(file_to_write());
+                     ->check(given_name());
   app->add_flag("--json", options->json, "tell what was written and learnt, as one JSON object")
       ->needs(output);
   app->add_option("--curves", options->curves, "write the learning curves to FILE.svg")
-      ->check(file_to_write());
+      ->check(given_name());
   app->callback([options, &status] { status = train_neuro_fuzzy_command(*options); });
 }
 

@@ -115,7 +115,7 @@ void add_train_som(CLI::App& train, int& status) {
   som->add_option("--recipe", options->recipe, "worlds, step of scale, iterations and seed")
       ->capture_default_str();
   auto* output = som->add_option("-o,--output", options->output, "the file to write (stdout)")
-                     ->check(file_to_write());
+                     ->check(given_name());
   som->add_flag("--json", options->json, "tell what was written, as one JSON object")
       ->needs(output);
   som->callback([options, &status] { status = train_som_command(*options); });

@@ -162,7 +162,7 @@ void add_tune(CLI::App& main, int& status) {
       ->check(number_between(1, 1024));
   app->add_option("--out", options->out,
                   "directory for results (out/tune/GRAPH); those that are there are gone on from")
-      ->check(file_to_write());
+      ->check(given_name());
   app->add_flag("--force", options->force, "drop existing results");
   app->add_flag("--json", options->json, "print it as one JSON object");
   app->callback([options, &status] { status = tune_command(*options); });

@@ -30,7 +30,8 @@ using nlohmann::ordered_json;
 constexpr double kMargin_m = 0.02;
 /// A length that a world states may differ by so much from the one that is computed.
 constexpr double kTolerance = 0.02;
-constexpr char kNeverSettles[] = "something moves for ever";
+/// With more places than that the answer takes more than a few seconds.
+constexpr double kManyPlaces = 5e6;
 
 struct WorldOptions {
   std::string world;
@@ -63,7 +64,8 @@ Result<Subject> read_subject(const WorldOptions& options) {
 
 /// What is true of a world and a robot, obstacles standing where they come to rest.
 struct Findings {
-  std::optional<bool> solvable;  ///< none: something moves for ever, or only just as wide gaps
+  bool surveyed = false;         ///< else nothing is known, and `undecided` says why
+  std::optional<bool> solvable;  ///< none: not surveyed, or only gaps just as wide as the robot
   std::optional<double> shortest_path_m;
   /// No shallower than the robot is wide, and within the robot's reach.
   std::vector<world_analysis::Trap> traps;
@@ -90,14 +92,23 @@ std::vector<world_analysis::Trap> within_reach(const std::vector<world_analysis:
   return reached;
 }
 
+void tell_long_wait(const world::World& world) {
+  const double places = world_analysis::lattice_nodes(world);
+  if (places < kManyPlaces) return;
+  fmt::print(stderr, "clew: {} has {:.0f} million places to look at, a few seconds a million\n",
+             world.name(), 1e-6 * places);
+}
+
 Findings find_out(const Subject& subject, Backtrack backtrack = Backtrack::kLeaveOut) {
   Findings findings;
-  const auto settled_s = world_analysis::settled_time_s(subject.world);
-  if (!settled_s) {
-    findings.undecided = kNeverSettles;
+  const auto time_s = world_analysis::surveyed_time_s(subject.world);
+  if (!time_s.ok()) {
+    findings.undecided = time_s.error().message;
     return findings;
   }
-  const world_analysis::ClearanceGrid grid(subject.world, *settled_s);
+  findings.surveyed = true;
+  tell_long_wait(subject.world);
+  const world_analysis::ClearanceGrid grid(subject.world, *time_s);
   const auto solvable = world_analysis::is_solvable(grid, subject.radius_m, kMargin_m);
   if (solvable == world_analysis::Solvable::kUndecided) {
     findings.undecided = "the only ways lead through gaps about as wide as the robot";
@@ -149,7 +160,7 @@ void print(const Subject& subject, const Findings& findings) {
                std::isfinite(trap.depth_m) ? fmt::format("{:.2f} m deep", trap.depth_m)
                                            : std::string("without a way out"));
   }
-  if (findings.traps.empty() && findings.undecided != kNeverSettles) {
+  if (findings.traps.empty() && findings.surveyed) {
     fmt::print("no traps\n");
   }
 }
@@ -264,7 +275,7 @@ void print_severity(const Subject& subject, const Findings& findings, double ran
                trap.inside_of ? fmt::format(", inside trap {}", *trap.inside_of + 1) : "");
   }
   if (findings.traps.empty()) {
-    fmt::print("{}\n", findings.undecided == kNeverSettles ? findings.undecided : "no traps");
+    fmt::print("{}\n", findings.surveyed ? "no traps" : findings.undecided);
   }
   if (findings.backtrack_m) {
     fmt::print("necessary backtrack: {:.2f} m, {:.2f} sensing ranges\n", *findings.backtrack_m,
@@ -346,7 +357,7 @@ void add_world(CLI::App& main, int& status) {
   solve
       ->add_option("-o,--output", options->output,
                    "write the world with 'solvable' and 'shortest_path' filled in")
-      ->check(file_to_write());
+      ->check(given_name());
   solve->add_flag("--json", options->json, "print it as one JSON object");
   solve->callback([options, &status] { status = solve_command(*options); });
 
@@ -363,7 +374,7 @@ void add_world(CLI::App& main, int& status) {
   CLI::App* picture = add_part(*world, "picture", "Draw it with its traps", *options);
   picture->add_option("-o,--output", options->output, "FILE.svg, FILE.png or FILE.pdf")
       ->required()
-      ->check(file_to_write());
+      ->check(given_name());
   picture->callback([options, &status] { status = picture_command(*options); });
 }
 

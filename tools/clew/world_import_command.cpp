@@ -70,7 +70,7 @@ void add_world_import(CLI::App& world, int& status) {
       ->required();
   app->add_option("-o,--output", options->output, "the world file to write")
       ->required()
-      ->check(file_to_write());
+      ->check(given_name());
   app->add_option("--start", options->start, "x, y in m and heading in rad")
       ->expected(3)
       ->check(number_between(-kMost_m, kMost_m));

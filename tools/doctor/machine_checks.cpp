@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <ifaddrs.h>
-#include <net/if.h>
-#include <netinet/in.h>
 #include <sys/resource.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
@@ -15,6 +12,7 @@
 #include "dds/rtps_ports.hpp"
 #include "doctor/doctor.hpp"
 #include "runtime/config_source.hpp"
+#include "vendors/loopback.hpp"
 
 namespace clew::doctor {
 namespace {
@@ -36,23 +34,8 @@ Finding bad(std::string check, std::string found, std::string fix) {
   return {std::move(check), false, std::move(found), std::move(fix)};
 }
 
-/// The name of the interface that has 127.0.0.1 and is up; empty if there is none.
-std::string loopback_interface() {
-  ifaddrs* first = nullptr;
-  if (::getifaddrs(&first) != 0) return "";
-  std::string name;
-  for (const ifaddrs* each = first; each != nullptr && name.empty(); each = each->ifa_next) {
-    if (each->ifa_addr == nullptr || each->ifa_addr->sa_family != AF_INET) continue;
-    const auto* address = reinterpret_cast<const sockaddr_in*>(each->ifa_addr);
-    const bool is_up = (each->ifa_flags & IFF_UP) != 0;
-    if (is_up && address->sin_addr.s_addr == htonl(INADDR_LOOPBACK)) name = each->ifa_name;
-  }
-  ::freeifaddrs(first);
-  return name;
-}
-
 Finding check_loopback() {
-  const std::string name = loopback_interface();
+  const std::string name = bridge::loopback_interface();
   if (!name.empty()) return good("loopback", fmt::format("{} is up and has 127.0.0.1", name));
   return bad("loopback", "no interface that is up has 127.0.0.1",
              "ip addr add 127.0.0.1/8 dev lo; ip link set lo up");

@@ -153,10 +153,10 @@ bool asks_for_traps(const Property& property) {
 /// The truth about traps of a plan's world.
 struct TrapTruth {
   explicit TrapTruth(const RunPlan& plan) {
-    const auto settled_s = world_analysis::settled_time_s(*plan.setup.world);
-    if (!settled_s) return;
+    const auto time_s = world_analysis::surveyed_time_s(*plan.setup.world);
+    if (!time_s.ok()) return;
     const double radius_m = plan.setup.behaviour.robot.radius_m;
-    grid.emplace(*plan.setup.world, *settled_s);
+    grid.emplace(*plan.setup.world, *time_s);
     map.emplace(*grid, radius_m, 2.0 * radius_m);
   }
   const world_analysis::TrapMap* get() const { return map ? &*map : nullptr; }

@@ -79,9 +79,9 @@ core::Result<void> settle_claims(world::WorldFile& world, double robot_radius_m)
   const auto parsed = World::parse(world_text(world), world.name);
   if (!parsed.ok()) return parsed.error();
   CLEW_RETURN_IF_ERROR(parsed->check_robot_fits(robot_radius_m));
-  const auto settled_s = world_analysis::settled_time_s(*parsed);
-  if (!settled_s) return {};
-  const world_analysis::ClearanceGrid grid(*parsed, *settled_s);
+  const auto time_s = world_analysis::surveyed_time_s(*parsed);
+  if (!time_s.ok()) return {};
+  const world_analysis::ClearanceGrid grid(*parsed, *time_s);
   switch (world_analysis::is_solvable(grid, robot_radius_m, kMargin_m)) {
     case world_analysis::Solvable::kUndecided:
       return {};
@@ -99,6 +99,7 @@ core::Result<void> settle_claims(world::WorldFile& world, double robot_radius_m)
 
 std::optional<core::Pose2> start_at(const World& world, double robot_radius_m,
                                     const std::array<double, 3>& shares) {
+  if (!world_analysis::fits_lattice(world)) return std::nullopt;
   const double time_s = world_analysis::settled_time_s(world).value_or(0.0);
   const world_analysis::ClearanceGrid grid(world, time_s);
   const double radius_m = robot_radius_m + kMargin_m;

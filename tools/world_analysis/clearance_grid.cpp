@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world_analysis/clearance_grid.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,6 +27,26 @@ std::optional<double> settled_time_s(const world::World& world) {
     settled_s = std::max(settled_s, obstacle.path.back().time_s);
   }
   return settled_s;
+}
+
+double lattice_nodes(const world::World& world) {
+  const Vec2 size = world.bounds_max() - world.bounds_min();
+  return (std::floor(size.x() / kSpacing_m) + 1.0) * (std::floor(size.y() / kSpacing_m) + 1.0);
+}
+
+bool fits_lattice(const world::World& world) { return lattice_nodes(world) <= kMostNodes; }
+
+core::Result<double> surveyed_time_s(const world::World& world) {
+  const auto settled_s = settled_time_s(world);
+  if (!settled_s) return core::Error{"something moves for ever", {}, 0, 0};
+  if (fits_lattice(world)) return *settled_s;
+  return core::Error{
+      fmt::format("it has {:.0f} million places {} m apart, more than the {:.0f} million that are "
+                  "looked at",
+                  1e-6 * lattice_nodes(world), kSpacing_m, 1e-6 * kMostNodes),
+      {},
+      0,
+      0};
 }
 
 ClearanceGrid::ClearanceGrid(const world::World& world, double time_s)

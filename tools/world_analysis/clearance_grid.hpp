@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/result.hpp"
 #include "world/world.hpp"
 
 namespace clew::world_analysis {
@@ -20,8 +21,20 @@ inline constexpr double kSpacing_m = 0.05;
 /// static world.
 std::optional<double> settled_time_s(const world::World& world);
 
+/// Nodes that a lattice has at most: with what is computed of them they take 3 GB and a few
+/// minutes.
+inline constexpr double kMostNodes = 5e7;
+
+/// The nodes of a world's lattice, and whether that many are looked at.
+double lattice_nodes(const world::World& world);
+bool fits_lattice(const world::World& world);
+
+/// The time for which the truth about a world is computed: settled_time_s(). An error says why
+/// there is no such truth: something moves for ever, or the world does not fit a lattice.
+core::Result<double> surveyed_time_s(const world::World& world);
+
 /// How far the nearest obstacle is from the nodes of a square lattice over a world's bounds, at one
-/// time. Whatever is computed of a world beforehand starts from this.
+/// time. Whatever is computed of a world beforehand starts from this. The world fits a lattice.
 class ClearanceGrid {
  public:
   /// Clearances are capped here: beyond, no question that is asked of them depends on their value.
