@@ -239,10 +239,15 @@ void NodeHost::refuse(Topic topic, const core::Error& error) {
   ++refused_samples_;
   const std::string what = node_.name() + " refuses a sample of '" +
                            std::string(domain::topic_name(topic)) + "': " + error.text();
-  if (!lockstep_) return handlers_.on_notice(what);
+  if (!lockstep_) return tell(domain::kRefused, what);
   // Without it the tick can never be complete.
   report();
   handlers_.on_fatal(what);
+}
+
+void NodeHost::tell(const char* kind, std::string text) const {
+  if (!handlers_.on_incident) return;
+  handlers_.on_incident({buffer_.next_tick(), kind, name_, std::move(text)});
 }
 
 bool NodeHost::may_step(Time now) const {

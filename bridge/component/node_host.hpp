@@ -47,6 +47,8 @@ class NodeHost {
     std::function<void(std::string)> on_spooled;
     /// A successor has taken over.
     std::function<void(const TookOver&)> on_took_over = nullptr;
+    /// It has noticed something of others.
+    std::function<void(const domain::Incident&)> on_incident = nullptr;
   };
 
   /// Of the plan it needs the duration of a tick, and the arrangement of beams that scans must
@@ -116,6 +118,7 @@ class NodeHost {
   template <typename Message>
   void deliver(Message& message);
   void refuse(domain::Topic topic, const core::Error& error);
+  void tell(const char* kind, std::string text) const;
   void run_ready(Time now);
   bool may_step(Time now) const;
   void step();

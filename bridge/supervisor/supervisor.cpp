@@ -92,8 +92,20 @@ void Supervisor::start_child(Member& member) {
 }
 
 // It reads why as soon as it can; if it never does, nothing is lost.
-void Supervisor::refuse(Link& link, const std::string& why) const {
+void Supervisor::refuse(Link& link, const std::string& why) {
   link.post(FrameType::kNotice, Text{why});
+  note_refused(why);
+}
+
+// In the log, and in the recording.
+void Supervisor::tell(domain::Incident incident) {
+  if (auto told = incidents_.note(std::move(incident))) record(*std::move(told));
+}
+
+void Supervisor::record(domain::Incident incident) {
+  incident.tick = started_ticks(members_);
+  log({incident.text});
+  if (recording_) recording_->add(spooled(incident), incident.tick + 1);
 }
 
 void Supervisor::welcome(std::unique_ptr<Link> link, const Hello& hello, Time now) {
@@ -105,7 +117,7 @@ void Supervisor::welcome(std::unique_ptr<Link> link, const Hello& hello, Time no
     Member* const place = find_member(members_, hello.stage);
     // Another one of our own program would be no better; a person may come with a newer one.
     if (place != nullptr && place->child) return abort(admitted.error().text());
-    return log({admitted.error().text()});
+    return;
   }
   Member* member = *admitted;
   if (member == nullptr) {
@@ -229,6 +241,8 @@ void Supervisor::handle(Member& member, Frame frame, Time now) {
     hand_on(std::move(frame.payload), std::max(member.progress.ticks, member.progress.most_ticks));
   } else if (frame.type == FrameType::kNotice) {
     if (const auto text = frame.as<Text>()) log({text->text});
+  } else if (frame.type == FrameType::kIncident) {
+    if (auto incident = frame.as<domain::Incident>()) tell(*std::move(incident));
   } else if (frame.type == FrameType::kFatal) {
     if (const auto text = frame.as<Text>()) end_at_rest(text->text, now);
   }
@@ -270,7 +284,7 @@ void Supervisor::note_observed(Time now) {
 void Supervisor::observe(Time now) {
   const auto fatal = observer_->fatal();
   observer_->poll();
-  log(observer_->take_notices());
+  for (const std::string& notice : observer_->take_notices()) note_refused(notice);
   if (fatal) abort(*fatal);
   hand_on(observer_->take_spooled(), observer_->ticks());
   note_observed(now);
@@ -302,6 +316,7 @@ void Supervisor::take_last_reports() {
 void Supervisor::end_members() {
   if (gone_ && !all_finished_) take_last_reports();
   if (observer_) observe(Clock::now());
+  for (domain::Incident& incident : incidents_.take_left_out()) record(std::move(incident));
   end_processes(members_, all_finished_);
   if (recording_) recording_->end(report_.aborted);
 }

@@ -16,6 +16,7 @@
 #include "run/run_report.hpp"
 #include "run/tick_rate.hpp"
 #include "runtime/run_plan.hpp"
+#include "supervisor/incident_log.hpp"
 #include "supervisor/launcher.hpp"
 #include "supervisor/live_control.hpp"
 #include "supervisor/member.hpp"
@@ -52,6 +53,8 @@ class Supervisor {
   void start();
   /// A process has said who it is on a new line.
   void welcome(std::unique_ptr<Link> link, const Hello& hello, Time now);
+  /// Somebody was turned away where processes connect.
+  void note_refused(const std::string& who) { tell({0, domain::kRefused, "run", who}); }
   /// What to poll beside the places where processes connect.
   std::vector<pollfd> descriptors() const;
   /// Takes what has arrived, and does what is due.
@@ -81,7 +84,9 @@ class Supervisor {
   double speed_mps() const;
   void log(const std::vector<std::string>& lines) const;
   void start_child(Member& member);
-  void refuse(Link& link, const std::string& why) const;
+  void refuse(Link& link, const std::string& why);
+  void tell(domain::Incident incident);
+  void record(domain::Incident incident);
   void serve(Member& member, Time now);
   static bool has_ended(Member& member, Time now);
   void lose(Member& member, Time now);
@@ -119,6 +124,7 @@ class Supervisor {
   std::optional<RunRecordingControl> recording_;
   std::optional<Checkpoint> observed_before_;
   std::unique_ptr<ThirdPartyObserver> observer_;
+  IncidentLog incidents_;
   RunReport report_;
   const Time started_at_;
   TickRate rate_;
