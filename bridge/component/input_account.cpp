@@ -87,7 +87,9 @@ void InputAccount::deliver(Message& message) {
 }
 
 void InputAccount::take_tick() {
+  const std::uint64_t tick = buffer_.next_tick();
   const runtime::TopicSet present = buffer_.take(messages_);
+  if (on_tick_) on_tick_(tick, present, messages_);
   for (Topic topic : domain::kAllTopics) {
     if (!present[domain::index_of(topic)]) continue;
     domain::visit_topic(topic, [&](auto constant) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "component/start_barrier.hpp"
@@ -22,6 +24,9 @@ namespace clew::bridge {
 /// be asked from any thread.
 class InputAccount {
  public:
+  using OnTick = std::function<void(std::uint64_t tick, const runtime::TopicSet& present,
+                                    const domain::Messages& messages)>;
+
   /// Says of whom it is in messages, and of which topics; `scan` is the arrangement of beams that
   /// scans must have.
   InputAccount(std::string name, const runtime::TopicSet& topics, const Assignment& assignment,
@@ -32,6 +37,10 @@ class InputAccount {
 
   /// Goes on from a checkpoint instead of tick 0; before open().
   core::Result<void> restore(const Checkpoint& checkpoint);
+  /// Begins at `tick` instead of 0; before open().
+  void begin_at(std::uint64_t tick) { buffer_.restart_at(tick); }
+  /// Shows each tick that is taken; before open(). It is called with the account locked.
+  void on_tick(OnTick on_tick) { on_tick_ = std::move(on_tick); }
   /// Creates the readers. `barrier` and `participant` must outlive the account.
   core::Result<void> open(Participant& participant, const StartBarrier& barrier);
 
@@ -65,6 +74,7 @@ class InputAccount {
   domain::Messages messages_;
   Codecs codecs_;
   SampleAccount account_;
+  OnTick on_tick_;
   std::uint64_t refused_samples_ = 0;
   std::vector<std::string> notices_;
   std::optional<std::string> fatal_;

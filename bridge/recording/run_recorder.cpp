@@ -199,16 +199,19 @@ core::Result<void> RunRecorder::write_tick(bool topics_may_end) {
   return {};
 }
 
-void RunRecorder::add_intervention(const domain::Intervention& intervention) {
-  const std::string text = to_planned_json(intervention);
+void RunRecorder::add_intervention(const domain::Intervention& added) {
+  const std::string text = to_planned_json(added);
   for (const domain::Intervention& known : interventions_) {
     if (to_planned_json(known) == text) return;
   }
+  domain::Intervention intervention = added;
+  // An order changes nothing: in real time it may come when its tick is written.
+  if (!added.order.empty()) intervention.tick = std::max(added.tick, next_tick_.value_or(0));
   const auto later = std::upper_bound(
       interventions_.begin() + static_cast<std::ptrdiff_t>(interventions_written_),
       interventions_.end(), intervention.tick,
       [](std::uint64_t tick, const domain::Intervention& other) { return tick < other.tick; });
-  interventions_.insert(later, intervention);
+  interventions_.insert(later, std::move(intervention));
 }
 
 core::Result<void> RunRecorder::write_interventions(std::uint64_t tick) {

@@ -97,6 +97,22 @@ void Supervisor::refuse(Link& link, const std::string& why) {
   note_refused(why);
 }
 
+// In lockstep the run is what its samples say: it is told, and goes on. A drive of somebody else's
+// can only be told by commands that do not come.
+void Supervisor::note_incident(domain::Incident incident, Time now) {
+  const bool stops = incident.kind == ScanWatch::kIncident && gone_ &&
+                     layout_.pace == Pace::kRealtime && !keeps_own_pace(members_);
+  if (!stops) return tell(std::move(incident));
+  if (layout_.name.empty()) {
+    const std::string why = incident.text;
+    tell(std::move(incident));
+    return end_at_rest(why, now);
+  }
+  live_control_.disarm();
+  incident.text += "; the robot rests until 'clew resume " + layout_.name + "'";
+  tell(std::move(incident));
+}
+
 // In the log, and in the recording.
 void Supervisor::tell(domain::Incident incident) {
   if (auto told = incidents_.note(std::move(incident))) record(*std::move(told));
@@ -163,7 +179,8 @@ void Supervisor::turn(Time now) {
 }
 
 void Supervisor::serve_commands(Time now) {
-  LiveControl::Situation situation{gone_, last_tick_.has_value(), credit_, started_ticks(members_)};
+  const bool ending = last_tick_.has_value() || !ends_at_rest_.empty();
+  LiveControl::Situation situation{gone_, ending, credit_, started_ticks(members_)};
   if (layout_.pace == Pace::kRealtime) {
     situation.first_open_tick =
         situation.ticks +
@@ -242,7 +259,7 @@ void Supervisor::handle(Member& member, Frame frame, Time now) {
   } else if (frame.type == FrameType::kNotice) {
     if (const auto text = frame.as<Text>()) log({text->text});
   } else if (frame.type == FrameType::kIncident) {
-    if (auto incident = frame.as<domain::Incident>()) tell(*std::move(incident));
+    if (auto incident = frame.as<domain::Incident>()) note_incident(*std::move(incident), now);
   } else if (frame.type == FrameType::kFatal) {
     if (const auto text = frame.as<Text>()) end_at_rest(text->text, now);
   }
@@ -285,6 +302,9 @@ void Supervisor::observe(Time now) {
   const auto fatal = observer_->fatal();
   observer_->poll();
   for (const std::string& notice : observer_->take_notices()) note_refused(notice);
+  for (std::string& why : observer_->take_frozen()) {
+    note_incident({0, ScanWatch::kIncident, "run", std::move(why)}, now);
+  }
   if (fatal) abort(*fatal);
   hand_on(observer_->take_spooled(), observer_->ticks());
   note_observed(now);

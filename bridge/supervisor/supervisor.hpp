@@ -85,6 +85,7 @@ class Supervisor {
   void log(const std::vector<std::string>& lines) const;
   void start_child(Member& member);
   void refuse(Link& link, const std::string& why);
+  void note_incident(domain::Incident incident, Time now);
   void tell(domain::Incident incident);
   void record(domain::Incident incident);
   void serve(Member& member, Time now);
