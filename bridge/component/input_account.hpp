@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -45,6 +46,8 @@ class InputAccount {
   core::Result<void> open(Participant& participant, const StartBarrier& barrier);
 
   Progress progress() const;
+  /// Ticks below this one have come of each of `topics`, or later ones have.
+  std::uint64_t ticks_of(const runtime::TopicSet& topics) const;
   /// The chains, if every tick up to `last_tick` is accounted for; else none yet.
   std::optional<Finished> finished(std::uint64_t last_tick) const;
   /// What was spooled since the last call, for for_each_spooled.
@@ -74,6 +77,7 @@ class InputAccount {
   domain::Messages messages_;
   Codecs codecs_;
   SampleAccount account_;
+  std::array<std::uint64_t, domain::kTopicCount> ends_{};  ///< behind the newest sample, by topic
   OnTick on_tick_;
   std::uint64_t refused_samples_ = 0;
   std::vector<std::string> notices_;

@@ -17,6 +17,7 @@
 #include "run/tick_rate.hpp"
 #include "runtime/run_plan.hpp"
 #include "supervisor/incident_log.hpp"
+#include "supervisor/late_watch.hpp"
 #include "supervisor/launcher.hpp"
 #include "supervisor/live_control.hpp"
 #include "supervisor/member.hpp"
@@ -103,6 +104,7 @@ class Supervisor {
     if (recording_) recording_->add(std::move(spool), end_tick);
   }
   void watch(Time now);
+  void watch_late(Time now);
   void watch_start(Time now);
   void watch_stall(Time now);
   bool may_restart_all() const;
@@ -126,6 +128,7 @@ class Supervisor {
   std::optional<Checkpoint> observed_before_;
   std::unique_ptr<ThirdPartyObserver> observer_;
   IncidentLog incidents_;
+  LateWatch late_watch_;
   RunReport report_;
   const Time started_at_;
   TickRate rate_;

@@ -34,6 +34,10 @@ class ThirdPartyObserver {
   /// Takes over what has come. What is spooled is of ticks before ticks().
   void poll();
   std::uint64_t ticks() const { return progress_.ticks; }
+  /// The same of topics that it reads alone.
+  std::uint64_t ticks_of(const runtime::TopicSet& topics) const {
+    return account_->ticks_of(topics);
+  }
   /// How many ticks all the components that it reads have done: ` control 57`.
   std::string ticks_text() const { return ' ' + stages_ + ' ' + std::to_string(ticks()); }
   bool finished(std::uint64_t last_tick) const { return account_->finished(last_tick).has_value(); }

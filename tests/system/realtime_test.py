@@ -6,6 +6,7 @@ import os
 import pathlib
 import signal
 import struct
+import sys
 import tempfile
 import time
 import unittest
@@ -157,6 +158,39 @@ class RealTime(unittest.TestCase):
                 self.assertGreater(states[-1].x_m - states[0].x_m, 0.05)
                 self.assertEqual(states[-2][1:4], states[-1][1:4])
                 self.assertEqual(len(self.events("frozen_sensor")), 1)
+
+    def test_a_step_that_does_not_end_is_named_with_what_it_does(self):
+        program = self.directory / "odd.py"
+        control = f"{{exec: ['{sys.executable}', '{program}'], via: json_lines}}"
+        for doing, says in (("time.sleep(2)", "waits, as in a sleep or a dead-lock"),
+                            ("end = time.process_time() + 2\n"
+                             "        while time.process_time() < end: pass",
+                             "uses the processor, as a busy loop does")):
+            with self.subTest(doing=doing):
+                self.recording.unlink(missing_ok=True)
+                program.write_text(
+                    "import json, sys, time\nfor line in sys.stdin:\n"
+                    f"    if json.loads(line)['tick'] == 10:\n        {doing}\n"
+                    "    print('{\"command\": {\"motion\": {\"kind\": "
+                    "\"COMMAND_TURN_AND_STEP\", \"step_m\": 0.1}}}', flush=True)\n")
+
+                run = Run(self.arguments(control), timeout_s=60)
+
+                self.assertEqual(run.status, 0, run.err)
+                late = [event["text"] for event in self.events("late_component")
+                        if event["stage"] == "control"]
+                self.assertTrue(any(says in text for text in late), late)
+
+    def test_a_component_that_is_stopped_is_named_before_it_is_given_up(self):
+        run = self.moving()
+        os.kill(components_of(run.pid)["sense"], signal.SIGSTOP)
+        _, err = run.communicate(timeout=30)
+
+        self.assertEqual(run.returncode, 1, err)
+        late = [event["text"] for event in self.events("late_component")
+                if event["stage"] == "sense"]
+        self.assertTrue(any("its process is stopped" in text for text in late), late)
+        self.assertTrue(Run(["replay", self.recording, "--json"]).report["identical"])
 
     def moving(self):
         """A run whose robot is on its way."""
