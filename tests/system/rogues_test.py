@@ -128,6 +128,24 @@ class Rogues(unittest.TestCase):
                     self.assertEqual(run.status, 3, run.err)
                     self.assertEqual(run.report["hash"], alone["hash"])
 
+    def test_a_reader_that_takes_nothing_holds_nothing_up_beside_a_drive_of_somebody_elses(self):
+        # 2000 steps: longer than any history is.
+        graph = write_file("world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n"
+                           "control: {behaviour: krishna_kalra_fuzzy}\n"
+                           f"drive: {{exec: ['{THIRD_PARTY}/line_drive', '200'], "
+                           "behaviour: turn_then_step}\n")
+        for vendor in ("cyclonedds", "fastdds"):
+            with self.subTest(vendor=vendor):
+                options = ["run", graph, "--json", "--max-ticks", "4000", "--middleware", vendor]
+                alone = Run(options)
+                self.assertGreater(alone.report["ticks"], 1100)
+
+                run = Run([*options, "--prefix",
+                           f"sense={THIRD_PARTY}/rogue_reader never-takes --beside"])
+
+                self.assertEqual(run.status, 0, run.err)
+                self.assertEqual(run.report["hash"], alone.report["hash"])
+
 
 if __name__ == "__main__":
     unittest.main()
