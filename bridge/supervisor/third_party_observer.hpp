@@ -21,8 +21,8 @@ namespace clew::bridge {
 inline constexpr char kObserverName[] = "observer";
 
 /// Reads the topics that third-party components write, so that their samples are hashed,
-/// counted and recorded like those of components that keep their own account. If one of them steers,
-/// it reads scans and odometry, too, since nobody of ours sees what the robot is driven by.
+/// counted and recorded like those of components that keep their own account. If one of them
+/// steers, it reads scans and odometry, too, since nobody of ours sees what the robot is driven by.
 class ThirdPartyObserver {
  public:
   /// Null if every component of the plan is ours.

@@ -8,8 +8,8 @@
  *
  *     open_sense [BEAMS [RANGE_M]]
  *
- * Another number of beams than 7 is a fault on purpose, for the tests, and so are readings of RANGE_M
- * that never change.
+ * Another number of beams than 7 is a fault on purpose, for the tests, and so are readings of
+ * RANGE_M that never change.
  */
 #include "Scan.h"
 #include "State.h"
