@@ -242,13 +242,20 @@ Result<Prepared> prepare(const runtime::MakeNode& make, const Assignment& assign
   return prepared;
 }
 
+std::function<void(std::string)> tell(Link& link, const std::string& name, const char* kind) {
+  return [&link, name, kind](std::string text) {
+    link.post(FrameType::kIncident, domain::Incident{0, kind, name, std::move(text)});
+  };
+}
+
 NodeHost::Handlers handlers_for(Link& link) {
   return {say(link, FrameType::kNotice),
           say(link, FrameType::kFatal),
           [&link](const Progress& progress) { link.post(FrameType::kProgress, progress); },
           [&link](const Checkpoint& checkpoint) { link.post(FrameType::kCheckpoint, checkpoint); },
           [&link](const std::string& spool) { link.post_bytes(FrameType::kSamples, spool); },
-          [&link](const TookOver& change) { link.post(FrameType::kTookOver, change); }};
+          [&link](const TookOver& change) { link.post(FrameType::kTookOver, change); },
+          [&link](const domain::Incident& told) { link.post(FrameType::kIncident, told); }};
 }
 
 /// The participant of the process, once it has met those of the others.
@@ -303,8 +310,8 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
     link.post(FrameType::kWaiting, Waiting{barrier.missing()});
   };
   StartBarrier barrier(name, assignment.expected,
-                       {[&] { report_missing(barrier); }, say(link, FrameType::kNotice),
-                        say(link, FrameType::kFatal)});
+                       {[&] { report_missing(barrier); }, tell(link, name, domain::kRefused),
+                        say(link, FrameType::kFatal), tell(link, name, domain::kForeignReader)});
   barrier.demand_seals(RunKey(assignment.run_key));
   auto wire = join(assignment, name, barrier);
   if (!wire.ok()) return wire.error();

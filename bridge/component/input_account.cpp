@@ -76,6 +76,8 @@ template <typename Message>
 void InputAccount::deliver(Message& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::uint64_t tick = message.stamp.tick;
+  std::uint64_t& end = ends_[domain::index_of(domain::topic_of<Message>())];
+  end = std::max(end, tick + 1);
   if (buffer_.offer(message) == runtime::InputBuffer::Offer::kAhead) {
     fatal_ = name_ + " is at tick " + std::to_string(buffer_.next_tick()) + " and lost '" +
              std::string(domain::topic_name(domain::topic_of<Message>())) + "' of tick " +
@@ -87,7 +89,9 @@ void InputAccount::deliver(Message& message) {
 }
 
 void InputAccount::take_tick() {
+  const std::uint64_t tick = buffer_.next_tick();
   const runtime::TopicSet present = buffer_.take(messages_);
+  if (on_tick_) on_tick_(tick, present, messages_);
   for (Topic topic : domain::kAllTopics) {
     if (!present[domain::index_of(topic)]) continue;
     domain::visit_topic(topic, [&](auto constant) {
@@ -112,6 +116,15 @@ void InputAccount::refuse(Topic topic, const core::Error& error) {
 Progress InputAccount::progress() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return {buffer_.next_tick(), account_.statistics(), refused_samples_};
+}
+
+std::uint64_t InputAccount::ticks_of(const runtime::TopicSet& topics) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::uint64_t least = UINT64_MAX;
+  for (const Topic topic : domain::kAllTopics) {
+    if (topics[domain::index_of(topic)]) least = std::min(least, ends_[domain::index_of(topic)]);
+  }
+  return least;
 }
 
 std::optional<Finished> InputAccount::finished(std::uint64_t last_tick) const {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "component/start_barrier.hpp"
@@ -22,6 +25,9 @@ namespace clew::bridge {
 /// be asked from any thread.
 class InputAccount {
  public:
+  using OnTick = std::function<void(std::uint64_t tick, const runtime::TopicSet& present,
+                                    const domain::Messages& messages)>;
+
   /// Says of whom it is in messages, and of which topics; `scan` is the arrangement of beams that
   /// scans must have.
   InputAccount(std::string name, const runtime::TopicSet& topics, const Assignment& assignment,
@@ -32,10 +38,16 @@ class InputAccount {
 
   /// Goes on from a checkpoint instead of tick 0; before open().
   core::Result<void> restore(const Checkpoint& checkpoint);
+  /// Begins at `tick` instead of 0; before open().
+  void begin_at(std::uint64_t tick) { buffer_.restart_at(tick); }
+  /// Shows each tick that is taken; before open(). It is called with the account locked.
+  void on_tick(OnTick on_tick) { on_tick_ = std::move(on_tick); }
   /// Creates the readers. `barrier` and `participant` must outlive the account.
   core::Result<void> open(Participant& participant, const StartBarrier& barrier);
 
   Progress progress() const;
+  /// Ticks below this one have come of each of `topics`, or later ones have.
+  std::uint64_t ticks_of(const runtime::TopicSet& topics) const;
   /// The chains, if every tick up to `last_tick` is accounted for; else none yet.
   std::optional<Finished> finished(std::uint64_t last_tick) const;
   /// What was spooled since the last call, for for_each_spooled.
@@ -65,6 +77,8 @@ class InputAccount {
   domain::Messages messages_;
   Codecs codecs_;
   SampleAccount account_;
+  std::array<std::uint64_t, domain::kTopicCount> ends_{};  ///< behind the newest sample, by topic
+  OnTick on_tick_;
   std::uint64_t refused_samples_ = 0;
   std::vector<std::string> notices_;
   std::optional<std::string> fatal_;

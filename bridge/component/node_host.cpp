@@ -37,7 +37,10 @@ NodeHost::NodeHost(runtime::NodeSuccession node, const Assignment& assignment,
       buffer_(node_.ports(), assignment.history_depth),
       account_(assignment.hash, assignment.spooling != Spooling::kNothing),
       clock_(assignment.pace, assignment.pace_factor, plan.graph.tick_s),
-      allowed_until_(assignment.lead) {}
+      allowed_until_(assignment.lead) {
+  const bool steers = node_.ports().outputs[index_of(Topic::kCommand)];
+  if (steers && node_.ports().inputs[index_of(Topic::kScan)]) scan_watch_.emplace(plan);
+}
 
 NodeHost::~NodeHost() { readers_.clear(); }
 
@@ -177,6 +180,7 @@ bool NodeHost::has_come_to_rest() const {
 void NodeHost::release(Time now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   held_at_.reset();
+  rests_ = false;
   clock_.start(now, buffer_.next_tick());
   run_ready(now);
 }
@@ -224,6 +228,9 @@ std::optional<NodeHost::Time> NodeHost::next_due() const {
 template <typename Message>
 void NodeHost::deliver(Message& message) {
   const std::uint64_t tick = message.stamp.tick;
+  if constexpr (domain::topic_of<Message>() == Topic::kScan) {
+    if (scan_watch_ && !lockstep_) tell_frozen(scan_watch_->arrive(tick, Time::clock::now()));
+  }
   const auto offer = buffer_.offer(message);
   if (offer == runtime::InputBuffer::Offer::kAhead) {
     const std::string topic(domain::topic_name(domain::topic_of<Message>()));
@@ -239,10 +246,19 @@ void NodeHost::refuse(Topic topic, const core::Error& error) {
   ++refused_samples_;
   const std::string what = node_.name() + " refuses a sample of '" +
                            std::string(domain::topic_name(topic)) + "': " + error.text();
-  if (!lockstep_) return handlers_.on_notice(what);
+  if (!lockstep_) return tell(domain::kRefused, what);
   // Without it the tick can never be complete.
   report();
   handlers_.on_fatal(what);
+}
+
+void NodeHost::tell(const char* kind, std::string text) const {
+  if (!handlers_.on_incident) return;
+  handlers_.on_incident({buffer_.next_tick(), kind, name_, std::move(text)});
+}
+
+void NodeHost::tell_frozen(const std::optional<std::string>& why) const {
+  if (why) tell(ScanWatch::kIncident, *why);
 }
 
 bool NodeHost::may_step(Time now) const {
@@ -271,6 +287,7 @@ void NodeHost::step() {
   steps_.add(Time::clock::now() - began);
   stepping_.end();
   publish();
+  if (scan_watch_) tell_frozen(scan_watch_->see(tick, present, messages_));
   keep_tick(tick, present);
   const auto& truth = account_.statistics().truth;
   const bool ended = truth && truth->outcome != domain::Outcome::kRunning;

@@ -15,6 +15,7 @@
 
 #include "component/busy_thread.hpp"
 #include "component/input_history.hpp"
+#include "component/scan_watch.hpp"
 #include "component/start_barrier.hpp"
 #include "dds/participant.hpp"
 #include "line/frames.hpp"
@@ -47,6 +48,8 @@ class NodeHost {
     std::function<void(std::string)> on_spooled;
     /// A successor has taken over.
     std::function<void(const TookOver&)> on_took_over = nullptr;
+    /// It has noticed something of others.
+    std::function<void(const domain::Incident&)> on_incident = nullptr;
   };
 
   /// Of the plan it needs the duration of a tick, and the arrangement of beams that scans must
@@ -82,7 +85,7 @@ class NodeHost {
   void rest();
   /// Whether the robot stands still since rest().
   bool has_come_to_rest() const;
-  /// Ends a hold.
+  /// Ends a hold, and a rest.
   void release(Time now);
   /// Starts ticks at another pace, unless that is real time. PaceChange::factor.
   void set_pace(double factor, Time now);
@@ -118,6 +121,8 @@ class NodeHost {
   template <typename Message>
   void deliver(Message& message);
   void refuse(domain::Topic topic, const core::Error& error);
+  void tell(const char* kind, std::string text) const;
+  void tell_frozen(const std::optional<std::string>& why) const;
   void run_ready(Time now);
   bool may_step(Time now) const;
   void step();
@@ -133,6 +138,8 @@ class NodeHost {
   runtime::NodeSuccession node_;
   const std::string name_;
   domain::ScanLayout scan_layout_;
+  /// Of the stage that steers, if it reads scans: it sees what the robot is driven by.
+  std::optional<ScanWatch> scan_watch_;
   const std::string user_data_;
   const int history_depth_;
   const bool lockstep_;

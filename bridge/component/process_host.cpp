@@ -52,7 +52,8 @@ NodeHost::Handlers ProcessHost::handlers_of(std::size_t index) {
           [this, index](const Progress& progress) { take_progress(index, progress); },
           [this, index](const Checkpoint& checkpoint) { take_checkpoint(index, checkpoint); },
           handlers_.on_spooled,
-          handlers_.on_took_over};
+          handlers_.on_took_over,
+          handlers_.on_incident};
 }
 
 void ProcessHost::take_progress(std::size_t index, const Progress& progress) {

@@ -116,7 +116,24 @@ void StartBarrier::on_participants(const std::set<std::string>& names) {
   participants_changed_.notify_all();
 }
 
+// Of a component that is not clew's, the first reader that comes is its own.
+bool StartBarrier::is_expected_reader(const RemoteEndpoint& remote) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::any_of(expected_.begin(), expected_.end(), [&](const ExpectedEndpoint& expected) {
+    if (!is_expected(expected, remote)) return false;
+    return !expected.third_party ||
+           std::none_of(matched_.begin(), matched_.end(), [&](const auto& entry) {
+             return entry.first != remote.guid && is_expected(expected, entry.second);
+           });
+  });
+}
+
 void StartBarrier::on_matched(const RemoteEndpoint& remote) {
+  const bool is_nobodys = UserData::parse(remote.user_data).stage.empty();
+  if (handlers_.on_reader && !remote.is_writer && is_nobodys && !is_expected_reader(remote)) {
+    return handlers_.on_reader("somebody else listens: a " + describe(remote) +
+                               "; nothing waits for it");
+  }
   const std::string why_not = objection(remote);
   if (!why_not.empty()) {
     handlers_.on_refused(own_name_ + " refuses the " + describe(remote) + ": " + why_not);

@@ -24,11 +24,13 @@ class StartBarrier : public DiscoveryListener {
  public:
   /// `on_change` is called, without locks, when the set of missing endpoints changes; `on_refused`
   /// with a sentence for each endpoint that is turned away; `on_fatal` for what makes a start
-  /// impossible.
+  /// impossible; `on_reader`, if there is one, with a sentence for each reader of somebody else's:
+  /// it cannot be turned away, and nobody waits for it.
   struct Handlers {
     std::function<void()> on_change;
     std::function<void(std::string)> on_refused;
     std::function<void(std::string)> on_fatal;
+    std::function<void(std::string)> on_reader = nullptr;
   };
 
   StartBarrier(std::string own_name, std::vector<ExpectedEndpoint> expected, Handlers handlers);
@@ -63,6 +65,8 @@ class StartBarrier : public DiscoveryListener {
  private:
   /// Why an endpoint is no part of this run; empty if it is.
   std::string objection(const RemoteEndpoint& remote) const;
+  /// Whether a reader is one that this process writes for.
+  bool is_expected_reader(const RemoteEndpoint& remote) const;
   /// Whether an endpoint of a component that is not clew's, or of anybody, is not matched yet.
   bool misses_third_party(const std::string& topic, bool is_writer) const;
 

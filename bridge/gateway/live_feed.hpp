@@ -66,6 +66,9 @@ class FedSink : public SampleSink {
   void add_intervention(const domain::Intervention& intervention) override {
     if (next_ != nullptr) next_->add_intervention(intervention);
   }
+  void add_incident(const domain::Incident& incident) override {
+    if (next_ != nullptr) next_->add_incident(incident);
+  }
 
  private:
   SampleSink* next_;

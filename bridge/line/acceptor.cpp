@@ -22,7 +22,7 @@ std::vector<Acceptor::Arrival> Acceptor::arrivals(Time now) {
   // No more at a time: who connects without end must not hold up the run.
   for (const int listening : listening_) {
     for (std::size_t i = 0; i < kMostNewcomers; ++i) {
-      const auto socket = LinkListener::accept(listening);
+      const auto socket = LinkListener::accept(listening, refusals_);
       if (!socket) break;
       add(std::make_unique<Link>(*socket, kMostHelloBytes), now);
     }
@@ -30,21 +30,26 @@ std::vector<Acceptor::Arrival> Acceptor::arrivals(Time now) {
   // Who has spoken is no newcomer any more, however many came after.
   std::vector<Arrival> arrived = greet(now);
   send_surplus_away();
+  if (refusals_.size() > kMostNewcomers) refusals_.resize(kMostNewcomers);
   return arrived;
 }
 
 std::vector<Acceptor::Arrival> Acceptor::greet(Time now) {
   std::vector<Arrival> arrived;
   for (Newcomer& newcomer : newcomers_) {
-    if (!newcomer.link->receive() || now - newcomer.connected_at > kHelloTimeout) {
-      newcomer.link.reset();
+    if (!newcomer.link->receive()) {
+      turn_away(newcomer, "said no hello");
+    } else if (now - newcomer.connected_at > kHelloTimeout) {
+      turn_away(newcomer, "said nothing");
     } else if (const auto frame = newcomer.link->next()) {
       auto hello = frame->as<Hello>();
       if (frame->type == FrameType::kHello && hello) {
         newcomer.link->allow_payload(kMostPayloadBytes);
         arrived.emplace_back(std::move(newcomer.link), *std::move(hello));
+        newcomer.link.reset();
+      } else {
+        turn_away(newcomer, "said no hello");
       }
-      newcomer.link.reset();
     }
   }
   newcomers_.erase(std::remove_if(newcomers_.begin(), newcomers_.end(),
@@ -57,8 +62,17 @@ void Acceptor::send_surplus_away() {
   const auto is_stranger = [](const Newcomer& newcomer) { return newcomer.stranger; };
   auto strangers = std::count_if(newcomers_.begin(), newcomers_.end(), is_stranger);
   for (; strangers > static_cast<std::ptrdiff_t>(kMostNewcomers); --strangers) {
-    newcomers_.erase(std::find_if(newcomers_.begin(), newcomers_.end(), is_stranger));
+    const auto oldest = std::find_if(newcomers_.begin(), newcomers_.end(), is_stranger);
+    turn_away(*oldest, "said nothing, and too many have come after it");
+    newcomers_.erase(oldest);
   }
+}
+
+void Acceptor::turn_away(Newcomer& newcomer, const char* why) {
+  if (newcomer.stranger) {
+    refusals_.push_back(std::string("a process has connected and ") + why + "; it is turned away");
+  }
+  newcomer.link.reset();
 }
 
 }  // namespace clew::bridge

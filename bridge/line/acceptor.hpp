@@ -4,6 +4,7 @@
 #include <chrono>
 #include <deque>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,9 @@ class Acceptor {
   std::vector<int> sockets() const;
   /// Processes that have said hello since the last call.
   std::vector<Arrival> arrivals(Time now);
+  /// Who was turned away since the last call, a sentence each: of other users, and strangers.
+  /// Of more than kMostNewcomers the first are told.
+  std::vector<std::string> take_refusals() { return std::exchange(refusals_, {}); }
   /// A connection as accept() gives it; for connections that come another way.
   void add(std::unique_ptr<Link> link, Time now);
 
@@ -41,8 +45,11 @@ class Acceptor {
   /// The hello of each newcomer who has said it.
   std::vector<Arrival> greet(Time now);
   void send_surplus_away();
+  /// Closes the line of a newcomer; of one of the run's own there is nothing to tell.
+  void turn_away(Newcomer& newcomer, const char* why);
 
   std::vector<int> listening_;
+  std::vector<std::string> refusals_;
   std::deque<Newcomer> newcomers_;  ///< the oldest first
 };
 

@@ -13,6 +13,7 @@
 #include "core/archive.hpp"
 #include "core/hash128.hpp"
 #include "dds/security_files.hpp"
+#include "domain/incident.hpp"
 #include "domain/intervention.hpp"
 #include "run/limits.hpp"
 #include "run/pace.hpp"
@@ -37,6 +38,7 @@ enum class FrameType : std::uint8_t {
   kHeld,      ///< the tick before which it holds
   kNoted,     ///< of an intervention, by its tick: it is known, and will hold
   kTookOver,  ///< a successor has taken over
+  kIncident,  ///< what it notices of others, for the recording, too
   // from the recorder
   kKept,      ///< how far the recorder is
   kRecorded,  ///< the recording has ended, and how it went

@@ -247,12 +247,15 @@ core::Result<Frame> Link::wait_for_frame(Time deadline) {
 std::optional<int> LinkListener::bind(int domain) { return listen_at(line_of(domain)); }
 std::optional<int> LinkListener::bind(const std::string& name) { return listen_at(line_of(name)); }
 
-std::optional<int> LinkListener::accept(int socket) {
+std::optional<int> LinkListener::accept(int socket, std::vector<std::string>& refusals) {
   // Who is turned away may come again at once: not for ever.
   for (std::size_t i = 0; i < kMostNewcomers; ++i) {
     const int connection = ::accept4(socket, nullptr, nullptr, SOCK_CLOEXEC);
     if (connection < 0) return std::nullopt;
     if (is_trusted_peer(connection)) return connection;
+    const auto peer = peer_of(connection);
+    refusals.push_back("a process of user " + (peer ? std::to_string(peer->uid) : "unknown") +
+                       " has connected, and is turned away");
     ::close(connection);
   }
   return std::nullopt;

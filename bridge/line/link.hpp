@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/archive.hpp"
 #include "core/result.hpp"
@@ -96,8 +97,8 @@ class LinkListener {
   /// Binds the line of the run that is called `name`; none if another run is called so.
   static std::optional<int> bind(const std::string& name);
   /// The next connection of a process of our own user or of root, if there is one; others are
-  /// closed.
-  static std::optional<int> accept(int socket);
+  /// closed, and a sentence is added to `refusals` for each.
+  static std::optional<int> accept(int socket, std::vector<std::string>& refusals);
 };
 
 /// Whether the process at the other end of a connected socket belongs to our own user, or to root:

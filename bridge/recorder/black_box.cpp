@@ -89,6 +89,11 @@ void BlackBox::add_intervention(const domain::Intervention& intervention) {
   interventions_.push_back(intervention);
 }
 
+void BlackBox::add_incident(const domain::Incident& incident) {
+  if (file_) return file_->add_incident(incident);
+  incidents_.push_back(incident);
+}
+
 void BlackBox::watch(const SampleView& sample) {
   if (sample.topic == Topic::kEvent) watch_event(sample);
   if (sample.topic == Topic::kState) watch_state(sample);
@@ -152,6 +157,7 @@ Result<void> BlackBox::write(std::uint64_t tick, const std::string& why) {
   if (!file) return file.error();
   file_ = std::move(file).value();
   for (const domain::Intervention& known : interventions_) file_->add_intervention(known);
+  for (const domain::Incident& known : incidents_) file_->add_incident(known);
   for (const Sample& held : held_) {
     if (held.tick + 1 < first) continue;
     CLEW_RETURN_IF_ERROR(file_->add(held.view()));

@@ -32,6 +32,7 @@ class BlackBox : public RunSink {
   bool wants_states() const override { return !file_; }
   void add_state(const SpooledState& state) override;
   void add_intervention(const domain::Intervention& intervention) override;
+  void add_incident(const domain::Incident& incident) override;
   core::Result<void> write_ahead() override;
   /// Before it writes: what is kept may be forgotten when it can no longer get into the file.
   Kept kept() const override;
@@ -65,6 +66,7 @@ class BlackBox : public RunSink {
   std::deque<Sample> held_;          ///< in the order of arrival
   std::map<std::uint64_t, std::map<std::string, std::string>> states_;  ///< by tick and stage
   std::vector<domain::Intervention> interventions_;
+  std::vector<domain::Incident> incidents_;
   std::optional<Happening> next_;  ///< the earliest that has not settled
   std::optional<std::pair<std::uint32_t, std::uint32_t>> contacts_;  ///< made, and suffered
   Codec<domain::Event> event_codec_;

@@ -52,14 +52,14 @@ class Recorder {
 
  private:
   void record(const std::string& spool) {
-    const bool whole =
-        for_each_spooled(spool, {[this](const SampleView& sample) {
-                                   if (failure_.empty()) note(sink_.add(sample));
-                                 },
-                                 [this](const SpooledState& state) { sink_.add_state(state); },
-                                 [this](const domain::Intervention& intervention) {
-                                   sink_.add_intervention(intervention);
-                                 }});
+    const bool whole = for_each_spooled(
+        spool,
+        {[this](const SampleView& sample) {
+           if (failure_.empty()) note(sink_.add(sample));
+         },
+         [this](const SpooledState& state) { sink_.add_state(state); },
+         [this](const domain::Intervention& intervention) { sink_.add_intervention(intervention); },
+         [this](const domain::Incident& incident) { sink_.add_incident(incident); }});
     if (!whole && failure_.empty()) failure_ = "a component sent a damaged spool";
   }
 

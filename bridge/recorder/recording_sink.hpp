@@ -72,6 +72,7 @@ class RecordingSink : public RunSink {
   void add_intervention(const domain::Intervention& intervention) override {
     recorder_.add_intervention(intervention);
   }
+  void add_incident(const domain::Incident& incident) override { recorder_.add_incident(incident); }
   core::Result<void> write_ahead() override { return recorder_.write_ahead(); }
   Kept kept() const override { return {recorder_.durable_ticks(), recorder_.durable_ticks()}; }
   RecordingAccount close(const RunEnding& ending) override;

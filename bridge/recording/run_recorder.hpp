@@ -13,6 +13,7 @@
 
 #include "core/hash128.hpp"
 #include "core/result.hpp"
+#include "domain/incident.hpp"
 #include "domain/topics.hpp"
 #include "recording/mcap_writer.hpp"
 #include "recording/run_description.hpp"
@@ -55,6 +56,9 @@ class RunRecorder {
   /// Takes what somebody changed in the run; it is written before the samples of its tick. One that
   /// it has already is passed over.
   void add_intervention(const domain::Intervention& intervention);
+  /// Takes what befell the run; it is written before the next tick that is, if its own is written
+  /// already. The same told again is passed over.
+  void add_incident(domain::Incident incident);
 
   /// Ticks below this one have a sample of every topic, but for those that are lost.
   std::uint64_t complete_ticks() const { return complete_ticks_; }
@@ -100,6 +104,7 @@ class RunRecorder {
   core::Result<void> write_tick(bool topics_may_end = false);
   core::Result<void> write_front(RecordedTopic& topic);
   core::Result<void> write_interventions(std::uint64_t tick);
+  core::Result<void> write_incidents(std::uint64_t tick);
   core::Result<void> write_ending(const std::string& aborted);
 
   mcap::McapWriter writer_;
@@ -113,6 +118,9 @@ class RunRecorder {
   std::vector<domain::Intervention> interventions_;  ///< in the order of their ticks
   std::size_t interventions_written_ = 0;
   std::optional<std::uint16_t> intervention_channel_;
+  std::vector<domain::Incident> incidents_;  ///< in the order of their ticks
+  std::size_t incidents_written_ = 0;
+  std::optional<std::uint16_t> incident_channel_;
 };
 
 }  // namespace clew::bridge

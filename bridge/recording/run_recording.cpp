@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recording/run_recording.hpp"
 
+#include "recording/recorded_incident.hpp"
 #include "recording/recorded_intervention.hpp"
 #include "recording/run_hash.hpp"
 
@@ -41,6 +42,7 @@ core::Result<RunRecording> RunRecording::open(const std::string& path) {
   CLEW_RETURN_IF_ERROR(recording.read_attachments());
   CLEW_RETURN_IF_ERROR(recording.read_topics());
   CLEW_RETURN_IF_ERROR(recording.read_interventions());
+  CLEW_RETURN_IF_ERROR(recording.read_incidents());
   return recording;
 }
 
@@ -89,12 +91,35 @@ core::Result<void> RunRecording::read_attachments() {
   return {};
 }
 
-core::Result<void> RunRecording::read_interventions() {
+mcap::MessageFilter RunRecording::only(std::string_view topic) const {
   mcap::MessageFilter filter;
   filter.channels.emplace();
   for (const auto& [id, channel] : reader_.channels()) {
-    if (channel.topic == kInterventionChannel) filter.channels->insert(id);
+    if (channel.topic == topic) filter.channels->insert(id);
   }
+  return filter;
+}
+
+core::Result<void> RunRecording::read_incidents() {
+  const mcap::MessageFilter filter = only(kIncidentChannel);
+  if (filter.channels->empty()) return {};
+  mcap::MessageStream messages = reader_.messages(mcap::Order::kFile, filter);
+  for (;;) {
+    const auto message = messages.next();
+    if (!message) return message.error();
+    if (!*message) return {};
+    const std::uint64_t tick = ns_to_tick((*message)->log_time_ns, description_.tick_s);
+    auto found = incident_from_json(tick, (*message)->data);
+    const bool in_order = incidents_.empty() || incidents_.back().tick <= tick;
+    if (!found || !in_order) {
+      return error("its incident at tick " + std::to_string(tick) + " is not one");
+    }
+    incidents_.push_back(*std::move(found));
+  }
+}
+
+core::Result<void> RunRecording::read_interventions() {
+  const mcap::MessageFilter filter = only(kInterventionChannel);
   if (filter.channels->empty()) return {};
   mcap::MessageStream messages = reader_.messages(mcap::Order::kFile, filter);
   for (;;) {

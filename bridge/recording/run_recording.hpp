@@ -13,6 +13,8 @@
 
 #include "core/hash128.hpp"
 #include "core/result.hpp"
+#include "domain/incident.hpp"
+#include "domain/intervention.hpp"
 #include "domain/topics.hpp"
 #include "recording/mcap_reader.hpp"
 #include "recording/run_description.hpp"
@@ -67,6 +69,8 @@ class RunRecording {
   const RunDescription& description() const { return description_; }
   /// What was changed while the run went on, in the order of the ticks.
   const std::vector<domain::Intervention>& interventions() const { return interventions_; }
+  /// What befell the run, in the order of the ticks.
+  const std::vector<domain::Incident>& incidents() const { return incidents_; }
   /// Nothing in a recording that was cut off.
   const std::optional<RunEnd>& end() const { return end_; }
   const std::optional<mcap::Tear>& tear() const { return reader_.tear(); }
@@ -89,6 +93,9 @@ class RunRecording {
   core::Result<void> read_attachments();
   core::Result<void> read_topics();
   core::Result<void> read_interventions();
+  core::Result<void> read_incidents();
+  /// The messages of channels of this topic.
+  mcap::MessageFilter only(std::string_view topic) const;
   core::Error error(const std::string& message) const { return {message, path_, 0, 0}; }
 
   std::string path_;
@@ -96,6 +103,7 @@ class RunRecording {
   RunDescription description_;
   std::optional<RunEnd> end_;
   std::vector<domain::Intervention> interventions_;
+  std::vector<domain::Incident> incidents_;
   std::map<std::string, std::string> intervention_files_;  ///< by tick, a slash and the name
   std::map<std::uint16_t, domain::Topic> topics_;          ///< by channel
 };

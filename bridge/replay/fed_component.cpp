@@ -118,6 +118,8 @@ Result<void> FedComponent::handle(const Frame& frame, Time now) {
     const auto text = frame.as<Text>();
     if (text && frame.type == FrameType::kFatal) return Error{text->text, {}, 0, 0};
     if (text) log_(text->text);
+  } else if (frame.type == FrameType::kIncident) {
+    if (const auto told = frame.as<domain::Incident>()) log_(told->text);
   }
   return {};
 }

@@ -14,15 +14,36 @@ struct SpoolHeader {
   std::uint64_t tick;
   std::uint64_t sequence;  ///< of a state: bytes of the stage's name, which is in front of it
   std::uint32_t size;
-  std::uint32_t topic;  ///< or kState, or kIntervention
+  std::uint32_t topic;  ///< or kState, kIntervention or kIncident
 };
 constexpr std::uint32_t kState = domain::kTopicCount;
 constexpr std::uint32_t kIntervention = kState + 1;
+constexpr std::uint32_t kIncident = kState + 2;
 
 void append(std::string& spool, const SpoolHeader& header) {
   char raw[sizeof header];
   std::memcpy(raw, &header, sizeof header);
   spool.append(raw, sizeof raw);
+}
+
+template <typename Told>
+std::string spooled_as(std::uint32_t kind, const Told& told) {
+  core::StateWriter writer;
+  writer(told);
+  std::string spool;
+  append(spool, {told.tick, 0, static_cast<std::uint32_t>(writer.bytes().size()), kind});
+  return spool + writer.bytes();
+}
+
+/// Hands on what spooled_as has written; false if it is not that.
+template <typename Told>
+bool hand_on(std::string_view bytes, const std::function<void(const Told&)>& to) {
+  Told told;
+  core::StateReader reader(bytes);
+  reader(told);
+  if (!reader.complete()) return false;
+  if (to) to(told);
+  return true;
 }
 
 }  // namespace
@@ -67,13 +88,10 @@ std::string SampleAccount::take_spooled() {
 }
 
 std::string spooled(const domain::Intervention& intervention) {
-  core::StateWriter writer;
-  writer(intervention);
-  std::string spool;
-  append(spool,
-         {intervention.tick, 0, static_cast<std::uint32_t>(writer.bytes().size()), kIntervention});
-  return spool + writer.bytes();
+  return spooled_as(kIntervention, intervention);
 }
+
+std::string spooled(const domain::Incident& incident) { return spooled_as(kIncident, incident); }
 
 bool for_each_spooled(std::string_view spool, const SpoolVisitor& visitor) {
   while (!spool.empty()) {
@@ -81,17 +99,15 @@ bool for_each_spooled(std::string_view spool, const SpoolVisitor& visitor) {
     if (spool.size() < sizeof header) return false;
     std::memcpy(&header, spool.data(), sizeof header);
     spool.remove_prefix(sizeof header);
-    if (header.size > spool.size() || header.topic > kIntervention) return false;
+    if (header.size > spool.size() || header.topic > kIncident) return false;
     const std::string_view bytes = spool.substr(0, header.size);
     if (header.topic < kState) {
       visitor.on_sample(
           {static_cast<domain::Topic>(header.topic), header.tick, header.sequence, bytes});
     } else if (header.topic == kIntervention) {
-      domain::Intervention intervention;
-      core::StateReader reader(bytes);
-      reader(intervention);
-      if (!reader.complete()) return false;
-      if (visitor.on_intervention) visitor.on_intervention(intervention);
+      if (!hand_on(bytes, visitor.on_intervention)) return false;
+    } else if (header.topic == kIncident) {
+      if (!hand_on(bytes, visitor.on_incident)) return false;
     } else {
       if (header.sequence > bytes.size()) return false;
       visitor.on_state(

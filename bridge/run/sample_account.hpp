@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/hash128.hpp"
+#include "domain/incident.hpp"
 #include "domain/intervention.hpp"
 #include "run/run_statistics.hpp"
 #include "wire/codec.hpp"
@@ -69,10 +70,12 @@ struct SpoolVisitor {
   std::function<void(const SampleView&)> on_sample;
   std::function<void(const SpooledState&)> on_state;
   std::function<void(const domain::Intervention&)> on_intervention = nullptr;
+  std::function<void(const domain::Incident&)> on_incident = nullptr;
 };
 
-/// An intervention as an entry of a spool.
+/// An intervention, or an incident, as an entry of a spool.
 std::string spooled(const domain::Intervention& intervention);
+std::string spooled(const domain::Incident& incident);
 
 /// Calls `visitor` for each entry of a spool, in order; false if it is not one.
 bool for_each_spooled(std::string_view spool, const SpoolVisitor& visitor);

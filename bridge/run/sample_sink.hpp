@@ -19,6 +19,8 @@ class SampleSink {
 
   /// Takes what somebody changed in the run, before the samples of its tick.
   virtual void add_intervention(const domain::Intervention&) {}
+  /// Takes what befell the run.
+  virtual void add_incident(const domain::Incident&) {}
 };
 
 }  // namespace clew::bridge

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
+#include <set>
 #include <utility>
 
 #include "component/json_lines.hpp"
@@ -63,6 +64,24 @@ void add_peer(const Graph& graph, const ExpectedEndpoint& endpoint,
   if (std::count(peers.begin(), peers.end(), process) == 0) peers.push_back(std::move(process));
 }
 
+/// Whether every stage but the robot has a part in the inputs of a command. Then nobody gets more
+/// than a tick ahead of another, as long as the robot waits for its commands.
+bool command_waits_for_all(const Graph& graph) {
+  std::set<const GraphStage*> waited_for;
+  std::vector<const GraphStage*> open = {graph.writer_of(Topic::kCommand)};
+  while (!open.empty()) {
+    const GraphStage* stage = open.back();
+    open.pop_back();
+    if (stage == nullptr || !waited_for.insert(stage).second) continue;
+    for (Topic topic : domain::kAllTopics) {
+      if (stage->ports.inputs[index_of(topic)]) open.push_back(graph.writer_of(topic));
+    }
+  }
+  return std::all_of(graph.stages.begin(), graph.stages.end(), [&](const GraphStage& stage) {
+    return stage.ports.delayed_inputs.any() || waited_for.count(&stage) > 0;
+  });
+}
+
 }  // namespace
 
 runtime::Bundle bundle_for(const runtime::RunPlan& plan, const GraphStage& stage) {
@@ -94,8 +113,8 @@ void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
   // Nobody tells a third-party drive when all are there.
   const GraphStage* robot = plan.graph.writer_of(Topic::kState);
   assignment.waits_for_go = robot != nullptr && is_third_party(*robot);
-  // Such a drive starts ticks when it likes. In real time, who is that late is killed.
-  assignment.has_lead = !assignment.waits_for_go;
+  // Such a drive is given no credit. In real time, who is that late is killed.
+  assignment.has_lead = !assignment.waits_for_go || command_waits_for_all(plan.graph);
 }
 
 std::string middleware_of(const GraphStage& stage, const ProcessLayout& layout) {

@@ -42,12 +42,12 @@ std::optional<CommandAnswer> LiveControl::decide(RunCommand& command, const Situ
     case RunCommand::Kind::kStatus:
       break;
   }
-  return resume();
+  return resume(situation);
 }
 
 CommandAnswer LiveControl::status(const Situation& situation, Time now) const {
   CommandAnswer answer = CommandAnswer::from(situation.ticks);
-  answer.held = holds();
+  answer.held = holds() || disarmed_;
   if (control_ != nullptr) answer.page = control_->page();
   for (const Member& member : members_) {
     for (ComponentStatus& each : member.status(now)) answer.components.push_back(std::move(each));
@@ -105,10 +105,17 @@ std::optional<CommandAnswer> LiveControl::step(RunCommand& command, const Situat
   return CommandAnswer::from(*command.at);
 }
 
-CommandAnswer LiveControl::resume() {
-  if (!held_from_) return CommandAnswer::refused("the run is not paused");
-  const std::uint64_t tick = *held_from_;
+void LiveControl::disarm() {
+  disarmed_ = true;
+  tell_starter(FrameType::kRest, Tick{0});
+}
+
+// Who says so while the robot rests has looked at what stopped it.
+CommandAnswer LiveControl::resume(const Situation& situation) {
+  if (!held_from_ && !disarmed_) return CommandAnswer::refused("the run is not paused");
+  const std::uint64_t tick = held_from_.value_or(situation.ticks);
   held_from_.reset();
+  disarmed_ = false;
   tell_starter(FrameType::kRelease, Tick{tick});
   to_record_.push_back({tick, 0, {}, "resume", {}});
   return CommandAnswer::from(tick);

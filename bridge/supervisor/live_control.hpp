@@ -47,6 +47,8 @@ class LiveControl {
   /// Notes what a frame of `stage` says of a hold or a change.
   void note(const std::string& stage, const Frame& frame);
 
+  /// In real time: brings the robot to rest, where it stays until somebody says `resume`.
+  void disarm();
   /// Ticks below this one may be started: beyond it not everybody knows yet what changes.
   std::uint64_t credit() const;
   /// Whether no tick is to be expected.
@@ -67,7 +69,7 @@ class LiveControl {
   CommandAnswer change(const RunCommand& command, const Situation& situation);
   std::optional<CommandAnswer> pause(const Situation& situation);
   std::optional<CommandAnswer> step(RunCommand& command, const Situation& situation);
-  CommandAnswer resume();
+  CommandAnswer resume(const Situation& situation);
   CommandAnswer pace(const RunCommand& command, const Situation& situation);
   /// The stage knows of the change at `tick`, or of all.
   void forget(const std::string& stage, std::optional<std::uint64_t> tick = std::nullopt);
@@ -80,6 +82,7 @@ class LiveControl {
   CommandDesk desk_;
   std::optional<std::uint64_t> held_from_;  ///< 0: not known yet, but asked for
   bool hold_confirmed_ = false;
+  bool disarmed_ = false;
   std::optional<double> pace_factor_;
   std::string stopped_;
   std::map<std::uint64_t, std::set<std::string>>

@@ -49,6 +49,7 @@ void take_arrivals(Supervisor& supervisor, Doors& doors) {
       supervisor.welcome(std::move(link), hello, now);
     }
   }
+  for (const std::string& who : doors.acceptor.take_refusals()) supervisor.note_refused(who);
   doors.watchers.turn();
 }
 

@@ -41,6 +41,7 @@ Supervisor::Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout
                 outside_.start, outside_.security),
       restart_policy_(members_, plan.graph),
       live_control_(outside_.control, members_, layout.pace == Pace::kRealtime),
+      late_watch_(plan, layout.pace == Pace::kRealtime),
       started_at_(now),
       lead_(lead_of(plan, layout)),
       credit_(start.next_tick + lead_),
@@ -93,8 +94,36 @@ void Supervisor::start_child(Member& member) {
 }
 
 // It reads why as soon as it can; if it never does, nothing is lost.
-void Supervisor::refuse(Link& link, const std::string& why) const {
+void Supervisor::refuse(Link& link, const std::string& why) {
   link.post(FrameType::kNotice, Text{why});
+  note_refused(why);
+}
+
+// In lockstep the run is what its samples say: it is told, and goes on. A drive of somebody else's
+// can only be told by commands that do not come.
+void Supervisor::note_incident(domain::Incident incident, Time now) {
+  const bool stops = incident.kind == ScanWatch::kIncident && gone_ &&
+                     layout_.pace == Pace::kRealtime && !keeps_own_pace(members_);
+  if (!stops) return tell(std::move(incident));
+  if (layout_.name.empty()) {
+    const std::string why = incident.text;
+    tell(std::move(incident));
+    return end_at_rest(why, now);
+  }
+  live_control_.disarm();
+  incident.text += "; the robot rests until 'clew resume " + layout_.name + "'";
+  tell(std::move(incident));
+}
+
+// In the log, and in the recording.
+void Supervisor::tell(domain::Incident incident) {
+  if (auto told = incidents_.note(std::move(incident))) record(*std::move(told));
+}
+
+void Supervisor::record(domain::Incident incident) {
+  incident.tick = started_ticks(members_);
+  log({incident.text});
+  if (recording_) recording_->add(spooled(incident), incident.tick + 1);
 }
 
 void Supervisor::welcome(std::unique_ptr<Link> link, const Hello& hello, Time now) {
@@ -106,7 +135,7 @@ void Supervisor::welcome(std::unique_ptr<Link> link, const Hello& hello, Time no
     Member* const place = find_member(members_, hello.stage);
     // Another one of our own program would be no better; a person may come with a newer one.
     if (place != nullptr && place->child) return abort(admitted.error().text());
-    return log({admitted.error().text()});
+    return;
   }
   Member* member = *admitted;
   if (member == nullptr) {
@@ -152,7 +181,8 @@ void Supervisor::turn(Time now) {
 }
 
 void Supervisor::serve_commands(Time now) {
-  LiveControl::Situation situation{gone_, last_tick_.has_value(), credit_, started_ticks(members_)};
+  const bool ending = last_tick_.has_value() || !ends_at_rest_.empty();
+  LiveControl::Situation situation{gone_, ending, credit_, started_ticks(members_)};
   if (layout_.pace == Pace::kRealtime) {
     situation.first_open_tick =
         situation.ticks +
@@ -230,6 +260,8 @@ void Supervisor::handle(Member& member, Frame frame, Time now) {
     hand_on(std::move(frame.payload), std::max(member.progress.ticks, member.progress.most_ticks));
   } else if (frame.type == FrameType::kNotice) {
     if (const auto text = frame.as<Text>()) log({text->text});
+  } else if (frame.type == FrameType::kIncident) {
+    if (auto incident = frame.as<domain::Incident>()) note_incident(*std::move(incident), now);
   } else if (frame.type == FrameType::kFatal) {
     if (const auto text = frame.as<Text>()) end_at_rest(text->text, now);
   }
@@ -271,7 +303,10 @@ void Supervisor::note_observed(Time now) {
 void Supervisor::observe(Time now) {
   const auto fatal = observer_->fatal();
   observer_->poll();
-  log(observer_->take_notices());
+  for (const std::string& notice : observer_->take_notices()) note_refused(notice);
+  for (std::string& why : observer_->take_frozen()) {
+    note_incident({0, ScanWatch::kIncident, "run", std::move(why)}, now);
+  }
   if (fatal) abort(*fatal);
   hand_on(observer_->take_spooled(), observer_->ticks());
   note_observed(now);
@@ -303,6 +338,7 @@ void Supervisor::take_last_reports() {
 void Supervisor::end_members() {
   if (gone_ && !all_finished_) take_last_reports();
   if (observer_) observe(Clock::now());
+  for (domain::Incident& incident : incidents_.take_left_out()) record(std::move(incident));
   end_processes(members_, all_finished_);
   if (recording_) recording_->end(report_.aborted);
 }

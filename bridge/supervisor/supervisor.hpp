@@ -16,6 +16,8 @@
 #include "run/run_report.hpp"
 #include "run/tick_rate.hpp"
 #include "runtime/run_plan.hpp"
+#include "supervisor/incident_log.hpp"
+#include "supervisor/late_watch.hpp"
 #include "supervisor/launcher.hpp"
 #include "supervisor/live_control.hpp"
 #include "supervisor/member.hpp"
@@ -52,6 +54,8 @@ class Supervisor {
   void start();
   /// A process has said who it is on a new line.
   void welcome(std::unique_ptr<Link> link, const Hello& hello, Time now);
+  /// Somebody was turned away where processes connect.
+  void note_refused(const std::string& who) { tell({0, domain::kRefused, "run", who}); }
   /// What to poll beside the places where processes connect.
   std::vector<pollfd> descriptors() const;
   /// Takes what has arrived, and does what is due.
@@ -81,7 +85,10 @@ class Supervisor {
   double speed_mps() const;
   void log(const std::vector<std::string>& lines) const;
   void start_child(Member& member);
-  void refuse(Link& link, const std::string& why) const;
+  void refuse(Link& link, const std::string& why);
+  void note_incident(domain::Incident incident, Time now);
+  void tell(domain::Incident incident);
+  void record(domain::Incident incident);
   void serve(Member& member, Time now);
   static bool has_ended(Member& member, Time now);
   void lose(Member& member, Time now);
@@ -97,6 +104,7 @@ class Supervisor {
     if (recording_) recording_->add(std::move(spool), end_tick);
   }
   void watch(Time now);
+  void watch_late(Time now);
   void watch_start(Time now);
   void watch_stall(Time now);
   void got_on(Time now);
@@ -124,6 +132,8 @@ class Supervisor {
   std::optional<RunRecordingControl> recording_;
   std::optional<Checkpoint> observed_before_;
   std::unique_ptr<ThirdPartyObserver> observer_;
+  IncidentLog incidents_;
+  LateWatch late_watch_;
   RunReport report_;
   const Time started_at_;
   TickRate rate_;

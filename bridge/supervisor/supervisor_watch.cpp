@@ -16,6 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 void Supervisor::watch(Time now) {
   forgive_own_absence(now);
+  watch_late(now);
   if (gone_) {
     watch_stall(now);
   } else {
@@ -38,6 +39,25 @@ void Supervisor::watch(Time now) {
     displayed_at_ = now;
     outside_.display(statistics(), rate_.per_s());
   }
+}
+
+// In lockstep a recording says nothing of how long a step took: it is told in the log. Time in
+// which a step was given no processor is no stall.
+void Supervisor::watch_late(Time now) {
+  if (!gone_ || last_tick_ || live_control_.holds()) return late_watch_.forget();
+  const auto written = [this](const Member& member) {
+    runtime::TopicSet topics;
+    for (const std::string& stage : member.stages) topics |= plan_.graph.find(stage)->ports.outputs;
+    return observer_->ticks_of(topics);
+  };
+  for (domain::Incident& late : late_watch_.watch(members_, written, now)) {
+    if (layout_.pace != Pace::kRealtime) {
+      log({late.text});
+    } else {
+      tell(std::move(late));
+    }
+  }
+  stalled_since_ = std::min(stalled_since_ + late_watch_.take_starved(), now);
 }
 
 void Supervisor::watch_start(Time now) {

@@ -58,7 +58,41 @@ core::Result<std::unique_ptr<ThirdPartyObserver>> ThirdPartyObserver::create(
     CLEW_RETURN_IF_ERROR(self->account_->restore(*assignment.checkpoint));
   }
   CLEW_RETURN_IF_ERROR(self->account_->open(*self->participant_, *self->barrier_));
+  CLEW_RETURN_IF_ERROR(self->watch_scans(plan, std::move(assignment)));
   return self;
+}
+
+core::Result<void> ThirdPartyObserver::watch_scans(const runtime::RunPlan& plan,
+                                                   Assignment assignment) {
+  const runtime::GraphStage* steering = plan.graph.writer_of(domain::Topic::kCommand);
+  if (steering == nullptr || !is_third_party(*steering)) return {};
+  scan_watch_.emplace(plan);
+  if (!scan_watch_->watches_readings()) return {};
+  runtime::TopicSet topics;
+  for (const domain::Topic topic : {domain::Topic::kScan, domain::Topic::kOdometry}) {
+    const runtime::GraphStage* writer = plan.graph.writer_of(topic);
+    if (writer == nullptr) return {};
+    topics.set(index_of(topic));
+    barrier_->expect({{std::string(domain::topic_name(topic)), true, writer->info->name,
+                       is_third_party(*writer)}});
+  }
+  assignment.hash = false;
+  assignment.spooling = Spooling::kNothing;
+  scans_ = std::make_unique<InputAccount>(kName, topics, assignment, plan.setup.behaviour.scan);
+  if (assignment.checkpoint) scans_->begin_at(ticks());
+  scans_->on_tick([this](std::uint64_t tick, const runtime::TopicSet& present,
+                         const domain::Messages& messages) {
+    const auto why = scan_watch_->see(tick, present, messages);
+    if (!why) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    frozen_.push_back(*why);
+  });
+  return scans_->open(*participant_, *barrier_);
+}
+
+std::vector<std::string> ThirdPartyObserver::take_frozen() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(frozen_, {});
 }
 
 void ThirdPartyObserver::poll() {

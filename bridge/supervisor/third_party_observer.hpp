@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "component/input_account.hpp"
+#include "component/scan_watch.hpp"
 #include "component/start_barrier.hpp"
 #include "dds/participant.hpp"
 #include "runtime/run_plan.hpp"
@@ -20,7 +21,8 @@ namespace clew::bridge {
 inline constexpr char kObserverName[] = "observer";
 
 /// Reads the topics that third-party components write, so that their samples are hashed,
-/// counted and recorded like those of components that keep their own account.
+/// counted and recorded like those of components that keep their own account. If one of them
+/// steers, it reads scans and odometry, too, since nobody of ours sees what the robot is driven by.
 class ThirdPartyObserver {
  public:
   /// Null if every component of the plan is ours.
@@ -32,6 +34,10 @@ class ThirdPartyObserver {
   /// Takes over what has come. What is spooled is of ticks before ticks().
   void poll();
   std::uint64_t ticks() const { return progress_.ticks; }
+  /// The same of topics that it reads alone.
+  std::uint64_t ticks_of(const runtime::TopicSet& topics) const {
+    return account_->ticks_of(topics);
+  }
   /// How many ticks all the components that it reads have done: ` control 57`.
   std::string ticks_text() const { return ' ' + stages_ + ' ' + std::to_string(ticks()); }
   bool finished(std::uint64_t last_tick) const { return account_->finished(last_tick).has_value(); }
@@ -40,20 +46,26 @@ class ThirdPartyObserver {
   std::map<std::string, core::Hash128> chains() const;
   std::string take_spooled() { return std::exchange(spooled_, {}); }
   std::vector<std::string> take_notices();
+  /// Why the sensor is frozen, since the last call.
+  std::vector<std::string> take_frozen();
   std::optional<std::string> fatal() const;
 
  private:
   ThirdPartyObserver() = default;
+  core::Result<void> watch_scans(const runtime::RunPlan& plan, Assignment assignment);
 
   std::string stages_;  ///< that it reads: `control`
   mutable std::mutex mutex_;
   std::vector<std::string> notices_;
+  std::vector<std::string> frozen_;
   std::optional<std::string> fatal_;
   Progress progress_;
   std::string spooled_;
   std::unique_ptr<StartBarrier> barrier_;
   std::unique_ptr<Participant> participant_;
   std::unique_ptr<InputAccount> account_;  // closed before the participant
+  std::optional<ScanWatch> scan_watch_;
+  std::unique_ptr<InputAccount> scans_;  // closed before the watch
 };
 
 }  // namespace clew::bridge

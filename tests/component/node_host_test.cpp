@@ -78,7 +78,8 @@ class Host : public testing::Test {
                            [this](std::string text) { fatal_.push_back(std::move(text)); },
                            [this](const Progress& progress) { progress_.push_back(progress); },
                            [this](const Checkpoint& one) { checkpoints_.push_back(one); },
-                           [this](std::string spool) { spooled_ += spool; }});
+                           [this](std::string spool) { spooled_ += spool; }, nullptr,
+                           [this](const domain::Incident& one) { incidents_.push_back(one); }});
     EXPECT_TRUE(host_->open(participant_, barrier_).ok());
     return *host_;
   }
@@ -96,6 +97,7 @@ class Host : public testing::Test {
   RemoteEndpoint writer_;
   StartBarrier barrier_;
   Texts notices_, fatal_;
+  std::vector<domain::Incident> incidents_;
   std::vector<Progress> progress_;
   std::vector<Checkpoint> checkpoints_;
   std::string spooled_;
@@ -175,7 +177,9 @@ TEST_F(Host, OnlyTellsOfItInRealTime) {
 
   participant_.deliver("target", "no CDR", &writer_);
 
-  EXPECT_EQ(notices_.size(), 1u);
+  ASSERT_EQ(incidents_.size(), 1u);
+  EXPECT_EQ(incidents_[0].kind, domain::kRefused);
+  EXPECT_EQ(incidents_[0].text.rfind("echo refuses a sample of 'target': ", 0), 0u);
   EXPECT_TRUE(fatal_.empty());
 }
 

@@ -31,12 +31,14 @@ class Barrier : public testing::Test {
     return {"control",
             std::move(expected),
             {[this] { ++changes_; }, [this](std::string text) { refused_.push_back(text); },
-             [this](std::string text) { fatal_.push_back(text); }}};
+             [this](std::string text) { fatal_.push_back(text); },
+             [this](std::string text) { readers_.push_back(text); }}};
   }
 
   int changes_ = 0;
   Texts refused_;
   Texts fatal_;
+  Texts readers_;
 };
 
 TEST_F(Barrier, NamesWhatIsMissingUntilItIsMatched) {
@@ -135,6 +137,36 @@ TEST_F(Barrier, LetsNoStrangerEndARunByWhatHeAsksFor) {
   barrier.on_matched(remote(true, "scan", "", data_of("")));
   barrier.on_incompatible_qos("scan", false, "RELIABILITY");
   EXPECT_EQ(fatal_, Texts{});
+}
+
+TEST_F(Barrier, NamesEveryReaderOfSomebodyElsesAndWaitsForNone) {
+  StartBarrier barrier = make({{"command", false, "drive", false}});
+  const RemoteEndpoint tool{false, "command", "", data_of(""), "tool", 7};
+  const RemoteEndpoint other{false, "command", "", "nothing of clew's", "other", 8};
+
+  barrier.on_matched(tool);
+  barrier.on_matched(other);
+  barrier.on_unmatched(tool);
+  barrier.on_matched(endpoint(false, "command", "drive"));
+
+  EXPECT_EQ(readers_, Texts({"somebody else listens: a reader of 'command' (process 7); nothing "
+                             "waits for it",
+                             "somebody else listens: a reader of 'command' (process 8); nothing "
+                             "waits for it"}));
+  EXPECT_EQ(refused_, Texts{});
+  EXPECT_EQ(barrier.missing(), Texts{});
+  EXPECT_EQ(changes_, 1) << "only drive is of the run";
+}
+
+TEST_F(Barrier, TakesTheFirstReaderOfAThirdPartyForItsOwn) {
+  StartBarrier barrier = make({{"scan", false, "control", true}});
+
+  barrier.on_matched({false, "scan", "", data_of(""), "own", 7});
+  barrier.on_matched({false, "scan", "", data_of(""), "second", 8});
+
+  EXPECT_EQ(barrier.missing(), Texts{});
+  EXPECT_EQ(readers_, Texts{"somebody else listens: a reader of 'scan' (process 8); nothing waits "
+                            "for it"});
 }
 
 TEST_F(Barrier, SaysWhichPolicyKeepsEndpointsApart) {

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "dds/rtps_ports.hpp"
@@ -15,6 +16,8 @@ namespace clew::bridge {
 namespace {
 
 using Time = Acceptor::Time;
+
+using Refusals = std::vector<std::string>;
 
 const Time kNow = std::chrono::steady_clock::now();
 
@@ -53,6 +56,9 @@ TEST_F(Door, WaitsForWhoHasNotSpokenButNotForEver) {
 
   EXPECT_EQ(acceptor_.sockets().size(), 1u);
   EXPECT_FALSE(silent->receive()) << "it is told by the end of its line";
+  EXPECT_EQ(acceptor_.take_refusals(),
+            Refusals{"a process has connected and said nothing; it is turned away"});
+  EXPECT_TRUE(acceptor_.take_refusals().empty());
 }
 
 TEST_F(Door, TurnsAwayWhoSaysSomethingElse) {
@@ -62,6 +68,8 @@ TEST_F(Door, TurnsAwayWhoSaysSomethingElse) {
   EXPECT_TRUE(acceptor_.arrivals(kNow).empty());
 
   EXPECT_EQ(acceptor_.sockets().size(), 1u);
+  EXPECT_EQ(acceptor_.take_refusals(),
+            Refusals{"a process has connected and said no hello; it is turned away"});
 }
 
 TEST_F(Door, TurnsAwayAFrameLargerThanAnyHello) {
@@ -83,6 +91,9 @@ TEST_F(Door, SendsTheOldestAwayWhenTooManyStandBeforeIt) {
 
   EXPECT_EQ(acceptor_.sockets().size(), 1 + kMostNewcomers);
   EXPECT_FALSE(crowd[0]->receive());
+  EXPECT_EQ(acceptor_.take_refusals(),
+            Refusals{"a process has connected and said nothing, and too many have come after it; "
+                     "it is turned away"});
   crowd.back()->post(FrameType::kHello, Hello{"sense", 42, "fingerprint"});
   EXPECT_EQ(acceptor_.arrivals(kNow).size(), 1u);
 }

@@ -56,6 +56,20 @@ TEST(SampleAccount, HandsOverWhatWasSpooledOnceAndInOrder) {
   EXPECT_TRUE(account.take_spooled().empty());
 }
 
+TEST(SampleAccount, SpoolsWhatBefellTheRunBesideItsSamples) {
+  const std::string spool = spooled(domain::Incident{3, "refused", "control", "a writer"});
+  std::vector<domain::Incident> seen;
+  SpoolVisitor visitor{[](const auto&) {}, [](const auto&) {}, nullptr,
+                       [&](const domain::Incident& one) { seen.push_back(one); }};
+
+  EXPECT_TRUE(for_each_spooled(spool, visitor));
+  EXPECT_FALSE(for_each_spooled(std::string_view(spool).substr(0, spool.size() - 1), visitor));
+
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_EQ(seen[0].tick, 3u);
+  EXPECT_EQ(seen[0].text, "a writer");
+}
+
 TEST(SampleAccount, SeesThatASpoolIsTorn) {
   SampleAccount account(false, true);
   account.add(command_at(0), "first");

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The supervisor's socket: whatever a stranger sends there, or does not read, leaves the run as it
 is, and the supervisor always hears a signal."""
+import json
 import os
 import pathlib
 import random
@@ -46,10 +47,13 @@ def send(bytes_):
 
 
 class Line(unittest.TestCase):
-    def during_a_run(self, disturb):
-        """Calls `disturb()` while a run goes on, which must not notice."""
+    def during_a_run(self, disturb, says):
+        """Calls `disturb()` while a run goes on: it ends as without, and its recording says so."""
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        recording = pathlib.Path(scratch.name) / "r.mcap"
         composed = Run([*RUN, "--layout", "composed", "--json"]).report
-        process = start([*RUN, *PACE, "--domain", DOMAIN, "--json"])
+        process = start([*RUN, *PACE, "--domain", DOMAIN, "--json", "--record", recording])
         self.assertTrue(wait_until(listens))
         kept = disturb()
         alive = process.poll() is None
@@ -61,16 +65,28 @@ class Line(unittest.TestCase):
         self.assertEqual(process.returncode, 3, err)
         self.assertIn(f'"hash":"{composed["hash"]}"', out)
         self.assertIn('"restarts":0', out, err)
+        events = map(json.loads, Run(["events", recording, "--json"]).out.splitlines())
+        refused = [event["text"] for event in events if event["kind"] == "refused"]
+        self.assertIn(says, refused)
+        self.assertLess(len(refused), 10, "the same is told once")
+        self.assertEqual(Run(["info", recording, "--json"]).report["incidents"],
+                         {"refused": len(refused)})
+        self.assertTrue(Run(["replay", recording, "--json"]).report["identical"])
+        self.assertEqual(Run(["bisect", recording, recording]).status, 1, "no setting differs")
 
     def test_bytes_of_a_stranger_change_nothing(self):
         numbers = random.Random(4)
         self.during_a_run(lambda: [
             send(b"\x00\xff\xff\xff\xff"), send(b"\x00" * 64), send(b"GET / HTTP/1.1\r\n\r\n"),
             send(b"\x01\x00\x00\x00\x40" + b"x" * 4_000_000),
-            *(send(numbers.randbytes(numbers.randrange(1, 3000))) for _ in range(40))])
+            *(send(numbers.randbytes(numbers.randrange(1, 3000))) for _ in range(40))],
+            "a process has connected and said no hello; it is turned away")
 
     def test_connections_that_say_nothing_change_nothing(self):
-        self.during_a_run(lambda: [connect() for _ in range(300)])
+        self.during_a_run(
+            lambda: [connect() for _ in range(300)],
+            "a process has connected and said nothing, and too many have come after it; it is "
+            "turned away")
 
     @unittest.skipUnless(os.geteuid() == 0, "only root can act as another user")
     def test_another_user_is_not_let_in(self):
@@ -85,7 +101,8 @@ class Line(unittest.TestCase):
             self.assertEqual(done.stdout, "b''\n", done.stderr)
             return []
 
-        self.during_a_run(come_as_another)
+        self.during_a_run(come_as_another,
+                          f"a process of user {NOBODY} has connected, and is turned away")
 
     def test_a_component_that_does_not_read_its_world_does_not_deafen_the_supervisor(self):
         # Its description is larger than any socket's buffer.

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """In real time the robot arrives at the clock's pace, and rests while nobody tells it where to go."""
 import itertools
+import json
 import os
 import pathlib
 import signal
 import struct
+import sys
 import tempfile
 import time
 import unittest
@@ -24,6 +26,11 @@ target: [5, 1]
 target_radius: 0.2
 """
 
+LONG_WORLD = WORLD.replace("6, 2", "60, 2").replace("5, 1", "50, 1")
+# Its readings are said to be noisy, and are all 1.2 m for ever.
+FROZEN_SENSE = (f"{{exec: ['{THIRD_PARTY}/open_sense', '7', '1.2'], behaviour: cones, range_m: 1.5, "
+                "noise_stddev_m: 0.01}")
+
 
 class RealTime(unittest.TestCase):
     def setUp(self):
@@ -32,11 +39,11 @@ class RealTime(unittest.TestCase):
         self.directory = pathlib.Path(scratch.name)
         self.recording = self.directory / "r.mcap"
 
-    def arguments(self, control=CONTROL):
-        world = self.directory / "lane.yaml"
-        world.write_text(WORLD)
+    def arguments(self, control=CONTROL, sense="{behaviour: cones}", world=WORLD):
+        lane = self.directory / "lane.yaml"
+        lane.write_text(world)
         graph = self.directory / "graph.yaml"
-        graph.write_text(f"world: {world}\nrobot: disc-015\nsense: {{behaviour: cones}}\n"
+        graph.write_text(f"world: {lane}\nrobot: disc-015\nsense: {sense}\n"
                          f"control: {control}\n"
                          f"drive: {{behaviour: turn_then_step, tick_s: {TICK_S}}}\n")
         return ["run", graph, "--pace", "realtime", "--record", self.recording, "--json"]
@@ -102,6 +109,87 @@ class RealTime(unittest.TestCase):
                 self.assertEqual(before[1:4], after[1:4], f"moved in tick {before.tick}")
         for way in (steps[:steps.index(resting[0])], steps[steps.index(resting[-1]) + 1:]):
             self.assertGreater(sum(after.x_m - before.x_m for before, after in way), 0.2)
+        self.assertTrue(Run(["replay", self.recording, "--json"]).report["identical"])
+
+    def events(self, kind):
+        lines = Run(["events", self.recording, "--json"]).out.splitlines()
+        return [event for event in map(json.loads, lines) if event["kind"] == kind]
+
+    def rests(self, ticks=20):
+        """Whether the robot takes no command, by the recording so far."""
+        growing = pathlib.Path(f"{self.recording}.tmp~")
+        states = states_of(growing) if growing.exists() else []
+        return len(states) > ticks and all(state.command_late for state in states[-ticks:])
+
+    def test_a_sensor_that_repeats_itself_stops_the_robot_until_somebody_says_go_on(self):
+        growing = pathlib.Path(f"{self.recording}.tmp~")
+        run = start([*self.arguments(sense=FROZEN_SENSE, world=LONG_WORLD),
+                     "--name", "frozen-sensor"], start_new_session=True)
+        self.assertTrue(wait_until(self.rests), "the robot does not rest")
+        stopped = states_of(growing)[-1]
+
+        resumed = Run(["resume", "frozen-sensor"])
+
+        self.assertEqual(resumed.status, 0, resumed.err)
+        self.assertTrue(wait_until(lambda: states_of(growing)[-1].x_m > stopped.x_m))
+        self.assertTrue(wait_until(self.rests), "the sensor is as frozen as before")
+        run.send_signal(signal.SIGINT)
+        _, err = run.communicate(timeout=30)
+        self.assertEqual(run.returncode, 130, err)
+        (frozen,) = [event for event in self.events("frozen_sensor") if event["stage"] == "control"]
+        self.assertIn("the sensor is frozen: its readings are those of tick 0, to the bit",
+                      frozen["text"])
+        self.assertIn("the robot rests until 'clew resume frozen-sensor'", frozen["text"])
+        self.assertTrue(Run(["replay", self.recording, "--json"]).report["identical"])
+
+    def test_a_frozen_sensor_ends_a_run_in_which_nobody_can_say_go_on(self):
+        # Who steers makes no difference.
+        program = f"{{exec: ['{THIRD_PARTY}/straight_control', --without-guidance]}}"
+        for control in (CONTROL, program):
+            with self.subTest(control=control):
+                self.recording.unlink(missing_ok=True)
+
+                run = Run(self.arguments(control, FROZEN_SENSE, LONG_WORLD), timeout_s=60)
+
+                self.assertEqual(run.status, 1, run.err)
+                self.assertIn("the sensor is frozen: its readings are those of tick", run.err)
+                self.assertNotIn("ended in motion", run.err)
+                states = states_of(self.recording)
+                self.assertGreater(states[-1].x_m - states[0].x_m, 0.05)
+                self.assertEqual(states[-2][1:4], states[-1][1:4])
+                self.assertEqual(len(self.events("frozen_sensor")), 1)
+
+    def test_a_step_that_does_not_end_is_named_with_what_it_does(self):
+        program = self.directory / "odd.py"
+        control = f"{{exec: ['{sys.executable}', '{program}'], via: json_lines}}"
+        for doing, says in (("time.sleep(2)", "waits, as in a sleep or a dead-lock"),
+                            ("end = time.process_time() + 2\n"
+                             "        while time.process_time() < end: pass",
+                             "uses the processor, as a busy loop does")):
+            with self.subTest(doing=doing):
+                self.recording.unlink(missing_ok=True)
+                program.write_text(
+                    "import json, sys, time\nfor line in sys.stdin:\n"
+                    f"    if json.loads(line)['tick'] == 10:\n        {doing}\n"
+                    "    print('{\"command\": {\"motion\": {\"kind\": "
+                    "\"COMMAND_TURN_AND_STEP\", \"step_m\": 0.1}}}', flush=True)\n")
+
+                run = Run(self.arguments(control), timeout_s=60)
+
+                self.assertEqual(run.status, 0, run.err)
+                late = [event["text"] for event in self.events("late_component")
+                        if event["stage"] == "control"]
+                self.assertTrue(any(says in text for text in late), late)
+
+    def test_a_component_that_is_stopped_is_named_before_it_is_given_up(self):
+        run = self.moving()
+        os.kill(components_of(run.pid)["sense"], signal.SIGSTOP)
+        _, err = run.communicate(timeout=30)
+
+        self.assertEqual(run.returncode, 1, err)
+        late = [event["text"] for event in self.events("late_component")
+                if event["stage"] == "sense"]
+        self.assertTrue(any("its process is stopped" in text for text in late), late)
         self.assertTrue(Run(["replay", self.recording, "--json"]).report["identical"])
 
     def moving(self):

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Third-party components that break the contract, and strangers, over real DDS: what they did is
 named, and the run ends or is not changed by it."""
+import json
+import pathlib
+import tempfile
 import unittest
 
 from clew_command import THIRD_PARTY, Run, write_file
@@ -71,22 +74,30 @@ class Rogues(unittest.TestCase):
             self.assertIn("incompatible QoS policy RELIABILITY; expected RELIABLE, TRANSIENT_LOCAL, "
                           "XCDR1; the history may be any", run.err)
 
-    def beside(self, stranger, says, *arguments):
-        """A run with a stranger on the wire, on either vendor: it is as without, and `says` so."""
+    def beside(self, stranger, says, kind="refused"):
+        """A run with a stranger on the wire, on either vendor: it is as without, and `says` so, in
+        its log and in its recording."""
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        recording = pathlib.Path(scratch.name) / "r.mcap"
         for vendor in ("cyclonedds", "fastdds"):
             with self.subTest(stranger=stranger, vendor=vendor):
                 options = ["run", "reactive", "--world", "open-field", "--json", "--middleware",
-                           vendor, *arguments]
+                           vendor]
                 alone = Run(options)
 
                 # Slow enough for discovery to tell of the stranger while the run lasts.
-                run = Run([*options, "--pace", "10x", "--prefix",
-                           f"sense={THIRD_PARTY}/{stranger} --beside"])
+                run = Run([*options, "--pace", "10x", "--record", recording, "--force",
+                           "--prefix", f"sense={THIRD_PARTY}/{stranger} --beside"])
 
                 self.assertEqual(run.status, 0, run.err)
                 self.assertEqual(run.report["hash"], alone.report["hash"])
                 self.assertIn(says, run.err)
                 self.assertEqual(run.report["restarts"], 0)
+                events = map(json.loads,
+                             Run(["events", recording, "--json"]).out.splitlines())
+                told = [event["text"] for event in events if event["kind"] == kind]
+                self.assertTrue(any(says in text for text in told), told)
 
     def test_an_uninvited_writer_changes_nothing(self):
         self.beside("rogue_writer scan", "refuses the writer of 'scan'")
@@ -98,6 +109,10 @@ class Rogues(unittest.TestCase):
 
     def test_a_reader_that_asks_for_more_than_there_is_ends_nothing(self):
         self.beside("rogue_reader persistent", "incompatible QoS policy DURABILITY")
+
+    def test_a_reader_of_somebody_elses_is_named(self):
+        self.beside("rogue_reader never-takes", "somebody else listens: a reader of 'scan' "
+                    "(process ", kind="foreign_reader")
 
     def test_a_reader_that_takes_nothing_holds_nothing_up(self):
         # Longer than any history is.
@@ -112,6 +127,24 @@ class Rogues(unittest.TestCase):
 
                     self.assertEqual(run.status, 3, run.err)
                     self.assertEqual(run.report["hash"], alone["hash"])
+
+    def test_a_reader_that_takes_nothing_holds_nothing_up_beside_a_drive_of_somebody_elses(self):
+        # 2000 steps: longer than any history is.
+        graph = write_file("world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n"
+                           "control: {behaviour: krishna_kalra_fuzzy}\n"
+                           f"drive: {{exec: ['{THIRD_PARTY}/line_drive', '200'], "
+                           "behaviour: turn_then_step}\n")
+        for vendor in ("cyclonedds", "fastdds"):
+            with self.subTest(vendor=vendor):
+                options = ["run", graph, "--json", "--max-ticks", "4000", "--middleware", vendor]
+                alone = Run(options)
+                self.assertGreater(alone.report["ticks"], 1100)
+
+                run = Run([*options, "--prefix",
+                           f"sense={THIRD_PARTY}/rogue_reader never-takes --beside"])
+
+                self.assertEqual(run.status, 0, run.err)
+                self.assertEqual(run.report["hash"], alone.report["hash"])
 
 
 if __name__ == "__main__":

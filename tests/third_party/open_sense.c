@@ -6,9 +6,10 @@
  *
  *     sense: {exec: [./open_sense], behaviour: cones, range_m: 1.5}
  *
- *     open_sense [BEAMS]
+ *     open_sense [BEAMS [RANGE_M]]
  *
- * Another number of beams than 7 is a fault on purpose, for the tests.
+ * Another number of beams than 7 is a fault on purpose, for the tests, and so are readings of
+ * RANGE_M that never change.
  */
 #include "Scan.h"
 #include "State.h"
@@ -31,7 +32,7 @@ int main(int argc, char** argv) {
       open_output(participant, &clew_msg_Scan_desc, "scan", DDS_RELIABILITY_RELIABLE);
 
   double ranges_m[MAX_BEAMS];
-  for (long i = 0; i < beams; ++i) ranges_m[i] = RANGE_M;
+  for (long i = 0; i < beams; ++i) ranges_m[i] = argc > 2 ? atof(argv[2]) : RANGE_M;
   clew_msg_Scan scan;
   memset(&scan, 0, sizeof scan);
   scan.bearing_first_rad = 3.0 * CONE_RAD;

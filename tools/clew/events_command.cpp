@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
@@ -90,18 +93,62 @@ std::string to_text(const domain::TickStamp& stamp, const domain::EventEntry& en
   return entry.text.empty() ? text : text + "  " + entry.text;
 }
 
-/// Prints all events; the number of them.
+std::string to_json(const domain::Incident& incident, double time_s) {
+  return json_line(ordered_json{{"tick", incident.tick},
+                                {"time_s", time_s},
+                                {"stage", incident.stage},
+                                {"kind", incident.kind},
+                                {"rule", ""},
+                                {"x_m", nullptr},
+                                {"y_m", nullptr},
+                                {"text", incident.text},
+                                {"shadow", false},
+                                {"earlier", nullptr}});
+}
+
+std::string to_text(const domain::Incident& incident, double time_s) {
+  return fmt::format("tick {:>6}  {:>8.1f} s  {:<14} {}", incident.tick, time_s, incident.kind,
+                     incident.text);
+}
+
+/// Prints what befell a run, between the events of its ticks.
+class IncidentPrinter {
+ public:
+  IncidentPrinter(const bridge::RunRecording& recording, bool json)
+      : incidents_(recording.incidents()), tick_s_(recording.description().tick_s), json_(json) {}
+
+  /// Those that stand before the samples of `tick` and were not printed yet; how many.
+  std::size_t print_until(std::uint64_t tick) {
+    const std::size_t first = next_;
+    for (; next_ < incidents_.size() && incidents_[next_].tick <= tick; ++next_) {
+      const double time_s = static_cast<double>(incidents_[next_].tick) * tick_s_;
+      fmt::print("{}\n",
+                 json_ ? to_json(incidents_[next_], time_s) : to_text(incidents_[next_], time_s));
+    }
+    return next_ - first;
+  }
+
+ private:
+  const std::vector<domain::Incident>& incidents_;
+  const double tick_s_;
+  const bool json_;
+  std::size_t next_ = 0;
+};
+
+/// Prints all events and incidents; the number of them.
 Result<std::size_t> print_events(const bridge::RunRecording& recording, bool json) {
   CLEW_RETURN_IF_ERROR(bridge::check_message_types(recording));
   const std::string stage = writer_of_events();
   auto samples = recording.samples({{domain::Topic::kEvent}});
   bridge::Codec<domain::Event> codec;
   domain::Event event;
+  IncidentPrinter incidents(recording, json);
   std::size_t count = 0;
   while (true) {
     const auto sample = samples.next();
     if (!sample.ok()) return sample.error();
-    if (!*sample) return count;
+    if (!*sample) return count + incidents.print_until(std::numeric_limits<std::uint64_t>::max());
+    count += incidents.print_until((*sample)->tick);
     const auto decoded = codec.decode_unvalidated((*sample)->cdr, event);
     if (!decoded.ok()) {
       return core::Error{fmt::format("tick {}: {}", (*sample)->tick, decoded.error().message),
@@ -123,7 +170,7 @@ int events_command(const EventsOptions& options) {
     fmt::print(stderr, "clew: {}: {}; told is what is there\n", recording->path(), why);
   }
   if (recording->description().schemas.count(domain::Topic::kEvent) == 0) {
-    fmt::print(stderr, "clew: {}: its graph has no recover, which alone tells events\n",
+    fmt::print(stderr, "clew: {}: its graph has no recover, which alone tells traps and escapes\n",
                recording->path());
   } else if (*count == 0 && !options.json) {
     fmt::print("no events\n");
@@ -135,8 +182,8 @@ int events_command(const EventsOptions& options) {
 
 void add_events(CLI::App& main, int& status) {
   const auto options = std::make_shared<EventsOptions>();
-  CLI::App* app =
-      main.add_subcommand("events", "Print the traps, escapes and virtual targets of a recording");
+  CLI::App* app = main.add_subcommand(
+      "events", "Print what happened in a recording: traps, escapes, and what befell the run");
   app->add_option("recording", options->recording, "of a run")->required();
   app->add_flag("--json", options->json, "print one JSON object an event");
   app->callback([options, &status] { status = events_command(*options); });

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
@@ -53,6 +56,13 @@ struct RecordingFacts {
   std::optional<std::uint64_t> branch_tick;
   SignatureFacts signature;
 };
+
+/// By kind.
+std::map<std::string, std::size_t> count_incidents(const RunRecording& recording) {
+  std::map<std::string, std::size_t> counts;
+  for (const domain::Incident& incident : recording.incidents()) ++counts[incident.kind];
+  return counts;
+}
 
 bool was_aborted(const RunRecording& recording) {
   return recording.end() && !recording.end()->aborted.empty();
@@ -151,6 +161,11 @@ void print(const RunRecording& recording, const RecordingFacts& facts) {
   if (const auto& box = description.black_box) {
     fmt::print("black box  {}; can be replayed from tick {} on\n", box->why, box->tick);
   }
+  if (const auto counts = count_incidents(recording); !counts.empty()) {
+    std::vector<std::string> texts;
+    for (const auto& [kind, count] : counts) texts.push_back(fmt::format("{} {}", count, kind));
+    fmt::print("incidents  {}; 'clew events' tells them\n", fmt::join(texts, ", "));
+  }
   for (const auto& change : recording.interventions()) {
     fmt::print(
         "changed    at tick {}: {}\n", change.tick,
@@ -235,6 +250,7 @@ ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts)
     json["interventions"].push_back(
         {{"tick", change.tick}, {"changes", change.changes}, {"order", change.order}});
   }
+  json["incidents"] = count_incidents(recording);
   json["black_box"] = nullptr;
   if (const auto& box = description.black_box) {
     json["black_box"] = {{"first_tick", box->tick}, {"why", box->why}};
