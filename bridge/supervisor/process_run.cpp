@@ -88,7 +88,7 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
     std::fprintf(stderr, "clew: %s\n", line.c_str());
   };
   Supervisor supervisor(plan, layout, lock->domain(), recording, start,
-                        {say, display, ChildProcess::start, control, watch, *security},
+                        {say, display, ChildProcess::start, activity_of, control, watch, *security},
                         Clock::now());
   supervisor.start();
   while (!supervisor.over()) {

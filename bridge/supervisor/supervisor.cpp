@@ -41,7 +41,7 @@ Supervisor::Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout
                 outside_.start, outside_.security),
       restart_policy_(members_, plan.graph),
       live_control_(outside_.control, members_, layout.pace == Pace::kRealtime),
-      late_watch_(plan, layout.pace == Pace::kRealtime),
+      late_watch_(plan, layout.pace == Pace::kRealtime, outside_.activity),
       started_at_(now),
       lead_(lead_of(plan, layout)),
       credit_(start.next_tick + lead_),

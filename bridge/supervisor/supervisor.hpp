@@ -41,6 +41,7 @@ class Supervisor {
     Log log;                                   ///< a line for people
     ProgressDisplay display;                   ///< may be null
     StartProcess start = ChildProcess::start;  ///< starts a program
+    LateWatch::Activity activity = activity_of;
     RunControl* control = nullptr;  ///< what is changed while the run goes on; null: nothing may be
     WatchSamples watch = nullptr;   ///< sees what the recorder gets; may be null
     RunSecurity::Shared security = nullptr;  ///< null: the run is open

@@ -96,7 +96,7 @@ class SupervisedRun : public testing::Test {
     supervisor_ = std::make_unique<Supervisor>(
         plan_, layout_, 1, std::nullopt, ProcessStart{},
         Supervisor::Outside{[this](const std::string& line) { log_.push_back(line); }, nullptr,
-                            start_sleeping},
+                            start_sleeping, [](auto) { return std::nullopt; }},
         now_);
     supervisor_->start();
   }
