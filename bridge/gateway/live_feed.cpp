@@ -30,8 +30,8 @@ constexpr auto kBatchPeriod = std::chrono::milliseconds(16);
 
 }  // namespace
 
-core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(const std::string& program, int port,
-                                                        const RunDescription& description,
+core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(const std::vector<std::string>& words,
+                                                        int port, const RunDescription& description,
                                                         const std::string& name,
                                                         const std::string& run) {
   int sockets[2];
@@ -41,8 +41,11 @@ core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(const std::string& progr
   auto link = std::make_unique<Link>(sockets[0]);
   ::fcntl(sockets[1], F_SETFD, 0);  // the child's end goes with it
   ChildCommand command;
-  command.arguments = {program,  "gateway",           "--socket", std::to_string(sockets[1]),
-                       "--port", std::to_string(port)};
+  command.arguments = words;
+  for (const std::string& word : {std::string("--socket"), std::to_string(sockets[1]),
+                                  std::string("--port"), std::to_string(port)}) {
+    command.arguments.push_back(word);
+  }
   auto child = ChildProcess::start(command);
   ::close(sockets[1]);
   if (!child.ok()) return child.error();

@@ -7,11 +7,13 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/result.hpp"
 #include "line/link.hpp"
 #include "recording/run_description.hpp"
 #include "run/end_signals.hpp"
+#include "run/sample_account.hpp"
 #include "run/sample_sink.hpp"
 #include "supervisor/child_process.hpp"
 
@@ -21,10 +23,11 @@ namespace clew::bridge {
 /// never waits for. What it does not take in time is dropped and counted.
 class LiveFeed {
  public:
-  /// Starts `program gateway`; `port` 0: any free one. `name` is what the page shows; under `run`
-  /// it finds the run when somebody commands it.
-  static core::Result<std::unique_ptr<LiveFeed>> start(const std::string& program, int port,
-                                                       const RunDescription& description,
+  /// Starts `words`, a program with its arguments, and tells it its end of the socket and `port`
+  /// (0: any free one). `name` is what the page shows; under `run` it finds the run when somebody
+  /// commands it.
+  static core::Result<std::unique_ptr<LiveFeed>> start(const std::vector<std::string>& words,
+                                                       int port, const RunDescription& description,
                                                        const std::string& name,
                                                        const std::string& run);
 
@@ -64,6 +67,7 @@ class FedSink : public SampleSink {
     if (next_ != nullptr) next_->add_state(state);
   }
   void add_intervention(const domain::Intervention& intervention) override {
+    spool_ += spooled(intervention);
     if (next_ != nullptr) next_->add_intervention(intervention);
   }
 

@@ -8,6 +8,7 @@
 
 #include "clew/own_program.hpp"
 #include "recorder/recording_sink.hpp"
+#include "runtime/plugin_list.hpp"
 #include "view/page_file.hpp"
 
 namespace clew::tools {
@@ -40,7 +41,11 @@ Result<std::unique_ptr<bridge::LiveFeed>> start_view(const RunOptions& options,
                                                      const std::string& run) {
   if (!options.view) return std::unique_ptr<bridge::LiveFeed>();
   if (view::page().empty()) return Error{view::kNoPage, "--view", 0, 0};
-  auto feed = bridge::LiveFeed::start(own_program(), *options.view, bridge::describe_run(plan),
+  std::vector<std::string> gateway = {own_program(), "gateway"};
+  for (const runtime::PluginInfo& plugin : runtime::loaded_plugins()) {
+    gateway.insert(gateway.end(), {"--plugin", plugin.file});
+  }
+  auto feed = bridge::LiveFeed::start(gateway, *options.view, bridge::describe_run(plan),
                                       plan.graph.name, run);
   if (!feed.ok()) return feed.error();
   fmt::print("view {}\n", (*feed)->address());

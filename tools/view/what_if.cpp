@@ -59,7 +59,9 @@ Result<std::uint64_t> read_moment(const json& request, std::size_t recordings,
   const auto recording = count_of(request, "recording", SIZE_MAX);
   if (!recording.ok() || *recording >= recordings) return bad("there is no such recording");
   command.recording = *recording;
-  return count_of(request, "tick", UINT32_MAX);
+  const auto tick = count_of(request, "tick", UINT32_MAX);
+  if (tick.ok()) command.tick = *tick;
+  return tick;
 }
 
 /// `recover.detector` and the names to put there, as an option of the command line.

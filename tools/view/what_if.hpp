@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +15,8 @@ namespace clew::view {
 /// A command of clew that the page asks for, checked: every word is one that its registry knows, or
 /// a number. So a page names no program, no plug-in and no path.
 struct PageCommand {
-  std::size_t recording = 0;       ///< of a branch: which of those that are served
+  std::size_t recording = 0;       ///< of a branch or a question: which of those that are served
+  std::uint64_t tick = 0;          ///< of a branch or a question
   std::vector<std::string> words;  ///< behind `clew replay RECORDING` or `clew run GRAPH`
   std::string graph;               ///< of a run
   std::string world;               ///< of a run: a name; empty: `world_text`

@@ -48,12 +48,13 @@ export class Insides {
     if (this.panel.hidden && !this.session.wants_insides) return;
     const wanted = this.wanted;
     if (!this.has_server) return this.say("Insides are computed when somebody asks, by the server of clew view. This page has no server; clew explain tells them of the recording.");
-    if (!wanted) return this.say("Insides are computed from recordings. This run is under way; they can be asked for once it is recorded.");
+    if (!wanted) return;
     if (this.session.playing) return this.say("Pause to see the insides of a tick.");
     const key = `${wanted.recording} ${wanted.tick}`;
     // Whoever waits asks of another tick or run.
     window.clearTimeout(this.timer);
     if (key === this.asked) return;
+    if (!this.told) this.say("Stay at a tick to see its insides: of a run under way, pause it or choose a tick.");
     const run = this.session.run;
     this.timer = window.setTimeout(() => void this.ask(key, run, wanted), kPatience_ms);
   }

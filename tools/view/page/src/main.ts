@@ -175,6 +175,8 @@ async function watch(): Promise<void> {
     },
   });
   run = session.add(live.recording);
+  // All that a gateway has.
+  run.served = 0;
   show_runs();
   const choices = await read_choices();
   control = new Control(session, map, add_panel("control", "Control"), choices);
