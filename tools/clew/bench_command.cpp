@@ -20,6 +20,7 @@
 #include "clew/version.hpp"
 #include "runtime/plugin_list.hpp"
 #include "stages/all.hpp"
+#include "view/page_file.hpp"
 
 namespace clew::tools {
 namespace {
@@ -35,6 +36,7 @@ struct BenchCommandOptions {
   bool force = false;
   bool json = false;
   bool compress = false;
+  std::size_t keep = 24;     ///< recordings of runs that failed
   std::string write_worlds;  ///< a directory for the generated worlds, instead of running
 };
 
@@ -171,6 +173,8 @@ Result<bench::BenchOptions> bench_options(const BenchCommandOptions& options) {
   bench.jobs = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
   bench.restart = options.force;
   bench.compress = options.compress;
+  bench.keep = options.keep;
+  bench.pages = {view::bench_page(), view::page()};
   bench.progress = terminal_progress();
   if (options.shard.empty()) return bench;
   const auto shard = bench::read_shard(options.shard);
@@ -284,6 +288,10 @@ void add_bench(CLI::App& main, int& status) {
                   "run batch after batch until each graph's success is known to so much, as 0.05, "
                   "from one end of its interval to the other")
       ->check(number_between(0.001, 1.0));
+  app->add_option("--keep", options->keep,
+                  "recordings and reports of so many runs that failed, the worst of each graph "
+                  "first (24)")
+      ->check(whole_number());
   add_sweep(*app, options->sweep);
   add_shards(*app, *options);
   app->callback([options, &status] { status = bench_command(*options); });
