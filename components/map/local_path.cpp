@@ -95,7 +95,7 @@ void LocalPath::plan(const PathRequest& request) {
 void LocalPath::seek(const PathRequest& request, const Vec2& goal) {
   const Costmap& costs =
       finder_->costs.update(request.map.seen(), request.from, goal, LocalMap::kAround_m, kReach_m);
-  close_refused(costs.grid);
+  close_refused(costs.grid, finder_->costs);
   open_own_place(costs, request.from);
   const auto* path = &finder_->search->find(costs, request.from, goal,
                                             kArrivesWithin_ratio * request.target_radius_m);
@@ -146,7 +146,7 @@ void LocalPath::refuse(const Vec2& place_odom) {
   if (state_.refused_odom.size() < kMostRefused) state_.refused_odom.push_back(place_odom);
 }
 
-void LocalPath::close_refused(const Grid& grid) {
+void LocalPath::close_refused(const Grid& grid, CostmapBuilder& costs) const {
   const auto reach = static_cast<std::int32_t>(std::ceil(kRefused_m / grid.cell_m));
   for (const Vec2& place : state_.refused_odom) {
     const auto middle = grid.cell_at(place);
@@ -155,10 +155,20 @@ void LocalPath::close_refused(const Grid& grid) {
       for (std::int32_t columns = -reach; columns <= reach; ++columns) {
         const Cell cell{middle->column + columns, middle->row + rows};
         if (!grid.contains(cell) || core::length(grid.centre(cell) - place) > kRefused_m) continue;
-        finder_->costs.overrule(grid.index(cell), Costmap::kBlocked, Clearance::kNone);
+        costs.overrule(grid.index(cell), Costmap::kBlocked, Clearance::kNone);
       }
     }
   }
+}
+
+Costmap LocalPath::costs_around(const PathRequest& request, double reach_m) const {
+  const SeenMap& seen = request.map.seen();
+  CostmapBuilder costs(inflation_for(parameters_, request.map, radius_m_), seen.cell_m());
+  // What lies beyond the reach has its say in the costs within.
+  const double sees_m = reach_m + LocalMap::kAround_m;
+  const Costmap& around = costs.update(seen, request.from, request.from, reach_m, sees_m);
+  close_refused(around.grid, costs);
+  return around;
 }
 
 /// Where the robot stands it can be, whatever is believed.
