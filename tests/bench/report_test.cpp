@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/bench_page.hpp"
 #include "bench/kept_runs.hpp"
 #include "bench/pairs.hpp"
 #include "bench/run_result.hpp"
@@ -60,6 +61,33 @@ TEST_F(ReportOfFourRuns, CountsSuccessApartForSolvableAndUnsolvable) {
   EXPECT_EQ(table.rows[1][1], "1/2 50 % [9, 91]");
   EXPECT_EQ(table.rows[1][3], "0/1 0 % [0, 79]");
   EXPECT_EQ(table.rows[1][5], "2");
+}
+
+TEST_F(ReportOfFourRuns, OfManyRunsAPageListsTheKeptAndTheFailedFirst) {
+  const std::vector<KeptRun> kept = {{2, "runs/b.mcap", "runs/b.html"}};
+
+  EXPECT_EQ(runs_on_page(results_, kept, 10), (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_EQ(runs_on_page(results_, kept, 1), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(runs_on_page(results_, kept, 2), (std::vector<std::size_t>{2, 3}));
+  EXPECT_EQ(runs_on_page(results_, kept, 3), (std::vector<std::size_t>{0, 2, 3}));
+}
+
+TEST_F(ReportOfFourRuns, APageOfVeryManyRunsStaysSmall) {
+  const std::vector<RunResult> few = results_.runs;
+  plan_.seeds.resize(kMostRunsOnPage);
+  results_.runs.assign(kMostRunsOnPage, few[0]);
+  for (std::size_t i = 1; i < few.size(); ++i) {
+    results_.runs.insert(results_.runs.end(), kMostRunsOnPage, few[i]);
+  }
+  for (std::size_t i = 0; i < results_.runs.size(); ++i) {
+    results_.runs[i].key.seed = i;
+    results_.runs[i].hash = std::to_string(i * 0x9e3779b97f4a7c15u);
+  }
+
+  const auto page = bench_page("<html><!-- recordings --></html>", results_, Report{}, {}, "");
+
+  ASSERT_TRUE(page.ok()) << page.error().text();
+  EXPECT_LT(page->size(), 4u << 20);
 }
 
 TEST_F(ReportOfFourRuns, TellsFamiliesApart) {

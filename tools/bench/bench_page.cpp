@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/bench_page.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "files/whole_file.hpp"
 #include "view/report.hpp"
@@ -75,13 +78,35 @@ ordered_json to_json(const Chart& chart) {
   return json;
 }
 
+/// Only worlds of runs that are listed are named: there may be as many worlds as runs.
+class ListedWorlds {
+ public:
+  explicit ListedWorlds(const BenchPlan& plan) : plan_(plan), places_(plan.worlds.size()) {}
+
+  /// Where the world is in the list.
+  std::size_t place_of(std::size_t world) {
+    if (!places_[world]) {
+      places_[world] = list_.size();
+      list_.push_back({{"name", plan_.worlds[world].name}, {"family", plan_.worlds[world].family}});
+    }
+    return *places_[world];
+  }
+  ordered_json take() { return std::move(list_); }
+
+ private:
+  const BenchPlan& plan_;
+  std::vector<std::optional<std::size_t>> places_;
+  ordered_json list_ = ordered_json::array();
+};
+
 /// A run as the values of kRunColumns, in that order: ten thousand runs have names once.
 constexpr const char* kRunColumns[] = {
-    "variant",      "world",    "seed",   "outcome",      "success",    "solvable",
-    "ticks",        "time_s",   "path_m", "path_ratio",   "collisions", "hit_by",
-    "safety_stops", "captures", "alarms", "false_alarms", "hash"};
+    "run",      "variant",      "world",    "seed",   "outcome",      "success",
+    "solvable", "ticks",        "time_s",   "path_m", "path_ratio",   "collisions",
+    "hit_by",   "safety_stops", "captures", "alarms", "false_alarms", "hash"};
 
-ordered_json to_json(const RunResult& run, std::size_t index, const BenchPlan& plan) {
+ordered_json to_json(const RunResult& run, std::size_t index, const BenchPlan& plan,
+                     ListedWorlds& worlds) {
   const std::size_t seeds = plan.seeds.size();
   std::uint32_t alarms = 0;
   std::uint32_t false_alarms = 0;
@@ -90,8 +115,9 @@ ordered_json to_json(const RunResult& run, std::size_t index, const BenchPlan& p
     alarms += detector.alarms;
     false_alarms += detector.false_alarms;
   }
-  return {index / (plan.worlds.size() * seeds),
-          index / seeds % plan.worlds.size(),
+  return {index + 1,
+          index / (plan.worlds.size() * seeds),
+          worlds.place_of(index / seeds % plan.worlds.size()),
           run.key.seed,
           run.outcome,
           or_null(run.success),
@@ -111,18 +137,18 @@ ordered_json to_json(const RunResult& run, std::size_t index, const BenchPlan& p
 
 ordered_json runs_json(const BenchResults& results, const std::vector<KeptRun>& kept) {
   const BenchPlan& plan = *results.plan;
+  const std::vector<std::size_t> listed = runs_on_page(results, kept, kMostRunsOnPage);
   ordered_json json;
   json["variants"] = ordered_json::array();
   for (const Variant& variant : plan.variants) json["variants"].push_back(variant.label());
-  json["worlds"] = ordered_json::array();
-  for (const BenchWorld& world : plan.worlds) {
-    json["worlds"].push_back({{"name", world.name}, {"family", world.family}});
-  }
   json["columns"] = kRunColumns;
   json["runs"] = ordered_json::array();
-  for (std::size_t i = 0; i < results.runs.size(); ++i) {
-    json["runs"].push_back(to_json(results.runs[i], i, plan));
+  ListedWorlds worlds(plan);
+  for (const std::size_t i : listed) {
+    json["runs"].push_back(to_json(results.runs[i], i, plan, worlds));
   }
+  json["worlds"] = worlds.take();
+  json["count"] = results.runs.size();
   json["kept"] = ordered_json::object();
   for (const KeptRun& run : kept) {
     json["kept"][std::to_string(run.index)] = {{"recording", run.recording},
@@ -132,6 +158,24 @@ ordered_json runs_json(const BenchResults& results, const std::vector<KeptRun>& 
 }
 
 }  // namespace
+
+std::vector<std::size_t> runs_on_page(const BenchResults& results, const std::vector<KeptRun>& kept,
+                                      std::size_t most) {
+  std::vector<std::size_t> listed;
+  std::vector<bool> is_listed(results.runs.size());
+  const auto list = [&](std::size_t run) {
+    if (is_listed[run] || listed.size() >= most) return;
+    is_listed[run] = true;
+    listed.push_back(run);
+  };
+  for (const KeptRun& run : kept) list(run.index);
+  for (std::size_t i = 0; i < results.runs.size(); ++i) {
+    if (results.runs[i].success == false) list(i);
+  }
+  for (std::size_t i = 0; i < results.runs.size(); ++i) list(i);
+  std::sort(listed.begin(), listed.end());
+  return listed;
+}
 
 core::Result<std::string> bench_page(std::string_view page, const BenchResults& results,
                                      const Report& report, const std::vector<KeptRun>& kept,

@@ -31,7 +31,11 @@ export interface Runs {
   variants: string[];
   worlds: { name: string; family: string }[];
   columns: string[];
+  /// Of very many some, with those that failed first.
   runs: Value[][];
+  /// All there are.
+  count: number;
+  /// By the number of the run less one.
   kept: Record<string, { recording: string; report: string }>;
 }
 export interface Bench {

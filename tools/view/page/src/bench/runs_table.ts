@@ -8,6 +8,8 @@ import { column_heads, compare_texts } from "./sortable";
 
 /// So many rows at once.
 const kRows = 200;
+/// Columns that are written otherwise: run, variant, world.
+const kNamed = 3;
 
 export class RunsTable {
   readonly box = element("section", { id: "runs", "aria-label": "Runs" });
@@ -23,7 +25,7 @@ export class RunsTable {
 
   constructor(private readonly runs: Runs) {
     this.column = Object.fromEntries(runs.columns.map((name, i) => [name, i]));
-    const columns = ["run", "graph", "world", "family", ...runs.columns.slice(2, -1)];
+    const columns = ["run", "graph", "world", "family", ...runs.columns.slice(kNamed, -1)];
     const heads = column_heads(columns.map((name) => name.replaceAll("_", " ")), (column, ascending) => this.sort(column, ascending));
     this.box.append(element("div", { class: "head" }, this.title, this.all), this.note,
       element("div", { class: "scroll" }, element("table", {}, element("thead", {}, heads), this.body)), this.more);
@@ -34,12 +36,14 @@ export class RunsTable {
   show(wanted: CellRuns, of: string): void {
     this.chosen = this.runs.runs.map((_, i) => i).filter((i) => this.is_of(i, wanted));
     this.title.textContent = of === "" ? "Runs" : `Runs: ${of}`;
-    const kept = this.chosen.filter((i) => i in this.runs.kept).length;
-    this.note.textContent = `${this.chosen.length} of ${this.runs.runs.length} runs; ${kept} with a recording`;
+    const kept = this.chosen.filter((i) => this.kept(i)).length;
+    const listed = this.runs.runs.length;
+    this.note.textContent = `${this.chosen.length} of ${listed} runs; ${kept} with a recording`
+      + (listed < this.runs.count ? `. Of ${this.runs.count} runs these are listed, failed ones first; all are in results.csv` : "");
     this.all.hidden = of === "";
     for (const head of this.box.querySelectorAll("th")) head.setAttribute("aria-sort", "none");
     // Those that can be looked at come first.
-    this.chosen.sort((a, b) => Number(b in this.runs.kept) - Number(a in this.runs.kept) || a - b);
+    this.chosen.sort((a, b) => Number(this.kept(b) !== undefined) - Number(this.kept(a) !== undefined) || a - b);
     this.begin();
   }
 
@@ -52,6 +56,10 @@ export class RunsTable {
 
   private value(index: number, name: string): Value {
     return this.runs.runs[index]?.[this.column[name] ?? -1] ?? null;
+  }
+
+  private kept(index: number): { recording: string; report: string } | undefined {
+    return this.runs.kept[String(Number(this.value(index, "run")) - 1)];
   }
 
   private is_of(index: number, wanted: CellRuns): boolean {
@@ -68,8 +76,8 @@ export class RunsTable {
   /// What a row says, column by column.
   private texts(index: number): string[] {
     const { name, family } = this.world(index);
-    const rest = this.runs.columns.slice(2, -1).map((column) => text_of(this.value(index, column)));
-    return [String(index + 1), this.runs.variants[Number(this.value(index, "variant"))] ?? "?", name, family, ...rest];
+    const rest = this.runs.columns.slice(kNamed, -1).map((column) => text_of(this.value(index, column)));
+    return [text_of(this.value(index, "run")), this.runs.variants[Number(this.value(index, "variant"))] ?? "?", name, family, ...rest];
   }
 
   private sort(column: number, ascending: boolean): void {
@@ -93,7 +101,7 @@ export class RunsTable {
   private row(index: number): HTMLTableRowElement {
     const failed = this.value(index, "success") === false;
     const row = element("tr", failed ? { class: "failed" } : {});
-    const kept = this.runs.kept[String(index)];
+    const kept = this.kept(index);
     this.texts(index).forEach((text, column) => {
       const cell = element("td", {}, column === 0 ? "" : text);
       if (column === 0) cell.append(kept ? link_to(kept, text) : text);
