@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "bench/coverage.hpp"
 #include "bench/results_file.hpp"
 #include "bench/run_order.hpp"
 #include "bench/stopping.hpp"
@@ -174,6 +175,9 @@ Result<void> write_report(const BenchResults& results, const Report& report,
   CLEW_RETURN_IF_ERROR(table->write(csv_header()));
   for (const RunResult& run : results.runs) CLEW_RETURN_IF_ERROR(table->write(csv_row(run)));
   CLEW_RETURN_IF_ERROR(table->finish());
+  if (results.plan->coverage) {
+    CLEW_RETURN_IF_ERROR(write_file(directory / "coverage.csv", coverage_csv(results)));
+  }
   CLEW_RETURN_IF_ERROR(write_file(directory / "report.md", to_markdown(report)));
   if (page.empty()) return write_file(directory / "report.html", to_html(report));
   const auto html = bench_page(page, results, report, kept, directory.string());

@@ -85,6 +85,10 @@ Result<bench::BenchPlan> make_plan(
   const auto program = program_fingerprint();
   if (!program.ok()) return program.error();
   plan->configuration["clew"] = *program;
+  if (order.coverage) {
+    plan->coverage = true;
+    plan->configuration["coverage"] = "counted";
+  }
   // Results of another plug-in are no results of this one.
   for (const auto& plugin : runtime::loaded_plugins()) {
     plan->configuration["plugin " + plugin.name] = plugin.digest;
@@ -149,8 +153,10 @@ int tell(const bench::BenchEnd& end, const bench::BenchOptions& bench, bool as_j
     return kExitGood;
   }
   for (const std::string& remark : end.report.remarks) fmt::print("{}\n\n", remark);
-  fmt::print("{}\n{}/report.html, report.md, results.csv, results.jsonl\n",
-             bench::to_markdown(end.report.tables.front()), bench.directory);
+  fmt::print("{}\n", bench::to_markdown(end.report.tables.front()));
+  if (end.report.covers) fmt::print("{}\n", bench::to_markdown(end.report.tables.back()));
+  fmt::print("{}/report.html, report.md, results.csv, results.jsonl{}\n", bench.directory,
+             end.report.covers ? ", coverage.csv" : "");
   return kExitGood;
 }
 
@@ -243,6 +249,9 @@ void add_order(CLI::App& app, bench::BenchOrder& order) {
                  "of them; A+B is the list of A and B; repeated: all combinations, and two make a "
                  "matrix in the report")
       ->allow_extra_args(false);
+  app.add_flag("--coverage", order.coverage,
+               "count how often each rule, table cell, neuron and case decided, and which never "
+               "did; each run is recorded in passing and fed to its components again");
   add_plugins(app, order.plugins);
 }
 
@@ -255,8 +264,9 @@ void add_shards(CLI::App& app, BenchCommandOptions& options) {
                                       "the whole, in --out; of plug-ins "
                                       "it loads those that --plugin names")
                            ->type_name("DIR");
-  for (const char* other : {"suite", "--graph", "--with", "--set", "--vary", "--shard", "--jobs",
-                            "--write-worlds", "--on", "--shards", "--dry-run", "--until-width"}) {
+  for (const char* other :
+       {"suite", "--graph", "--with", "--set", "--vary", "--coverage", "--shard", "--jobs",
+        "--write-worlds", "--on", "--shards", "--dry-run", "--until-width"}) {
     merge->excludes(app.get_option(other));
   }
   // Whoever looks at results as they come needs all of them.
