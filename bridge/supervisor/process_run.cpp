@@ -66,7 +66,7 @@ core::Result<RunSecurity::Shared> security_of(const runtime::Graph& graph,
 core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const ProcessLayout& layout,
                                       const std::optional<RecordingOrder>& recording,
                                       const ProgressDisplay& display, const ProcessStart& start,
-                                      RunControl* control, const WatchSamples& watch) {
+                                      RunControl* control) {
   const auto lock = DomainLock::take(layout.domain);
   if (!lock.ok()) return lock.error();
   std::optional<RunName> name;
@@ -77,6 +77,9 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
     name.emplace(std::move(taken).value());
     listening.push_back(name->socket());
   }
+  if (control != nullptr) {
+    control->set_called(name ? layout.name : std::to_string(lock->domain()));
+  }
   const auto security = security_of(plan.graph, layout);
   if (!security.ok()) return security.error();
   Doors doors{Acceptor(listening), {}};
@@ -85,8 +88,7 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
     std::fprintf(stderr, "clew: %s\n", line.c_str());
   };
   Supervisor supervisor(plan, layout, lock->domain(), recording, start,
-                        {say, display, ChildProcess::start, control, watch, *security},
-                        Clock::now());
+                        {say, display, ChildProcess::start, control, *security}, Clock::now());
   supervisor.start();
   while (!supervisor.over()) {
     wait_for_something(supervisor, doors, signals);

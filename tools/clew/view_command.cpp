@@ -49,18 +49,15 @@ bool is_run(const std::string& text) {
              std::string::npos;
 }
 
-/// Tells where the page of a run is, and stays until the run is over or a signal comes.
+/// Tells where the page of a run is, which the run opens if nobody has, and stays until the run is
+/// over or a signal comes.
 int view_run(const std::string& run) {
   bridge::EndSignals signals;
-  const bridge::RunCommand question{bridge::RunCommand::Kind::kStatus};
-  auto answer = bridge::command_run(run, question);
+  auto answer = bridge::command_run(run, {bridge::RunCommand::Kind::kView});
   if (!answer.ok()) {
     return complain({answer.error().message + "; nor is there a file '" + run + "'", {}, 0, 0});
   }
-  if (answer->page.empty()) {
-    return complain(
-        {"run " + run + " has no page; 'clew run ... --view' starts one with a run", {}, 0, 0});
-  }
+  const bridge::RunCommand question{bridge::RunCommand::Kind::kStatus};
   fmt::print("view {}\n", answer->page);
   std::fflush(stdout);
   const bridge::WakeUp clock;
