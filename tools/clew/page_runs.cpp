@@ -94,6 +94,12 @@ void PageRuns::branch(const std::string& body, Answer answer) {
   if (!command.ok()) return answer(refusal(command.error().message));
   std::vector<std::string> words = {"replay", paths_[command->recording]};
   words.insert(words.end(), command->words.begin(), command->words.end());
+  for (const view::EditedRules& edited : command->rules) {
+    const std::string file = folder_ + "/rules-" + std::to_string(++rule_bases_) + ".yaml";
+    const auto written = files::write_file(file, edited.text);
+    if (!written.ok()) return answer(refusal(written.error().text()));
+    words.push_back("--set=" + edited.place + '=' + file);
+  }
   record(std::move(words), command->what, std::move(answer));
 }
 

@@ -51,7 +51,8 @@ class PageRuns {
   bridge::ProgramRuns programs_;
   bridge::WebServer* server_ = nullptr;
   bool polls_ = false;
-  int count_ = 0;
+  int count_ = 0;       ///< of our own recordings
+  int rule_bases_ = 0;  ///< that were written
 };
 
 }  // namespace clew::tools
