@@ -37,6 +37,8 @@ test("a recording, with the keyboard alone", async (context) => {
 
   await context.test("Tab reaches all that can be used, and shows where it is", async () => {
     for (const key of ["o", "i", "x", "e"]) {
+      // In a field keys are letters.
+      await page.evaluate(() => document.activeElement.blur());
       await page.keyboard.press(key);
       if (key === "x") await page.waitForFunction(() => document.querySelector("#insides").dataset.tick, undefined, { timeout: 60000 });
       const missed = await page.evaluate(() => {
@@ -162,12 +164,15 @@ test("a run under way, with the keyboard alone", async (context) => {
   await page.waitForFunction(() => document.querySelector("#orders").textContent.includes("pause at tick"));
   await page.keyboard.press("j");
   await page.waitForFunction(() => document.querySelector("#orders").textContent.includes("step at tick"));
+  await page.keyboard.press("k");
+  await page.waitForFunction(() => document.querySelector("#orders").textContent.includes("resume at tick"));
+  // The new target is near: the run is held, so that it is not over before it is stopped.
+  await page.keyboard.press("k");
+  await page.waitForFunction(() => document.querySelector("#orders").textContent.split("pause at tick").length === 3);
   await page.keyboard.press("g");
   for (let i = 0; i < 3; i++) await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => document.querySelector("#orders").textContent.includes("goal at tick"));
-  await page.keyboard.press("k");
-  await page.waitForFunction(() => document.querySelector("#orders").textContent.includes("resume at tick"));
   await tab_to(page, "#live-stop");
   await page.keyboard.press("Enter");
   await page.waitForSelector("body[data-ended]");
