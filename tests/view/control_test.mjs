@@ -131,7 +131,10 @@ for (const layout of ["processes", "composed"]) {
     assert.equal(String(again.address), String(served.address));
     const { page, complaints } = await open_page(browser, served.address);
     // It is commanded from there, too, and shows what comes from now on.
-    await page.keyboard.press("j");
+    for (let steps = 1; steps <= 2; steps++) {
+      await page.keyboard.press("j");
+      await page.waitForFunction((n) => document.querySelectorAll("#orders li").length === n, steps);
+    }
     await page.waitForFunction(() => window.clew.session.runs[0].ticks.length > 0);
     const first = await page.evaluate(() => window.clew.session.first_tick);
     assert.ok(first > 0);
