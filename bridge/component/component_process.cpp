@@ -105,6 +105,7 @@ class ComponentLoop {
     if (frame.type == FrameType::kPace) {
       if (const auto pace = frame.as<PaceChange>()) host_.set_pace(pace->factor, Clock::now());
     }
+    if (frame.type == FrameType::kSpool) host_.spool();
     if (frame.type == FrameType::kRest) host_.rest();
     if (frame.type == FrameType::kFinish) {
       if (const auto last = frame.as<Tick>()) finish_at_ = last->tick;

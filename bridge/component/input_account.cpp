@@ -133,6 +133,11 @@ std::optional<Finished> InputAccount::finished(std::uint64_t last_tick) const {
   return Finished{account_.chains(), account_.statistics(), refused_samples_};
 }
 
+void InputAccount::spool() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  account_.spool();
+}
+
 std::string InputAccount::take_spooled() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return account_.take_spooled();

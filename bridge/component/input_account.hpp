@@ -50,6 +50,8 @@ class InputAccount {
   std::uint64_t ticks_of(const runtime::TopicSet& topics) const;
   /// The chains, if every tick up to `last_tick` is accounted for; else none yet.
   std::optional<Finished> finished(std::uint64_t last_tick) const;
+  /// Keeps the samples themselves from now on.
+  void spool();
   /// What was spooled since the last call, for for_each_spooled.
   std::string take_spooled();
   /// Lines for the log since the last call.

@@ -382,6 +382,11 @@ void NodeHost::flush() {
   report();
 }
 
+void NodeHost::spool() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  account_.spool();
+}
+
 std::optional<Finished> NodeHost::finished(std::uint64_t last_tick) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (buffer_.next_tick() <= last_tick) return std::nullopt;

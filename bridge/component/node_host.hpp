@@ -107,6 +107,8 @@ class NodeHost {
   StepTimes step_times() const { return steps_.times(); }
   /// Reports progress, and hands over what is spooled.
   void flush();
+  /// Hands over what the node writes from now on.
+  void spool();
   /// What the node wrote, if it has stepped `last_tick` and every write was taken; else none yet.
   std::optional<Finished> finished(std::uint64_t last_tick) const;
 

@@ -178,6 +178,10 @@ void ProcessHost::flush() {
   for (const auto& host : hosts_) host->flush();
 }
 
+void ProcessHost::spool() {
+  for (const auto& host : hosts_) host->spool();
+}
+
 std::vector<NodeHost*> ProcessHost::stages() const {
   std::vector<NodeHost*> stages;
   for (const auto& host : hosts_) stages.push_back(host.get());

@@ -51,6 +51,7 @@ class ProcessHost {
   /// By stage.
   std::map<std::string, StepTimes> step_times() const;
   void flush();
+  void spool();
   std::optional<Finished> finished(std::uint64_t last_tick) const;
   /// The stages of the process.
   std::vector<NodeHost*> stages() const;

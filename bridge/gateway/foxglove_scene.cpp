@@ -155,6 +155,8 @@ std::vector<FoxgloveMessage> FoxgloveScene::convert(std::uint64_t time_ns,
   messages.push_back(path(time_ns));
   if (has(samples, domain::Topic::kScan)) messages.push_back(scan(time_ns));
   if (has(samples, domain::Topic::kEvent)) log(time_ns, messages);
+  see(time_ns, has(samples, domain::Topic::kScan) && has(samples, domain::Topic::kOdometry),
+      messages);
   return messages;
 }
 
@@ -220,6 +222,15 @@ FoxgloveMessage FoxgloveScene::path(std::uint64_t time_ns) {
   for (const Pose2& pose : path_) poses.push_back(pose_json(pose));
   return {FoxgloveTopic::kPath,
           json_text({{"timestamp", time_json(time_ns)}, {"frame_id", "world"}, {"poses", poses}})};
+}
+
+void FoxgloveScene::see(std::uint64_t time_ns, bool has_scan,
+                        std::vector<FoxgloveMessage>& messages) {
+  if (has_scan) seen_.see(of<domain::Odometry>(now_), of<domain::Scan>(now_));
+  const bool at_end = of<domain::State>(now_).outcome != domain::Outcome::kRunning;
+  if (auto grid = seen_.message(time_ns, at_end)) {
+    messages.push_back({FoxgloveTopic::kSeen, std::move(*grid)});
+  }
 }
 
 void FoxgloveScene::log(std::uint64_t time_ns, std::vector<FoxgloveMessage>& messages) const {

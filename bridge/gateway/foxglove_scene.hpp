@@ -9,6 +9,7 @@
 #include "core/result.hpp"
 #include "domain/messages.hpp"
 #include "domain/topics.hpp"
+#include "gateway/foxglove_grid.hpp"
 #include "gateway/foxglove_schemas.hpp"
 #include "recording/run_description.hpp"
 #include "wire/sample.hpp"
@@ -22,7 +23,7 @@ struct FoxgloveMessage {
 };
 
 /// A run in Foxglove's words: world, robot and target as a scene, the scan, the frames world, odom
-/// and robot, the path of the last thousand ticks, and events as a log.
+/// and robot, the path of the last thousand ticks, events as a log, and what the robot has seen.
 class FoxgloveScene {
  public:
   /// Refused: a description without a world or a robot.
@@ -34,19 +35,21 @@ class FoxgloveScene {
 
  private:
   FoxgloveScene(world::World world, double radius_m)
-      : world_(std::move(world)), radius_m_(radius_m) {}
+      : world_(std::move(world)), radius_m_(radius_m), seen_(radius_m) {}
 
   FoxgloveMessage scene(std::uint64_t time_ns);
   FoxgloveMessage scan(std::uint64_t time_ns) const;
   FoxgloveMessage transforms(std::uint64_t time_ns) const;
   FoxgloveMessage path(std::uint64_t time_ns);
   void log(std::uint64_t time_ns, std::vector<FoxgloveMessage>& messages) const;
+  void see(std::uint64_t time_ns, bool has_scan, std::vector<FoxgloveMessage>& messages);
 
   world::World world_;
   double radius_m_;
   bool has_world_ = false;  ///< was sent
   domain::Messages now_;
   std::deque<core::Pose2> path_;
+  FoxgloveGrid seen_;
 };
 
 }  // namespace clew::bridge

@@ -78,6 +78,21 @@ ordered_json entity() {
                                          {"models", list(type("object"))}});
 }
 
+ordered_json grid_members() {
+  const ordered_json field =
+      object("foxglove.PackedElementField",
+             {{"name", type("string")}, {"offset", type("integer")}, {"type", type("integer")}});
+  return {{"timestamp", time()},
+          {"frame_id", type("string")},
+          {"pose", pose()},
+          {"column_count", type("integer")},
+          {"cell_size", object("foxglove.Vector2", number_members({"x", "y"}))},
+          {"row_stride", type("integer")},
+          {"cell_stride", type("integer")},
+          {"fields", list(field)},
+          {"data", {{"type", "string"}, {"contentEncoding", "base64"}}}};
+}
+
 FoxgloveChannel channel(const char* topic, const std::string& name, const ordered_json& members) {
   return {topic, name, object(name, members).dump()};
 }
@@ -112,7 +127,8 @@ std::vector<FoxgloveChannel> make_channels() {
                    {"message", type("string")},
                    {"name", type("string")},
                    {"file", type("string")},
-                   {"line", type("integer")}})};
+                   {"line", type("integer")}}),
+          channel("/foxglove/seen", "foxglove.Grid", grid_members())};
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ struct FoxgloveChannel {
 };
 
 /// The numbers of the channels below.
-enum class FoxgloveTopic : std::size_t { kScene, kScan, kTransforms, kPath, kLog };
+enum class FoxgloveTopic : std::size_t { kScene, kScan, kTransforms, kPath, kLog, kSeen };
 
 /// In the order of FoxgloveTopic.
 const std::vector<FoxgloveChannel>& foxglove_channels();

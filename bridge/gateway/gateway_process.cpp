@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gateway/gateway_process.hpp"
 
+#include <sys/resource.h>
+
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <utility>
 
 #include "core/archive.hpp"
+#include "gateway/held_recording.hpp"
+#include "gateway/insides_answer.hpp"
 #include "gateway/json_text.hpp"
 #include "gateway/live_stream.hpp"
+#include "gateway/program_runs.hpp"
 #include "gateway/run_orders.hpp"
 #include "gateway/view_content.hpp"
 #include "line/link.hpp"
@@ -24,6 +30,11 @@ constexpr int kQuietTurns = 30;
 
 /// How soon a page hears what the run answers.
 constexpr auto kOrderPeriod = std::chrono::milliseconds(5);
+
+/// A program that takes longer to explain a tick is killed.
+constexpr auto kExplainPatience = std::chrono::minutes(1);
+/// Whoever looks on gives way to the run.
+constexpr int kNiceness = 5;
 
 WebResponse json_response(unsigned status, const nlohmann::ordered_json& json) {
   return {status, "application/json", json_text(json), {}};
@@ -59,6 +70,41 @@ class OrderDesk {
   bool polls_ = false;
 };
 
+/// Tells what components saw, weighed and decided at a tick, as far as the stream holds the run:
+/// another process is fed with it. It gives way to the run, as this one does.
+class InsidesDesk {
+ public:
+  InsidesDesk(const GatewayPage& page, const LiveStream& stream) : page_(page), stream_(stream) {}
+
+  void serve_with(WebServer& server) { server_ = &server; }
+
+  void take(const std::string& body, const WebContent::Answer& answer) {
+    const auto asked = page_.read_question(body);
+    if (!asked.ok()) return answer(json_response(400, {{"error", asked.error().message}}));
+    auto held = HeldRecording::write(stream_, asked->tick);
+    if (!held.ok()) return answer(json_response(409, {{"error", held.error().text()}}));
+    const auto recording = std::make_shared<HeldRecording>(std::move(held).value());
+    std::vector<std::string> words = page_.explain;
+    words.insert(words.end(), {recording->path(), "--tick", std::to_string(asked->tick), "--json"});
+    const auto started =
+        programs_.start(words, std::chrono::steady_clock::now(),
+                        [answer, recording, line = asked->line](const ProgramEnd& end) {
+                          answer(insides_answer(end, line));
+                        });
+    if (!started.ok()) return answer(json_response(409, {{"error", started.error().text()}}));
+    if (std::exchange(polls_, true)) return;
+    server_->repeat(kOrderPeriod,
+                    [this] { return polls_ = programs_.poll(std::chrono::steady_clock::now()); });
+  }
+
+ private:
+  const GatewayPage& page_;
+  const LiveStream& stream_;
+  WebServer* server_ = nullptr;
+  ProgramRuns programs_{kExplainPatience};
+  bool polls_ = false;
+};
+
 void take(const Frame& frame, LiveStream& stream, std::string& run) {
   if (frame.type == FrameType::kSamples) {
     stream.add(frame.payload);
@@ -77,6 +123,7 @@ void take(const Frame& frame, LiveStream& stream, std::string& run) {
 }  // namespace
 
 int run_gateway_process(int socket, int port, const GatewayPage& page) {
+  ::setpriority(PRIO_PROCESS, 0, kNiceness);
   Link link(socket);
   LiveStream stream(kMostHeldBytes);
   ViewContent content(page.html, {});
@@ -94,6 +141,12 @@ int run_gateway_process(int socket, int port, const GatewayPage& page) {
     desk.take(body, answer);
   });
   desk.serve_with(**server);
+  InsidesDesk insides(page, stream);
+  content.on_post("/explain",
+                  [&insides](const std::string& body, const WebContent::Answer& answer) {
+                    insides.take(body, answer);
+                  });
+  insides.serve_with(**server);
   link.post(FrameType::kNotice, Text{(*server)->access().address()});
   bool told = false;
   (*server)->watch(socket, [&] {

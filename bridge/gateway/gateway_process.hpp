@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/result.hpp"
 #include "line/frames.hpp"
@@ -16,6 +18,12 @@ struct PageCommandLine {
   std::string line;
 };
 
+/// What a page asks of a tick, and the line to type for it once the run is recorded.
+struct PageQuestion {
+  std::uint64_t tick = 0;
+  std::string line;
+};
+
 /// The page that a gateway serves, and what the page needs to command the run.
 struct GatewayPage {
   std::string_view html;
@@ -23,6 +31,10 @@ struct GatewayPage {
   /// Reads what a page asks of the run that is called so. Refused: what a page may not ask.
   std::function<core::Result<PageCommandLine>(const std::string& body, const std::string& run)>
       read_command;
+  /// Reads which tick a page asks to be explained.
+  std::function<core::Result<PageQuestion>(const std::string& body)> read_question;
+  /// The program that explains a tick of a recording, and its first arguments.
+  std::vector<std::string> explain;
 };
 
 /// Serves `page` and the run that is told of on `socket`, at `port` (0: any free one). First it

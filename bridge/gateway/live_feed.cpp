@@ -22,6 +22,7 @@ using Clock = std::chrono::steady_clock;
 /// What may wait for the gateway: some seconds of a fast run.
 constexpr std::size_t kMostWaitingBytes = 32 * 1024 * 1024;
 constexpr auto kStartPatience = std::chrono::seconds(10);
+constexpr char kNotStarted[] = "its gateway did not start";
 constexpr auto kEndPatience = std::chrono::seconds(3);
 /// A composed run hands its samples over in batches of this size.
 constexpr std::size_t kBatchBytes = 64 * 1024;
@@ -30,8 +31,8 @@ constexpr auto kBatchPeriod = std::chrono::milliseconds(16);
 
 }  // namespace
 
-core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(const std::string& program, int port,
-                                                        const RunDescription& description,
+core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(const std::vector<std::string>& words,
+                                                        int port, const RunDescription& description,
                                                         const std::string& name,
                                                         const std::string& run) {
   int sockets[2];
@@ -41,13 +42,15 @@ core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(const std::string& progr
   auto link = std::make_unique<Link>(sockets[0]);
   ::fcntl(sockets[1], F_SETFD, 0);  // the child's end goes with it
   ChildCommand command;
-  command.arguments = {program,  "gateway",           "--socket", std::to_string(sockets[1]),
-                       "--port", std::to_string(port)};
+  command.arguments = words;
+  for (const std::string& word : {std::string("--socket"), std::to_string(sockets[1]),
+                                  std::string("--port"), std::to_string(port)}) {
+    command.arguments.push_back(word);
+  }
   auto child = ChildProcess::start(command);
   ::close(sockets[1]);
   if (!child.ok()) return child.error();
   std::unique_ptr<LiveFeed> feed(new LiveFeed(std::move(link), std::move(child).value()));
-  CLEW_RETURN_IF_ERROR(feed->take_address());
   RunDescription told = description;
   core::StateWriter writer;
   std::string named = name;
@@ -57,13 +60,32 @@ core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(const std::string& progr
   return feed;
 }
 
-core::Result<void> LiveFeed::take_address() {
-  const auto frame = link_->wait_for_frame(Clock::now() + kStartPatience);
-  const auto text = frame.ok() ? frame->as<Text>() : std::nullopt;
-  if (!text) return core::Error{"its gateway did not start", "--view", 0, 0};
-  if (frame->type == FrameType::kFatal) return core::Error{text->text, "--view", 0, 0};
+core::Result<void> LiveFeed::take_address(const Frame& frame) {
+  const auto text = frame.as<Text>();
+  if (!text) return core::Error{kNotStarted, "--view", 0, 0};
+  if (frame.type == FrameType::kFatal) return core::Error{text->text, "--view", 0, 0};
   address_ = text->text;
   return {};
+}
+
+core::Result<void> LiveFeed::wait_for_address() {
+  const auto frame = link_->wait_for_frame(started_at_ + kStartPatience);
+  if (!frame.ok()) return core::Error{kNotStarted, "--view", 0, 0};
+  return take_address(*frame);
+}
+
+core::Result<void> LiveFeed::poll() {
+  if (!address_.empty()) return {};
+  link_->flush();
+  const bool open = link_->receive();
+  if (const auto frame = link_->next()) return take_address(*frame);
+  if (open && Clock::now() < started_at_ + kStartPatience) return {};
+  return core::Error{kNotStarted, "--view", 0, 0};
+}
+
+bool LiveFeed::goes_on() {
+  child_.reap();
+  return child_.running();
 }
 
 void LiveFeed::add(std::string_view spool) {
@@ -105,12 +127,14 @@ void LiveFeed::wait(EndSignals& signals) {
 }
 
 core::Result<void> FedSink::add(const SampleView& sample) {
-  append_to_spool(sample, spool_);
-  const auto now = Clock::now();
-  if (spool_.size() >= kBatchBytes || now - handed_on_at_ >= kBatchPeriod) {
-    feed_.add(spool_);
-    spool_.clear();
-    handed_on_at_ = now;
+  if (page_.is_open()) {
+    append_to_spool(sample, spool_);
+    const auto now = Clock::now();
+    if (spool_.size() >= kBatchBytes || now - handed_on_at_ >= kBatchPeriod) {
+      page_.add(spool_);
+      spool_.clear();
+      handed_on_at_ = now;
+    }
   }
   return next_ == nullptr ? core::Result<void>() : next_->add(sample);
 }

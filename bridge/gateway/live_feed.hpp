@@ -7,11 +7,14 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/result.hpp"
 #include "line/link.hpp"
 #include "recording/run_description.hpp"
 #include "run/end_signals.hpp"
+#include "run/run_page.hpp"
+#include "run/sample_account.hpp"
 #include "run/sample_sink.hpp"
 #include "supervisor/child_process.hpp"
 
@@ -21,15 +24,22 @@ namespace clew::bridge {
 /// never waits for. What it does not take in time is dropped and counted.
 class LiveFeed {
  public:
-  /// Starts `program gateway`; `port` 0: any free one. `name` is what the page shows; under `run`
-  /// it finds the run when somebody commands it.
-  static core::Result<std::unique_ptr<LiveFeed>> start(const std::string& program, int port,
-                                                       const RunDescription& description,
+  /// Starts `words`, a program with its arguments, and tells it its end of the socket and `port`
+  /// (0: any free one). `name` is what the page shows; under `run` it finds the run when somebody
+  /// commands it.
+  static core::Result<std::unique_ptr<LiveFeed>> start(const std::vector<std::string>& words,
+                                                       int port, const RunDescription& description,
                                                        const std::string& name,
                                                        const std::string& run);
 
-  /// Where the page is.
+  /// Takes what the gateway says of itself, without waiting. Refused: one that did not start.
+  core::Result<void> poll();
+  /// The same, and waits until the address is there.
+  core::Result<void> wait_for_address();
+  /// Where the page is; empty before the gateway has said it.
   const std::string& address() const { return address_; }
+  /// Whether the gateway is there.
+  bool goes_on();
   /// Takes what a component spooled. Does not wait.
   void add(std::string_view spool);
   /// Tells how the run ended, and waits until viewers have it all, for three seconds at most.
@@ -41,29 +51,34 @@ class LiveFeed {
  private:
   LiveFeed(std::unique_ptr<Link> link, ChildProcess child)
       : link_(std::move(link)), child_(std::move(child)) {}
-  core::Result<void> take_address();
+  core::Result<void> take_address(const Frame& frame);
   void send();
 
   std::unique_ptr<Link> link_;
   ChildProcess child_;
+  std::chrono::steady_clock::time_point started_at_ = std::chrono::steady_clock::now();
   std::string address_;
   std::deque<std::string> waiting_;
   std::size_t waiting_bytes_ = 0;
   std::uint64_t dropped_batches_ = 0;
 };
 
-/// Lets a live feed see what goes to another sink, or to none.
+/// Lets a page see what goes to another sink, or to none.
 class FedSink : public SampleSink {
  public:
-  FedSink(SampleSink* next, LiveFeed& feed) : next_(next), feed_(feed) {}
-  ~FedSink() override { feed_.add(spool_); }
+  FedSink(SampleSink* next, RunPage& page) : next_(next), page_(page) {}
+  ~FedSink() override { page_.add(spool_); }
 
   core::Result<void> add(const SampleView& sample) override;
+  bool wants_samples() const override {
+    return page_.is_open() || (next_ != nullptr && next_->wants_samples());
+  }
   bool wants_states() const override { return next_ != nullptr && next_->wants_states(); }
   void add_state(const SpooledState& state) override {
     if (next_ != nullptr) next_->add_state(state);
   }
   void add_intervention(const domain::Intervention& intervention) override {
+    page_.add_intervention(intervention);
     if (next_ != nullptr) next_->add_intervention(intervention);
   }
   void add_incident(const domain::Incident& incident) override {
@@ -72,7 +87,7 @@ class FedSink : public SampleSink {
 
  private:
   SampleSink* next_;
-  LiveFeed& feed_;
+  RunPage& page_;
   std::string spool_;
   std::chrono::steady_clock::time_point handed_on_at_{};
 };

@@ -30,7 +30,11 @@ bool LiveStream::add(std::string_view spool) {
       newest_complete_ = sample.tick;
     }
   };
-  const bool whole = for_each_spooled(spool, {on_sample, [](const SpooledState&) {}});
+  const auto on_intervention = [this](const domain::Intervention& intervention) {
+    interventions_.push_back(intervention);
+  };
+  const bool whole =
+      for_each_spooled(spool, {on_sample, [](const SpooledState&) {}, on_intervention});
   while (held_bytes_ > most_bytes_ && ticks_.size() > 1) forget_oldest();
   return whole;
 }

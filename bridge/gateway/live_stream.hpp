@@ -7,7 +7,9 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "domain/intervention.hpp"
 #include "recording/run_description.hpp"
 
 namespace clew::bridge {
@@ -56,6 +58,8 @@ class LiveStream {
   /// The first whole tick from this one on; none if it is not there yet.
   std::optional<Tick> tick_from(std::uint64_t number) const;
   std::optional<Tick> newest() const;
+  /// What was changed in the run while it went on, as it came.
+  const std::vector<domain::Intervention>& interventions() const { return interventions_; }
 
   bool has_followers() const { return !followers_.empty(); }
   /// Whether every follower is.
@@ -79,6 +83,7 @@ class LiveStream {
   std::size_t topics_ = 0;
   std::map<domain::Topic, std::uint64_t> next_of_;
   std::map<std::uint64_t, HeldTick> ticks_;
+  std::vector<domain::Intervention> interventions_;
   std::size_t held_bytes_ = 0;
   std::optional<std::uint64_t> newest_complete_;
   std::set<StreamFollower*> followers_;

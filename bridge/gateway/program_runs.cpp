@@ -4,9 +4,11 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstring>
 #include <utility>
@@ -15,11 +17,14 @@ namespace clew::bridge {
 namespace {
 
 constexpr std::size_t kMostAtOnce = 4;
-constexpr std::size_t kMostOutputBytes = 1024 * 1024;
+constexpr std::size_t kMostOutputBytes = 32 * 1024 * 1024;
 
 /// What was written to a file in memory, and closes it.
 std::string take_output(int file) {
-  std::string text(kMostOutputBytes, '\0');
+  struct stat facts {};
+  ::fstat(file, &facts);
+  const auto written = static_cast<std::size_t>(std::max<off_t>(facts.st_size, 0));
+  std::string text(std::min(written, kMostOutputBytes), '\0');
   const ssize_t size = ::pread(file, text.data(), text.size(), 0);
   ::close(file);
   text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);

@@ -51,6 +51,7 @@ enum class FrameType : std::uint8_t {
   kHold,          ///< start no tick from this one on
   kRelease,       ///< start ticks again
   kPace,          ///< start them at another pace
+  kSpool,         ///< hand over what it writes from now on: somebody looks on
   kRest,          ///< in real time: take no command any more, so that the robot comes to rest
   // to the recorder, besides kSamples
   kRecord,        ///< what to record
@@ -125,7 +126,7 @@ struct Assignment {
 
 /// What somebody wants of a run while it goes on.
 struct RunCommand {
-  enum class Kind : std::uint8_t { kChange, kPause, kStep, kResume, kStop, kPace, kStatus };
+  enum class Kind : std::uint8_t { kChange, kPause, kStep, kResume, kStop, kPace, kStatus, kView };
   Kind kind = Kind::kChange;
   std::vector<std::string> changes = {};           ///< domain::Intervention::changes
   std::optional<std::uint64_t> at = std::nullopt;  ///< the tick; none: as soon as can be
@@ -150,7 +151,7 @@ struct CommandAnswer {
   std::string text;        ///< why not, if it was not
   std::uint64_t tick = 0;  ///< from which on it holds; with kStatus, that the run has come to
   bool held = false;       ///< with kStatus: the run is paused
-  std::string page = {};   ///< with kStatus: where the run's page is; empty: it has none
+  std::string page = {};   ///< with kView: where the run's page is
   std::vector<ComponentStatus> components = {};  ///< with kStatus
 
   static CommandAnswer refused(std::string why) {

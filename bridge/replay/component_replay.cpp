@@ -195,26 +195,47 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
   return report;
 }
 
-Result<domain::Inside> inside_at(const RunRecording& recording, const runtime::RunPlan& plan,
-                                 const std::string& stage, std::uint64_t tick) {
-  auto made = fed_node_of(recording, plan, stage);
-  if (!made) return made.error();
-  FedNode& fed = *made;
+namespace {
+
+/// Feeds the component up to `last_tick`, and tells of each tick that was stepped.
+template <typename OnStep>
+Result<void> feed(const RunRecording& recording, const std::string& stage, FedNode& fed,
+                  std::uint64_t last_tick, const OnStep& on_step) {
   CLEW_RETURN_IF_ERROR(check_recorded(recording, stage, fed.fed_topics()));
-  TickReader reader(recording, fed.fed_topics(), tick);
+  TickReader reader(recording, fed.fed_topics(), last_tick);
   reader.let_end(fed.node().ports().delayed_inputs);
-  std::optional<std::uint64_t> last;
   for (;;) {
     const auto recorded = reader.next();
     if (!recorded) return recorded.error();
-    if (*recorded == nullptr) break;
+    if (*recorded == nullptr) return {};
     const auto stepped = fed.step(**recorded);
     if (!stepped) return core::Error{stepped.error().message, recording.path(), 0, 0};
-    if (!*stepped) break;
-    last = (*recorded)->tick();
+    if (!*stepped) return {};
+    on_step((*recorded)->tick());
   }
+}
+
+}  // namespace
+
+Result<domain::Inside> inside_at(const RunRecording& recording, const runtime::RunPlan& plan,
+                                 const std::string& stage, std::uint64_t tick) {
+  auto fed = fed_node_of(recording, plan, stage);
+  if (!fed) return fed.error();
+  std::optional<std::uint64_t> last;
+  CLEW_RETURN_IF_ERROR(
+      feed(recording, stage, *fed, tick, [&](std::uint64_t stepped) { last = stepped; }));
   if (last != tick) return no_tick(recording, tick, last);
-  return fed.inside();
+  return fed->inside();
+}
+
+Result<void> for_each_inside(
+    const RunRecording& recording, const runtime::RunPlan& plan, const std::string& stage,
+    const std::function<void(std::uint64_t tick, const domain::Inside& inside)>& visit) {
+  auto fed = fed_node_of(recording, plan, stage);
+  if (!fed) return fed.error();
+  return feed(recording, stage, *fed, UINT64_MAX, [&](std::uint64_t tick) {
+    if (fed->stepped()) visit(tick, fed->inside());
+  });
 }
 
 }  // namespace clew::bridge

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -68,5 +69,10 @@ core::Result<ReplayReport> replay_component(const RunRecording& recording,
 /// was recorded for it up to there. Refused: as above, and a tick that the recording does not have.
 core::Result<domain::Inside> inside_at(const RunRecording& recording, const runtime::RunPlan& plan,
                                        const std::string& stage, std::uint64_t tick);
+
+/// The same of every tick that was recorded, in order. Refused: as above.
+core::Result<void> for_each_inside(
+    const RunRecording& recording, const runtime::RunPlan& plan, const std::string& stage,
+    const std::function<void(std::uint64_t tick, const domain::Inside& inside)>& visit);
 
 }  // namespace clew::bridge

@@ -29,11 +29,12 @@ class Bookkeeper : public runtime::SampleObserver {
     domain::visit_topic(topic, [&](auto constant) {
       const auto& message = std::get<constant.kIndex>(messages);
       std::string_view cdr;
-      if (account_.wants_bytes() || recording_ != nullptr) {
+      const bool recorded = recording_ != nullptr && recording_->wants_samples();
+      if (account_.wants_bytes() || recorded) {
         cdr = std::get<constant.kIndex>(codecs_).encode(message);
       }
       account_.add(message, cdr);
-      if (recording_ == nullptr) return;
+      if (!recorded) return;
       const auto added = recording_->add({topic, message.stamp.tick, message.stamp.sequence, cdr});
       if (added.ok()) return;
       failure_ = "the recording failed: " + added.error().text();

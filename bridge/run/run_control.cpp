@@ -21,6 +21,11 @@ void RunControl::take_over(std::vector<Intervention> interventions, runtime::Pla
   plans_ = std::move(plans);
 }
 
+std::optional<Result<std::string>> RunControl::open_page() {
+  if (page_ == nullptr) return core::Error{"this run cannot be shown", {}, 0, 0};
+  return page_->open(called_);
+}
+
 Result<void> RunControl::add(Intervention intervention) {
   auto after = runtime::change(last(), files_, stages_, intervention);
   if (!after.ok()) return after.error();

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/result.hpp"
+#include "run/run_page.hpp"
 #include "runtime/intervention.hpp"
 
 namespace clew::bridge {
@@ -31,9 +33,13 @@ class RunControl {
   /// The first tick at which a change may follow those that are known.
   std::uint64_t next_free_tick() const;
 
-  /// Where the page is that shows the run; empty: it has none.
-  const std::string& page() const { return page_; }
-  void set_page(std::string address) { page_ = std::move(address); }
+  /// What shows the run; null: nothing can. It must outlive this.
+  RunPage* page() const { return page_; }
+  void set_page(RunPage* page) { page_ = page; }
+  /// How somebody who commands the run calls it: its name, or the number of its domain.
+  void set_called(std::string called) { called_ = std::move(called); }
+  /// Opens the page; none: it is on its way, ask again.
+  std::optional<core::Result<std::string>> open_page();
 
   const runtime::RunPlan& first() const { return first_; }
   /// In the order of their ticks, and the plan from each of them on.
@@ -54,7 +60,8 @@ class RunControl {
   std::vector<domain::Intervention> interventions_;
   runtime::PlanSequence plans_;
   std::uint64_t first_tick_ = 0;
-  std::string page_;
+  RunPage* page_ = nullptr;
+  std::string called_;
 };
 
 }  // namespace clew::bridge

@@ -37,6 +37,8 @@ class SampleAccount {
     add_bytes(domain::topic_of<Message>(), message.stamp, cdr);
   }
   bool wants_bytes() const { return hash_ || spool_; }
+  /// Keeps the samples themselves from now on.
+  void spool() { spool_ = true; }
 
   const RunStatistics& statistics() const { return statistics_; }
   /// The chains of the topics written, by name; empty without hash.

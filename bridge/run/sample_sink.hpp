@@ -12,6 +12,8 @@ class SampleSink {
   virtual ~SampleSink() = default;
   /// Takes a sample. After an error it is given no more.
   virtual core::Result<void> add(const SampleView& sample) = 0;
+  /// Whether it does anything with them.
+  virtual bool wants_samples() const { return true; }
 
   /// Whether it wants the components' states, too: at every multiple of kTicksPerCheckpoint but 0.
   virtual bool wants_states() const { return false; }

@@ -72,6 +72,8 @@ std::optional<CommandAnswer> ComposedControl::decide(RunCommand& command, std::u
       return CommandAnswer::from(next_tick);
     case RunCommand::Kind::kStatus:
       return status(next_tick, nodes);
+    case RunCommand::Kind::kView:
+      return view(next_tick);
     case RunCommand::Kind::kStop:
       break;
   }
@@ -83,7 +85,6 @@ CommandAnswer ComposedControl::status(std::uint64_t next_tick,
                                       const std::vector<runtime::NodeSuccession>& nodes) {
   CommandAnswer answer = CommandAnswer::from(next_tick);
   answer.held = held_from_.has_value();
-  answer.page = control_.page();
   std::vector<RunProfile::Writer> writers;
   for (const runtime::NodeSuccession& node : nodes) {
     ComponentStatus status;
@@ -96,6 +97,15 @@ CommandAnswer ComposedControl::status(std::uint64_t next_tick,
     writers.push_back({node.name(), node.ports().output_order});
   }
   profile_.emplace(writers, 0);
+  return answer;
+}
+
+std::optional<CommandAnswer> ComposedControl::view(std::uint64_t next_tick) {
+  const auto opened = control_.open_page();
+  if (!opened) return std::nullopt;
+  if (!opened->ok()) return CommandAnswer::refused(opened->error().text());
+  CommandAnswer answer = CommandAnswer::from(next_tick);
+  answer.page = **opened;
   return answer;
 }
 

@@ -39,6 +39,7 @@ class ComposedControl : public ComposedOrders {
                                       std::vector<runtime::NodeSuccession>& nodes);
   /// Steps are timed from the first question on, and told since the question before.
   CommandAnswer status(std::uint64_t next_tick, const std::vector<runtime::NodeSuccession>& nodes);
+  std::optional<CommandAnswer> view(std::uint64_t next_tick);
   CommandAnswer change(const RunCommand& command, std::uint64_t next_tick,
                        std::vector<runtime::NodeSuccession>& nodes);
   CommandAnswer step(RunCommand& command, std::uint64_t next_tick);

@@ -205,6 +205,10 @@ std::optional<SecurityFiles> Launcher::security_of(const std::string& name,
   return security_->files(name, vendor_from_name(middleware).value());
 }
 
+void Launcher::spool() {
+  if (spooling_ == Spooling::kNothing) spooling_ = Spooling::kSamples;
+}
+
 core::Result<void> Launcher::start(Member& member) const {
   const ThirdPartyEnvironment& environment = environment_of(member);
   if (member.third_party && !environment.failure().empty()) {

@@ -51,6 +51,8 @@ class Launcher {
   Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, int domain, Spooling spooling,
            StartProcess start = ChildProcess::start, RunSecurity::Shared security = nullptr);
 
+  /// Lets those that report from now on hand over what they write.
+  void spool();
   /// Starts a member's process.
   core::Result<void> start(Member& member) const;
   /// How to start the recorder.

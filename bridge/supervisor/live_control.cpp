@@ -22,6 +22,7 @@ std::optional<CommandAnswer> LiveControl::decide(RunCommand& command, const Situ
                                                  Time now) {
   if (command.kind == RunCommand::Kind::kStatus) return status(situation, now);
   if (control_ == nullptr) return CommandAnswer::refused("this run takes no commands");
+  if (command.kind == RunCommand::Kind::kView) return view(situation);
   if (command.kind == RunCommand::Kind::kStop) {
     stopped_ = "stopped by a command after tick " + std::to_string(situation.ticks);
     return CommandAnswer::from(situation.ticks);
@@ -40,6 +41,7 @@ std::optional<CommandAnswer> LiveControl::decide(RunCommand& command, const Situ
     case RunCommand::Kind::kResume:
     case RunCommand::Kind::kStop:
     case RunCommand::Kind::kStatus:
+    case RunCommand::Kind::kView:
       break;
   }
   return resume(situation);
@@ -48,10 +50,18 @@ std::optional<CommandAnswer> LiveControl::decide(RunCommand& command, const Situ
 CommandAnswer LiveControl::status(const Situation& situation, Time now) const {
   CommandAnswer answer = CommandAnswer::from(situation.ticks);
   answer.held = holds() || disarmed_;
-  if (control_ != nullptr) answer.page = control_->page();
   for (const Member& member : members_) {
     for (ComponentStatus& each : member.status(now)) answer.components.push_back(std::move(each));
   }
+  return answer;
+}
+
+std::optional<CommandAnswer> LiveControl::view(const Situation& situation) const {
+  const auto opened = control_->open_page();
+  if (!opened) return std::nullopt;
+  if (!opened->ok()) return CommandAnswer::refused(opened->error().text());
+  CommandAnswer answer = CommandAnswer::from(situation.ticks);
+  answer.page = **opened;
   return answer;
 }
 

@@ -66,6 +66,7 @@ class LiveControl {
  private:
   std::optional<CommandAnswer> decide(RunCommand& command, const Situation& situation, Time now);
   CommandAnswer status(const Situation& situation, Time now) const;
+  std::optional<CommandAnswer> view(const Situation& situation) const;
   CommandAnswer change(const RunCommand& command, const Situation& situation);
   std::optional<CommandAnswer> pause(const Situation& situation);
   std::optional<CommandAnswer> step(RunCommand& command, const Situation& situation);

@@ -68,7 +68,7 @@ core::Result<RunSecurity::Shared> security_of(const runtime::Graph& graph,
 core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const ProcessLayout& layout,
                                       const std::optional<RecordingOrder>& recording,
                                       const ProgressDisplay& display, const ProcessStart& start,
-                                      RunControl* control, const WatchSamples& watch) {
+                                      RunControl* control) {
   CLEW_RETURN_IF_ERROR(check_loopback());
   const auto lock = DomainLock::take(layout.domain);
   if (!lock.ok()) return lock.error();
@@ -80,6 +80,9 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
     name.emplace(std::move(taken).value());
     listening.push_back(name->socket());
   }
+  if (control != nullptr) {
+    control->set_called(name ? layout.name : std::to_string(lock->domain()));
+  }
   const auto security = security_of(plan.graph, layout);
   if (!security.ok()) return security.error();
   Doors doors{Acceptor(listening), {}};
@@ -88,7 +91,7 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
     std::fprintf(stderr, "clew: %s\n", line.c_str());
   };
   Supervisor supervisor(plan, layout, lock->domain(), recording, start,
-                        {say, display, ChildProcess::start, activity_of, control, watch, *security},
+                        {say, display, ChildProcess::start, activity_of, control, *security},
                         Clock::now());
   supervisor.start();
   while (!supervisor.over()) {

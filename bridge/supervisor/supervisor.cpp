@@ -37,12 +37,14 @@ Supervisor::Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout
       layout_(layout),
       outside_(std::move(outside)),
       members_(list_members(plan, layout)),
-      launcher_(plan, layout, domain, spooling_for(recording, outside_.watch != nullptr),
-                outside_.start, outside_.security),
+      launcher_(plan, layout, domain,
+                spooling_for(recording, page() != nullptr && page()->is_open()), outside_.start,
+                outside_.security),
       restart_policy_(members_, plan.graph),
       live_control_(outside_.control, members_, layout.pace == Pace::kRealtime),
       late_watch_(plan, layout.pace == Pace::kRealtime, outside_.activity),
       started_at_(now),
+      shown_(page() != nullptr && page()->is_open()),
       lead_(lead_of(plan, layout)),
       credit_(start.next_tick + lead_),
       watched_at_(now) {
@@ -189,11 +191,28 @@ void Supervisor::serve_commands(Time now) {
         static_cast<std::uint64_t>(std::ceil(kRealtimeNotice_s / plan_.graph.tick_s));
   }
   live_control_.serve(situation, now);
+  if (!shown_ && page() != nullptr && page()->is_open()) show();
   for (const domain::Intervention& change : live_control_.take_interventions()) {
+    if (page() != nullptr) page()->add_intervention(change);
     if (recording_) recording_->add(spooled(change), change.tick + 1);
   }
   if (live_control_.holds()) got_on(now);
   if (!live_control_.stopped().empty()) end_at_rest(live_control_.stopped(), now);
+}
+
+/// From now on somebody looks on, who was not there before.
+void Supervisor::show() {
+  shown_ = true;
+  launcher_.spool();
+  if (observer_) observer_->spool();
+  for (const Member& member : members_) {
+    if (member.link) member.link->post(FrameType::kSpool, Text{});
+  }
+}
+
+void Supervisor::hand_on(std::string spool, std::uint64_t end_tick) {
+  if (page() != nullptr) page()->add(spool);
+  if (recording_) recording_->add(std::move(spool), end_tick);
 }
 
 void Supervisor::interrupt(int number, Time now) {

@@ -25,7 +25,6 @@
 #include "supervisor/restart_policy.hpp"
 #include "supervisor/run_recording_control.hpp"
 #include "supervisor/third_party_observer.hpp"
-#include "supervisor/watch_samples.hpp"
 
 namespace clew::bridge {
 
@@ -43,7 +42,6 @@ class Supervisor {
     StartProcess start = ChildProcess::start;  ///< starts a program
     LateWatch::Activity activity = activity_of;
     RunControl* control = nullptr;  ///< what is changed while the run goes on; null: nothing may be
-    WatchSamples watch = nullptr;   ///< sees what the recorder gets; may be null
     RunSecurity::Shared security = nullptr;  ///< null: the run is open
   };
 
@@ -100,10 +98,9 @@ class Supervisor {
   void observe(Time now);
   void take_last_reports();
   void serve_commands(Time now);
-  void hand_on(std::string spool, std::uint64_t end_tick) {
-    if (outside_.watch) outside_.watch(spool);
-    if (recording_) recording_->add(std::move(spool), end_tick);
-  }
+  RunPage* page() const { return outside_.control == nullptr ? nullptr : outside_.control->page(); }
+  void show();
+  void hand_on(std::string spool, std::uint64_t end_tick);
   void watch(Time now);
   void watch_late(Time now);
   void watch_start(Time now);
@@ -127,7 +124,7 @@ class Supervisor {
   const ProcessLayout& layout_;
   const Outside outside_;
   std::vector<Member> members_;
-  const Launcher launcher_;
+  Launcher launcher_;
   RestartPolicy restart_policy_;
   LiveControl live_control_;
   std::optional<RunRecordingControl> recording_;
@@ -140,6 +137,7 @@ class Supervisor {
   TickRate rate_;
   bool gone_ = false;
   bool all_finished_ = false;
+  bool shown_;                ///< everybody hands over what he writes, for a page
   const std::uint64_t lead_;  ///< ticks that may be started before the slowest member has done them
   std::uint64_t credit_;
   std::optional<std::uint64_t> last_tick_;

@@ -44,6 +44,7 @@ class ThirdPartyObserver {
   const RunStatistics& statistics() const { return progress_.statistics; }
   std::uint64_t refused_samples() const { return progress_.refused_samples; }
   std::map<std::string, core::Hash128> chains() const;
+  void spool() { account_->spool(); }
   std::string take_spooled() { return std::exchange(spooled_, {}); }
   std::vector<std::string> take_notices();
   /// Why the sensor is frozen, since the last call.

@@ -95,7 +95,7 @@ void LocalPath::plan(const PathRequest& request) {
 void LocalPath::seek(const PathRequest& request, const Vec2& goal) {
   const Costmap& costs =
       finder_->costs.update(request.map.seen(), request.from, goal, LocalMap::kAround_m, kReach_m);
-  close_refused(costs.grid);
+  close_refused(costs.grid, finder_->costs);
   open_own_place(costs, request.from);
   const auto* path = &finder_->search->find(costs, request.from, goal,
                                             kArrivesWithin_ratio * request.target_radius_m);
@@ -146,13 +146,24 @@ void LocalPath::refuse(const Vec2& place_odom) {
   if (state_.refused_odom.size() < kMostRefused) state_.refused_odom.push_back(place_odom);
 }
 
-void LocalPath::close_refused(const Grid& grid) {
+void LocalPath::close_refused(const Grid& grid, CostmapBuilder& costs) const {
+  std::vector<Cell> cells;
   for (const Vec2& place : state_.refused_odom) {
-    cells_within(grid, place, kRefused_m, cells_);
-    for (const Cell& cell : cells_) {
-      finder_->costs.overrule(grid.index(cell), Costmap::kBlocked, Clearance::kNone);
+    cells_within(grid, place, kRefused_m, cells);
+    for (const Cell& cell : cells) {
+      costs.overrule(grid.index(cell), Costmap::kBlocked, Clearance::kNone);
     }
   }
+}
+
+Costmap LocalPath::costs_around(const PathRequest& request, double reach_m) const {
+  const SeenMap& seen = request.map.seen();
+  CostmapBuilder costs(inflation_for(parameters_, request.map, radius_m_), seen.cell_m());
+  // What lies beyond the reach has its say in the costs within.
+  const double sees_m = reach_m + LocalMap::kAround_m;
+  const Costmap& around = costs.update(seen, request.from, request.from, reach_m, sees_m);
+  close_refused(around.grid, costs);
+  return around;
 }
 
 /// Where the robot stands it can be, whatever is believed.

@@ -90,6 +90,10 @@ class LocalPath {
   /// The path is void; keep_up() seeks a new one.
   void forget_path() { state_.planned = false; }
 
+  /// What going costs within `reach_m` of the robot, as a search would find it now: for people to
+  /// look at. It is made anew, so it takes as long as a first search does.
+  Costmap costs_around(const PathRequest& request, double reach_m) const;
+
   bool exists() const { return !state_.corners_odom.empty(); }
   /// The corners, the robot's place at planning first; empty if there is no path.
   const std::vector<Vec2>& corners_odom() const { return state_.corners_odom; }
@@ -106,7 +110,7 @@ class LocalPath {
 
  private:
   void choose_finder(const PathRequest& request);
-  void close_refused(const Grid& grid);
+  void close_refused(const Grid& grid, CostmapBuilder& costs) const;
   void open_own_place(const Costmap& costs, const Vec2& place);
   bool is_cut(const PathRequest& request) const;
   bool is_open(const PathRequest& request) const;
@@ -122,7 +126,6 @@ class LocalPath {
   PathFinders own_finders_;
   PathFinder* finder_ = nullptr;  // chosen when the first path is sought
   std::vector<Vec2> hits_odom_;   // memory to work in
-  std::vector<Cell> cells_;       // the same
   State state_;
 };
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/bench_page.hpp"
+#include "bench/kept_runs.hpp"
 #include "bench/pairs.hpp"
 #include "bench/run_result.hpp"
 #include "bench/world_names.hpp"
@@ -59,6 +61,33 @@ TEST_F(ReportOfFourRuns, CountsSuccessApartForSolvableAndUnsolvable) {
   EXPECT_EQ(table.rows[1][1], "1/2 50 % [9, 91]");
   EXPECT_EQ(table.rows[1][3], "0/1 0 % [0, 79]");
   EXPECT_EQ(table.rows[1][5], "2");
+}
+
+TEST_F(ReportOfFourRuns, OfManyRunsAPageListsTheKeptAndTheFailedFirst) {
+  const std::vector<KeptRun> kept = {{2, "runs/b.mcap", "runs/b.html"}};
+
+  EXPECT_EQ(runs_on_page(results_, kept, 10), (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_EQ(runs_on_page(results_, kept, 1), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(runs_on_page(results_, kept, 2), (std::vector<std::size_t>{2, 3}));
+  EXPECT_EQ(runs_on_page(results_, kept, 3), (std::vector<std::size_t>{0, 2, 3}));
+}
+
+TEST_F(ReportOfFourRuns, APageOfVeryManyRunsStaysSmall) {
+  const std::vector<RunResult> few = results_.runs;
+  plan_.seeds.resize(kMostRunsOnPage);
+  results_.runs.assign(kMostRunsOnPage, few[0]);
+  for (std::size_t i = 1; i < few.size(); ++i) {
+    results_.runs.insert(results_.runs.end(), kMostRunsOnPage, few[i]);
+  }
+  for (std::size_t i = 0; i < results_.runs.size(); ++i) {
+    results_.runs[i].key.seed = i;
+    results_.runs[i].hash = std::to_string(i * 0x9e3779b97f4a7c15u);
+  }
+
+  const auto page = bench_page("<html><!-- recordings --></html>", results_, Report{}, {}, "");
+
+  ASSERT_TRUE(page.ok()) << page.error().text();
+  EXPECT_LT(page->size(), 4u << 20);
 }
 
 TEST_F(ReportOfFourRuns, TellsFamiliesApart) {
@@ -311,6 +340,58 @@ TEST(RunResult, RefusesALineThatIsNone) {
 
   ASSERT_FALSE(result.ok());
   EXPECT_NE(result.error().text().find("is no line of results"), std::string::npos);
+}
+
+TEST_F(ReportOfFourRuns, LeadsFromACellToItsRuns) {
+  const Table table = overall_table(results_);
+
+  ASSERT_EQ(table.runs.size(), table.rows.size());
+  ASSERT_EQ(table.runs[1].size(), table.columns.size());
+  EXPECT_EQ(table.runs[1][2].variant, 1u);
+  EXPECT_EQ(table.runs[1][2].solvable, std::optional<std::optional<bool>>(true));
+  EXPECT_EQ(table.runs[1][5].only, CellRuns::Only::kCollided);
+  EXPECT_EQ(family_table(results_).runs[0][0].family, "open");
+  EXPECT_EQ(family_table(results_).runs[0][2].variant, 1u);
+}
+
+TEST_F(ReportOfFourRuns, DrawsSharesAndPathsWithTheirIntervals) {
+  const std::vector<Chart> charts = charts_of(results_);
+
+  ASSERT_EQ(charts.size(), 2u);
+  ASSERT_EQ(charts[0].points.size(), 2u);
+  EXPECT_DOUBLE_EQ(charts[0].points[1].value, 0.5);
+  EXPECT_DOUBLE_EQ(charts[0].points[1].interval->low, wilson_interval(1, 2).low);
+  EXPECT_DOUBLE_EQ(charts[1].points[0].value, 1.2);  // 12 m, where 10 m are the shortest
+  EXPECT_FALSE(charts[1].points[0].interval);        // one run has no interval
+}
+
+TEST_F(ReportOfFourRuns, HasNoChartOfNothing) {
+  for (RunResult& run : results_.runs) run.outcome = "timeout";
+
+  EXPECT_EQ(charts_of(results_).size(), 1u);
+}
+
+TEST_F(ReportOfFourRuns, KeepsTheWorstOfEachVariantFirst) {
+  EXPECT_EQ(failed_runs(results_, 5), (std::vector<std::size_t>{3}));
+
+  results_.runs[2].success = false;  // 15 m long, without a collision
+  results_.runs[1].success = false;
+  EXPECT_EQ(failed_runs(results_, 5), (std::vector<std::size_t>{1, 2, 3}));
+  EXPECT_EQ(failed_runs(results_, 2), (std::vector<std::size_t>{1, 3}));
+  EXPECT_TRUE(failed_runs(results_, 0).empty());
+}
+
+TEST_F(ReportOfFourRuns, KeepsEqualRunsOnce) {
+  plan_.seeds = {1, 2};
+  const RunResult failed = run("good", "field", "timeout", true, false, 12.0);
+  results_.runs.assign(8, failed);
+  for (std::size_t i = 0; i < 8; ++i) {
+    RunResult& each = results_.runs[i];
+    each.key = {i < 4 ? "good" : "bad", "", i / 2 % 2 == 0 ? "field" : "box", 1 + i % 2};
+    each.hash = "hash of " + each.key.world;
+  }
+
+  EXPECT_EQ(failed_runs(results_, 8), (std::vector<std::size_t>{0, 2, 4, 6}));
 }
 
 }  // namespace

@@ -3,20 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base64.hpp"
+
 namespace clew::view {
 namespace {
-
-// RFC 4648, section 10.
-TEST(Base64, GivesTheVectorsOfTheStandard) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64(std::string("\xff\xfe\x00", 3)), "//4A");
-}
 
 TEST(Report, NoTextOfARecordingIsHtml) {
   const std::string evil = "</script><img src=x onerror=alert(1)>\" '<!--";
@@ -26,7 +16,7 @@ TEST(Report, NoTextOfARecordingIsHtml) {
   ASSERT_TRUE(text.ok());
   EXPECT_EQ(text->find("<img"), std::string::npos);
   EXPECT_EQ(text->find("onerror"), std::string::npos);
-  EXPECT_NE(text->find("data-name=\"" + base64(evil) + '"'), std::string::npos);
+  EXPECT_NE(text->find("data-name=\"" + core::base64(evil) + '"'), std::string::npos);
 }
 
 TEST(Report, NeedsAPageWithAPlaceForRecordings) { EXPECT_FALSE(report("<body></body>", {}).ok()); }

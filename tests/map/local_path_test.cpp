@@ -180,6 +180,26 @@ TEST(LocalPath, DoesNotLeadThroughPlacesThatWereRefused) {
   EXPECT_TRUE(path.exists());
 }
 
+TEST(LocalPath, TellsTheCostsByWhichItSeeksAndIsNotChangedByThat) {
+  const Room room;
+  const Vec2 gap(0.5, 0.0);
+  const auto cost_at = [&](const LocalPath& path, const Vec2& place) {
+    const Costmap costs = path.costs_around(room.request(), 2.0);
+    return costs.cost[costs.grid.index(costs.grid.cell_at(place).value())];
+  };
+  LocalPath path = astar_path();
+  path.plan(room.request());
+  const auto corners = path.corners_odom();
+
+  // Beside the posts of the gap there is less room than in the open.
+  EXPECT_GT(cost_at(path, gap), cost_at(path, {-0.3, 0.0}));
+  EXPECT_EQ(cost_at(path, {0.5, 0.6}), Costmap::kBlocked);
+  EXPECT_EQ(path.corners_odom(), corners);
+
+  path.refuse(gap);
+  EXPECT_EQ(cost_at(path, gap), Costmap::kBlocked);
+}
+
 TEST(LocalPath, BeginsWhereTheRobotStandsWhateverIsBelievedOfThatPlace) {
   const Room room;
   LocalPath path = astar_path();

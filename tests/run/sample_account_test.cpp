@@ -70,6 +70,24 @@ TEST(SampleAccount, SpoolsWhatBefellTheRunBesideItsSamples) {
   EXPECT_EQ(seen[0].text, "a writer");
 }
 
+TEST(SampleAccount, SpoolsFromWhenSomebodyAsksForIt) {
+  SampleAccount account(true, false);
+  SampleAccount unwatched(true, false);
+  account.add(command_at(0), "first");
+  unwatched.add(command_at(0), "first");
+
+  account.spool();
+  account.add(command_at(1), "second");
+  unwatched.add(command_at(1), "second");
+
+  std::vector<std::uint64_t> ticks;
+  EXPECT_TRUE(for_each_spooled(
+      account.take_spooled(),
+      {[&](const auto& sample) { ticks.push_back(sample.tick); }, [](const SpooledState&) {}}));
+  EXPECT_EQ(ticks, std::vector<std::uint64_t>{1});
+  EXPECT_EQ(account.chains(), unwatched.chains());
+}
+
 TEST(SampleAccount, SeesThatASpoolIsTorn) {
   SampleAccount account(false, true);
   account.add(command_at(0), "first");

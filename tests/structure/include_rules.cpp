@@ -51,7 +51,7 @@ const std::map<std::string, Folders> kLayers = {
      {"core", "domain", "world", "runtime", "stages", "wire", "recording", "dds", "vendors", "run",
       "line", "component", "recorder", "supervisor"}},
     {"bridge/gateway",
-     {"core", "domain", "world", "runtime", "wire", "recording", "run", "line", "recorder",
+     {"core", "domain", "map", "world", "runtime", "wire", "recording", "run", "line", "recorder",
       "supervisor"}},
 };
 

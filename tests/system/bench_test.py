@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """clew bench: the same results with any number of workers, killed and gone on with or not."""
+import csv
 import json
 import pathlib
 import resource
@@ -88,7 +89,6 @@ class Bench(unittest.TestCase):
 
     def test_the_report_has_tables_and_pictures(self):
         report = (self.one / "report.md").read_text()
-        page = (self.one / "report.html").read_text()
 
         self.assertIn("| spiral |", report)
         self.assertIn("Compared in pairs", report)
@@ -96,10 +96,10 @@ class Bench(unittest.TestCase):
         pictures = list((self.one / "pictures").iterdir())
         self.assertEqual(sorted(path.suffix for path in pictures), [".svg", ".svg"])
         for picture in pictures:
-            self.assertIn(f"pictures/{picture.name}", page)
+            self.assertIn(f"pictures/{picture.name}", report)
             self.assertTrue(picture.read_text().rstrip().endswith("</svg>"))
-        csv = (self.one / "results.csv").read_text().splitlines()
-        self.assertEqual(len(csv), RUNS + 1)
+        lines = (self.one / "results.csv").read_text().splitlines()
+        self.assertEqual(len(lines), RUNS + 1)
 
     def test_more_workers_give_the_same(self):
         for jobs in (2, 7):
@@ -107,6 +107,54 @@ class Bench(unittest.TestCase):
 
             self.assertEqual(run.status, 0, run.err)
             self.assertEqual(results(self.out(f"jobs{jobs}")), results(self.one))
+
+    def test_tells_how_often_what_decided_and_what_never_did(self):
+        suite = write_file("""format: clew-suite/1
+graphs: [krishna_kalra, nakhaeinia, pin_bender]
+worlds: {shipped: [u-trap]}
+seeds: [1]
+max_ticks: 300
+""")
+        out = self.out("coverage")
+        run = Run(["bench", suite, "--coverage", "--jobs", "2", "--out", out, "--json"])
+        self.assertEqual(run.status, 0, run.err)
+        runs = {line["graph"]: line for line in map(json.loads, run.out.splitlines())}
+        plain = Run(["bench", suite, "--jobs", "2", "--out", self.out("plain"), "--json"])
+        self.assertEqual([line["hash"] for line in runs.values()],
+                         [json.loads(line)["hash"] for line in plain.out.splitlines()])
+
+        with open(out / "coverage.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        of = {}
+        for row in rows:
+            of.setdefault((row["graph"], row["stage"], row["choice"]), []).append(row)
+        for graph, choice, count in [("nakhaeinia", "controller.rule_strengths", 15),
+                                     ("pin_bender", "controller.rules", 13),
+                                     ("krishna_kalra", "controller.strengths", 8)]:
+            rules = of[graph, "control", choice]
+            said = Run(["rules", graph, "--json"]).out.splitlines()
+            [base] = [base for base in map(json.loads, said) if base["stage"] == "control"]
+            self.assertEqual([row["case"] for row in rules], base["rules"], graph)
+            self.assertEqual(len(rules), count)
+            # Wherever the controller decided one rule was the strongest.
+            [controller] = [row for row in of[graph, "control", "decided"]
+                            if row["case"] == "controller"]
+            self.assertEqual({row["ticks"] for row in rules}, {controller["decided"]})
+            self.assertEqual(sum(int(row["decided"]) for row in rules), int(controller["decided"]))
+            # Of every tick it is known who decided.
+            self.assertEqual(int(controller["ticks"]), runs[graph]["ticks"] + 1)
+        neurons = of["krishna_kalra", "classify", "classifier.som.distances_classes"]
+        self.assertEqual(len(neurons), 49)
+        self.assertGreater(sum(int(row["decided"]) for row in neurons), 0)
+        report = (out / "report.md").read_text()
+        self.assertIn("## What decided", report)
+        never = [row["case"] for row in of["nakhaeinia", "control", "controller.rule_strengths"]
+                 if row["decided"] == "0"]
+        self.assertIn(never[0], report)
+
+        killed = Run(["bench", suite, "--jobs", "2", "--out", out])
+        self.assertEqual(killed.status, 2, "results with and without coverage are not one bench")
+        self.assertIn("coverage", killed.err)
 
     def test_a_killed_bench_is_gone_on_with_and_leaves_no_worker(self):
         out = self.out("killed")

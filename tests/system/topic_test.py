@@ -174,6 +174,7 @@ class OfAStranger(unittest.TestCase):
 
         self.assertEqual(rows, [
             {"topic": "clock", "type": "clew::msg::TickStamp", "writers": 1, "readers": 0},
+            {"topic": "odd", "type": "clew::msg::Scan", "writers": 2, "readers": 0},
             {"topic": "scan", "type": "clew::msg::Scan", "writers": 1, "readers": 0}])
         told = lines(topic("info", "scan", "--domain", LONE_DOMAIN, "--json"))[0]
         self.assertEqual(told["endpoints"][0]["stage"], None)
@@ -187,6 +188,32 @@ class OfAStranger(unittest.TestCase):
         self.assertEqual(scan["ranges_m"], [0.5, 1.0, 1.25])
         self.assertEqual(scan["tick"], scan["sequence"])
         self.assertAlmostEqual(rate["rate_hz"], 20, delta=4)
+
+    def test_what_is_no_message_is_left_out_and_the_rest_is_shown(self):
+        reader = start(["topic", "echo", "odd", "--json", "--domain", LONE_DOMAIN])
+        try:
+            self.assertIn("a sample of odd is no clew::msg::Scan and is left out",
+                          reader.stderr.readline())
+            shown = [json.loads(reader.stdout.readline()) for _ in range(3)]
+        finally:
+            reader.send_signal(signal.SIGINT)
+            reader.communicate(timeout=20)
+
+        for scan in shown:
+            self.assertEqual(scan["ranges_m"], [0.5, 1.0, 1.25])
+        self.assertEqual(reader.returncode, 0)
+
+    def test_lists_are_cut_where_that_is_asked_for(self):
+        whole = topic("echo", "scan", "--once", "--field", "ranges_m", "--domain", LONE_DOMAIN)
+        cut = topic("echo", "scan", "--once", "--field", "ranges_m", "-l", "2", "--domain",
+                    LONE_DOMAIN)
+
+        self.assertIn("ranges_m = [0.5, 1, 1.25]", whole.out)
+        self.assertIn("ranges_m = [0.5, 1]", cut.out)
+
+    def test_a_topics_type_is_told(self):
+        self.assertEqual(topic("type", "clock", "--domain", LONE_DOMAIN).out,
+                         "clew::msg::TickStamp\n")
 
     def test_a_type_that_is_none_of_ours_is_bytes(self):
         refused = topic("echo", "clock", "--domain", LONE_DOMAIN)

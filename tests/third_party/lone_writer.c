@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * A publisher on a DDS domain that no run of Clew holds: twenty samples a second on `scan`, without
- * a word of whose they are, and on `clock`, whose type is none of Clew's topics. Plain C, Cyclone
- * DDS, types by idlc. Needs CLEW_DOMAIN_ID and CYCLONEDDS_URI in its environment; ends when it is
+ * a word of whose they are, on `clock`, whose type is none of Clew's topics, and on `odd`, where
+ * every other sample is no message of the type that its writer names. Plain C, Cyclone DDS, types
+ * by idlc. Needs CLEW_DOMAIN_ID and CYCLONEDDS_URI in its environment; ends when it is
  * killed.
  */
 #include <dds/dds.h>
@@ -43,6 +44,13 @@ int main(void) {
       must(dds_create_participant((dds_domainid_t)atoi(domain), NULL, NULL), "participant");
   const dds_entity_t scans = open_writer(participant, &clew_msg_Scan_desc, "scan");
   const dds_entity_t clocks = open_writer(participant, &clew_msg_TickStamp_desc, "clock");
+  const dds_entity_t odd_scans = open_writer(participant, &clew_msg_Scan_desc, "odd");
+  /* A second participant may say of other bytes that they are scans. */
+  dds_topic_descriptor_t no_scan = clew_msg_TickStamp_desc;
+  no_scan.m_typename = clew_msg_Scan_desc.m_typename;
+  const dds_entity_t other =
+      must(dds_create_participant((dds_domainid_t)atoi(domain), NULL, NULL), "participant");
+  const dds_entity_t odd_stamps = open_writer(other, &no_scan, "odd");
   double ranges[3] = {0.5, 1.0, 1.25};
   clew_msg_Scan scan;
   memset(&scan, 0, sizeof scan);
@@ -54,6 +62,8 @@ int main(void) {
   for (;;) {
     must(dds_write(scans, &scan), "scan");
     must(dds_write(clocks, &scan.stamp), "clock");
+    must(dds_write(odd_scans, &scan), "odd");
+    must(dds_write(odd_stamps, &scan.stamp), "odd");
     ++scan.stamp.tick;
     ++scan.stamp.sequence_number;
     dds_sleepfor(DDS_MSECS(50));

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
 
-import { clew, json_lines, open_browser, open_page, request, scratch_directory, serve } from "./view_server.mjs";
+import { clew, json_lines, open_browser, open_page, request, scratch_directory, serve, start } from "./view_server.mjs";
 
 // The robot wanders before a wall, for as long as it is let.
 const kRun = ["krishna_kalra", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none"];
@@ -116,3 +116,38 @@ test("a run is found by its name or its domain, and its page shown", async (cont
   assert.equal(clew("stop", name).status, 0);
   assert.equal(await last.ended, 0);
 });
+
+for (const layout of ["processes", "composed"]) {
+  test(`a run that was started without a page gets one (${layout})`, async (context) => {
+    const name = `page-asked-${process.pid}-${layout}`;
+    const plain = path.join(scratch_directory(context), "plain.mcap");
+    const expected = JSON.parse(clew("run", "krishna_kalra", "--layout", "composed", "--record", plain, "--json").out);
+    const browser = await open_browser(context);
+    const run = start(context, "run", "krishna_kalra", "--layout", layout, "--pace", "2x", "--name", name, "--json");
+    const report = new Promise((resolve) => run.lines.on("line", (line) => resolve(JSON.parse(line))));
+    assert.equal(clew("pause", name).status, 0);
+    const served = await serve(context, "view", name);
+    const again = await serve(context, "view", name);
+    assert.equal(String(again.address), String(served.address));
+    const { page, complaints } = await open_page(browser, served.address);
+    // It is commanded from there, too, and shows what comes from now on.
+    for (let steps = 1; steps <= 2; steps++) {
+      await page.keyboard.press("j");
+      await page.waitForFunction((n) => document.querySelectorAll("#orders li").length === n, steps);
+    }
+    await page.waitForFunction(() => window.clew.session.runs[0].ticks.length > 0);
+    const first = await page.evaluate(() => window.clew.session.first_tick);
+    assert.ok(first > 0);
+    assert.equal(clew("pace", name, "20x").status, 0);
+    assert.equal(clew("resume", name).status, 0);
+    await page.waitForSelector("body[data-ended=reached]");
+    assert.equal((await report).hash, expected.hash);
+    assert.equal(await served.ended, 0);
+    const told = json_lines(clew("echo", plain, "state", "--jsonl", "--field", "pose_world_robot").out);
+    const by_tick = new Map(told.map(({ tick, pose_world_robot: pose }) => [tick, pose.x_m]));
+    const shown = await page.evaluate(() => window.clew.session.runs[0].ticks.map((tick, i) => [tick, window.clew.session.runs[0].truth[i].x]));
+    assert.equal(shown.at(-1)[0], expected.ticks);
+    for (const [tick, x] of shown) assert.equal(x, by_tick.get(tick));
+    assert.deepEqual(complaints.filter((text) => !text.includes("ERR_")), []);
+  });
+}

@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 
-import { clew, require, scratch_directory, serve, ticks_of } from "./view_server.mjs";
+import { clew, json_lines, require, scratch_directory, serve, ticks_of } from "./view_server.mjs";
 
 const { FoxgloveClient } = require("@foxglove/ws-protocol");
 const { WebSocket } = require("ws");
@@ -46,7 +46,7 @@ function read_all(address, protocol, last_time_ns) {
       // What is held begins again with each subscription, and these may come a few at a time.
       if (received.length > 0 && timestamp < received[received.length - 1].timestamp) received.length = 0;
       received.push({ timestamp, bytes: new Uint8Array(data.buffer, data.byteOffset, data.byteLength).slice() });
-      const whole = [...messages.values()].filter(({ channel }) => channel.topic !== "/foxglove/log")
+      const whole = [...messages.values()].filter(({ channel }) => channel.topic !== "/foxglove/log" && channel.topic !== "/foxglove/seen")
         .every(({ received }) => received.length > 0 && received[received.length - 1].timestamp >= last_time_ns);
       if (!whole) return;
       client.close();
@@ -68,6 +68,19 @@ function check(messages) {
   }
 }
 
+/// Where the believed robot has been the map of what was seen has no obstacle, and some elsewhere.
+function check_seen(file, received) {
+  const grid = JSON.parse(new TextDecoder().decode(received[received.length - 1].bytes));
+  const cells = new Int8Array(Buffer.from(grid.data, "base64"));
+  assert.equal(cells.length % grid.row_stride, 0);
+  for (const value of [-1, 0, 100]) assert.ok(cells.includes(value), `no cell is ${value}`);
+  for (const { pose_odom_robot: pose } of json_lines(clew("echo", file, "odometry", "--jsonl", "--field", "pose_odom_robot").out)) {
+    const column = Math.floor((pose.x_m - grid.pose.position.x) / grid.cell_size.x);
+    const row = Math.floor((pose.y_m - grid.pose.position.y) / grid.cell_size.y);
+    assert.notEqual(cells[row * grid.row_stride + column * grid.cell_stride], 100, `${pose.x_m} ${pose.y_m}`);
+  }
+}
+
 test("npm's Foxglove client reads every channel of a recording", async (context) => {
   const file = path.join(scratch_directory(context), "a.mcap");
   assert.equal(clew("run", "krishna_kalra", "--layout", "composed", "--record", file).status, 0);
@@ -76,11 +89,12 @@ test("npm's Foxglove client reads every channel of a recording", async (context)
   for (const protocol of ["foxglove.sdk.v1", "foxglove.websocket.v1"]) {
     const messages = await read_all(address, protocol, BigInt(count - 1) * 300000000n);
     check(messages);
-    assert.equal(messages.size, 13);
+    assert.equal(messages.size, 14);
     for (const topic of ["/state", "/scan", "/foxglove/scene", "/foxglove/scan", "/foxglove/path", "/foxglove/transforms"]) {
       assert.equal(messages.get(topic).received.length, count, topic);
     }
     assert.ok(messages.get("/foxglove/log").received.length > 0);
+    check_seen(file, messages.get("/foxglove/seen").received);
   }
 });
 
@@ -141,5 +155,7 @@ test("an exported file passes npm's reader with every check", (context) => {
   assert.ok(reader.done());
   assert.equal(counts.get("/foxglove/scene"), ticks_of(file));
   assert.equal(counts.get("/state"), ticks_of(file));
+  // The first, one a second, and the last; a tick takes 0.3 s.
+  assert.ok(counts.get("/foxglove/seen") > ticks_of(file) / 5 && counts.get("/foxglove/seen") < ticks_of(file) / 3);
   assert.equal(clew("export", file, "--foxglove", exported).status, 2);
 });

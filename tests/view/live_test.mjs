@@ -30,6 +30,36 @@ for (const layout of ["processes", "composed"]) {
   });
 }
 
+for (const layout of ["processes", "composed"]) {
+  test(`the insides of a run under way are those of its recording (${layout})`, async (context) => {
+    const recording = path.join(scratch_directory(context), "asked.mcap");
+    const name = `page-insides-${process.pid}-${layout}`;
+    const browser = await open_browser(context);
+    // It wanders before a wall for as long as it is let, and learns of a new target on its way.
+    const served = await serve(context, "run", "default", "--world", "unsolvable-behind-wall", "--set", "recover.escape.remembered_map.proof_s=10000",
+      "--layout", layout, "--pace", "30x", "--name", name, "--record", recording, "--json", "--view");
+    const { page, complaints } = await open_page(browser, served.address);
+    await page.waitForFunction(() => window.clew.session.last_tick > 40);
+    assert.equal(clew("goal", name, "1", "1").status, 0);
+    const changed = await page.evaluate(() => window.clew.session.last_tick);
+    await page.waitForFunction((tick) => window.clew.session.last_tick > tick + 40, changed);
+    assert.equal(clew("pause", name).status, 0);
+    await page.keyboard.press("x");
+    await page.waitForFunction(() => document.querySelector("#insides").dataset.tick, undefined, { timeout: 60000 });
+    const tick = Number(await page.evaluate(() => document.querySelector("#insides").dataset.tick));
+    assert.equal(tick, await page.evaluate(() => window.clew.session.last_tick));
+    const texts = await page.$$eval("#insides section", (all) => all.map((each) => [each.dataset.stage, each.querySelector(".told").textContent]));
+    assert.ok(await page.locator("#map-legend label").count() > 0);
+    if (process.env.CLEW_SCREENSHOT) await page.screenshot({ path: process.env.CLEW_SCREENSHOT });
+
+    assert.equal(clew("stop", name).status, 0);
+    await served.ended;
+    const told = json_lines(clew("explain", recording, "--tick", String(tick), "--json").out);
+    assert.deepEqual(texts, told.map(({ stage, text }) => [stage, text]));
+    assert.deepEqual(complaints.filter((text) => !text.includes("ERR_")), []);
+  });
+}
+
 test("a port that is taken is refused before the run", async (context) => {
   const recording = path.join(scratch_directory(context), "a.mcap");
   clew("run", "krishna_kalra", "--layout", "composed", "--max-ticks", "5", "--record", recording);

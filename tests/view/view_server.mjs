@@ -28,15 +28,20 @@ export function scratch_directory(context) {
   return directory;
 }
 
-/// Starts a command that serves a page; its address is the first line that it prints.
-export async function serve(context, ...words) {
+/// Starts a command that goes on; what it prints comes line by line.
+export function start(context, ...words) {
   const child = spawn(kClew, words, { stdio: ["ignore", "pipe", "inherit"] });
   const ended = new Promise((resolve) => child.once("exit", resolve));
   context.after(async () => {
     child.kill("SIGTERM");
     await ended;
   });
-  const lines = createInterface({ input: child.stdout });
+  return { child, ended, lines: createInterface({ input: child.stdout }) };
+}
+
+/// Starts a command that serves a page; its address is the first line that it prints.
+export async function serve(context, ...words) {
+  const { child, ended, lines } = start(context, ...words);
   const first = await new Promise((resolve) => lines.once("line", resolve));
   const address = new URL(/^view (http:\/\/127\.0\.0\.1:\d+\/\?token=[0-9a-f]{32})$/.exec(first)[1]);
   return { child, ended, lines, address, port: Number(address.port), token: address.searchParams.get("token") };

@@ -104,6 +104,10 @@ test("the page can name no program, no path and no plug-in", async (context) => 
     { ...base, set: [{ stage: "control", part: "behaviour", behaviour: "krishna_kalra_fuzzy", name: "rules", value: "../../etc/passwd" }] },
     { ...base, set: [{ stage: "sense", part: "behaviour", behaviour: "cones", name: "range_m", value: "1; rm" }] },
     { ...base, set: [{ stage: "sense", part: "behaviour", behaviour: "cones", name: "exec", value: 1 }] },
+    { ...base, rules: [{ stage: "sense", part: "behaviour", behaviour: "cones", name: "range_m", text: "format: x" }] },
+    { ...base, rules: [{ stage: "control", part: "behaviour", behaviour: "krishna_kalra_fuzzy", name: "rules", text: "x".repeat(70000) }] },
+    { ...base, rules: [{ stage: "control", part: "behaviour", behaviour: "krishna_kalra_fuzzy", name: "rules" }] },
+    { ...base, rules: [{ stage: "control", part: "behaviour", behaviour: "krishna_kalra_fuzzy", name: "rules", text: "format: other/1\n" }] },
     [], "text", null,
   ];
   for (const attempt of attempts) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "bench/coverage.hpp"
 #include "bench/results_file.hpp"
 #include "bench/run_order.hpp"
 #include "bench/stopping.hpp"
@@ -167,14 +168,21 @@ Result<BenchResults> read_results(const BenchPlan& plan, const std::string& path
 }
 
 Result<void> write_report(const BenchResults& results, const Report& report,
-                          const fs::path& directory) {
+                          const std::vector<KeptRun>& kept, const fs::path& directory,
+                          std::string_view page) {
   auto table = NewFile::open((directory / "results.csv").string());
   if (!table.ok()) return table.error();
   CLEW_RETURN_IF_ERROR(table->write(csv_header()));
   for (const RunResult& run : results.runs) CLEW_RETURN_IF_ERROR(table->write(csv_row(run)));
   CLEW_RETURN_IF_ERROR(table->finish());
+  if (results.plan->coverage) {
+    CLEW_RETURN_IF_ERROR(write_file(directory / "coverage.csv", coverage_csv(results)));
+  }
   CLEW_RETURN_IF_ERROR(write_file(directory / "report.md", to_markdown(report)));
-  return write_file(directory / "report.html", to_html(report));
+  if (page.empty()) return write_file(directory / "report.html", to_html(report));
+  const auto html = bench_page(page, results, report, kept, directory.string());
+  if (!html.ok()) return html.error();
+  return write_file(directory / "report.html", *html);
 }
 
 /// What a bench has at hand while its parts are run.
@@ -296,12 +304,16 @@ Result<BenchEnd> finish_bench(const BenchPlan& plan, const runtime::ConfigPath& 
   }
   const auto results = read_results(plan, (folder / kResultsFile).string());
   if (!results.ok()) return results.error();
-  auto pictures = draw_worst_runs(*results, configs, stages, options.directory);
+  const auto kept = keep_failed_runs(*results, configs, stages, options.directory,
+                                     {options.keep, options.jobs, options.pages.run});
+  if (!kept.ok()) return kept.error();
+  if (kept->interrupted_by != 0) return BenchEnd{kept->interrupted_by, 0, {}};
+  auto pictures = draw_worst_runs(*results, configs, stages, options.directory, kept->runs);
   if (!pictures.ok()) return pictures.error();
   BenchEnd end;
   end.runs = results->runs.size();
   end.report = make_report(*results, std::move(pictures).value());
-  CLEW_RETURN_IF_ERROR(write_report(*results, end.report, folder));
+  CLEW_RETURN_IF_ERROR(write_report(*results, end.report, kept->runs, folder, options.pages.bench));
   if (options.compress || fs::file_size(folder / kResultsFile) >= kLargeBytes) {
     CLEW_RETURN_IF_ERROR(compress_file((folder / kTimingFile).string()));
     CLEW_RETURN_IF_ERROR(compress_file((folder / kResultsFile).string()));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/bench_order.hpp"
+#include "bench/bench_page.hpp"
 #include "bench/bench_plan.hpp"
 #include "bench/report.hpp"
 #include "bench/shards.hpp"
@@ -18,6 +19,8 @@ struct BenchOptions {
   std::size_t jobs = 1;   ///< worker processes
   bool restart = false;   ///< drop existing results
   bool compress = false;  ///< results and timing, however small
+  std::size_t keep = 0;   ///< recordings of so many runs that failed, at most
+  Pages pages;            ///< to put results and recordings into
   Shard shard;            ///< which runs
   /// Called after each run; `found` of the `done` ones were there before. May be null.
   std::function<void(std::size_t found, std::size_t done, std::size_t total)> progress;
@@ -31,7 +34,8 @@ struct BenchEnd {
 };
 
 /// Runs what has no result in the directory yet, then puts the results in the bench's order and
-/// writes `results.csv`, `report.md`, `report.html` and pictures of each variant's worst run. Of
+/// writes `results.csv`, `report.md`, `report.html`, pictures of each variant's worst run and
+/// recordings of runs that failed. Of
 /// all these files no byte depends on the number of jobs or on interruptions. What a clock measured
 /// is in `timing.jsonl`. A shard has results and timing only.
 core::Result<BenchEnd> run_bench(const BenchPlan& plan, const BenchOrder& order,

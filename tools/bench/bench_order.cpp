@@ -17,6 +17,7 @@ std::vector<std::string> BenchOrder::words() const {
       words.push_back(value);
     }
   }
+  if (coverage) words.emplace_back("--coverage");
   return words;
 }
 

@@ -14,6 +14,7 @@ struct BenchOrder {
   std::vector<std::string> set;
   std::vector<std::string> vary;  ///< `PATH=VALUE,VALUE,...`
   std::vector<std::string> plugins;
+  bool coverage = false;  ///< count what decided
 
   /// The words after `clew bench`.
   std::vector<std::string> words() const;

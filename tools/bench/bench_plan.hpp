@@ -61,6 +61,7 @@ struct BenchPlan {
   std::vector<std::uint64_t> seeds;
   /// What the results depend on, named: a bench may be gone on with if this is the same.
   std::map<std::string, std::string> configuration;
+  bool coverage = false;  ///< what decided is counted
   /// None: all is run.
   std::optional<Stopping> stopping;
 

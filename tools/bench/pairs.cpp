@@ -119,6 +119,7 @@ Table compare(const BenchResults& results, std::string title, Counterpart counte
     append_ratios(total.path_ratios, row);
     append_ratios(total.time_ratios, row);
     table.rows.push_back(std::move(row));
+    table.runs.push_back({{i, {}, {}}, {other, {}, {}}});
   }
   return table;
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "bench/coverage.hpp"
 #include "bench/pairs.hpp"
 
 namespace clew::bench {
@@ -79,6 +80,8 @@ Report make_report(const BenchResults& results, std::vector<Picture> pictures) {
   for (Table& table : std::array{paired_graphs_table(results), paired_table(results)}) {
     if (!table.rows.empty()) report.tables.push_back(std::move(table));
   }
+  report.covers = plan.coverage;
+  if (report.covers) report.tables.push_back(coverage_table(results));
   report.pictures = std::move(pictures);
   return report;
 }

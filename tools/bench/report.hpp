@@ -20,6 +20,7 @@ struct Report {
   std::string about;
   std::vector<std::string> remarks;  ///< what a reader must know of the numbers
   std::vector<Table> tables;
+  bool covers = false;  ///< the last table tells what decided
   std::vector<Picture> pictures;
 };
 

@@ -26,6 +26,7 @@ void for_each_list(Order& order, const Visit& visit) {
 nlohmann::ordered_json to_json(const BenchOrder& order) {
   nlohmann::ordered_json json;
   json["suite"] = order.suite;
+  json["coverage"] = order.coverage;
   for_each_list(order, [&](const char* name, const auto& list) { json[name] = list; });
   return json;
 }
@@ -33,6 +34,7 @@ nlohmann::ordered_json to_json(const BenchOrder& order) {
 BenchOrder read_order(const nlohmann::json& json) {
   BenchOrder order;
   json.at("suite").get_to(order.suite);
+  order.coverage = json.value("coverage", false);
   for_each_list(order, [&](const char* name, auto& list) { json.at(name).get_to(list); });
   return order;
 }

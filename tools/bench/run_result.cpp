@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "bench/coverage.hpp"
+
 namespace clew::bench {
 namespace {
 
@@ -53,6 +55,7 @@ RunResult read(const json& object) {
   for (const json& detector : object.at("detectors")) {
     run.detectors.push_back(read_detector(detector));
   }
+  if (object.contains("coverage")) run.coverage = read_coverage(object.at("coverage"));
   return run;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "insides/decisions.hpp"
 
 namespace clew::bench {
 
@@ -18,6 +19,12 @@ struct RunKey {
   std::uint64_t seed = 0;
 
   bool operator<(const RunKey& other) const;
+};
+
+/// A choice of a component of a stage.
+struct CoveredChoice {
+  std::string stage;
+  insides::Choice choice;
 };
 
 /// What a report needs of a run's line.
@@ -50,6 +57,7 @@ struct RunResult {
     std::vector<double> delays_m;
   };
   std::vector<Detector> detectors;
+  std::vector<CoveredChoice> coverage;  ///< of a bench that counts what decided
 
   bool reached() const { return outcome == "reached"; }
   bool succeeded() const { return success.value_or(false); }

@@ -123,6 +123,9 @@ Table matrix_of(const std::string& graph, const BenchResults& results) {
     if (new_column) table.columns.push_back(variant.values[1].second);
     table.rows[row->second].resize(std::max(table.rows[row->second].size(), column->second + 1));
     table.rows[row->second][column->second] = successes(with(results.samples_of(i), true));
+    table.runs.resize(table.rows.size());
+    table.runs[row->second].resize(table.rows[row->second].size());
+    table.runs[row->second][column->second] = {i, {}, std::optional<bool>(true)};
   }
   table.note = "Solvable worlds in which the target was reached, with 95 % intervals (Wilson).";
   return table;
@@ -162,6 +165,18 @@ Table overall_table(const BenchResults& results) {
                           std::to_string(sum(runs, [](auto& run) { return run.hit_by; })),
                           std::to_string(sum(runs, [](auto& run) { return run.safety_stops; })),
                           quantiles(path_ratios(runs), "{:.2f}"), quantiles(times_s, "{:.0f}")});
+    using Only = CellRuns::Only;
+    const CellRuns all{i, {}, {}};
+    table.runs.push_back({all,
+                          all,
+                          {i, {}, std::optional<bool>(true)},
+                          {i, {}, std::optional<bool>(false)},
+                          {i, {}, std::optional<bool>()},
+                          {i, {}, {}, Only::kCollided},
+                          {i, {}, {}, Only::kHit},
+                          {i, {}, {}, Only::kStopped},
+                          all,
+                          all});
   }
   return table;
 }
@@ -182,6 +197,7 @@ Table family_table(const BenchResults& results) {
       if (std::find(rows.begin(), rows.end(), row) != rows.end()) continue;
       rows.push_back(row);
       table.rows.push_back({world.family + (known ? "" : " (solvable: unknown)")});
+      table.runs.push_back({{std::nullopt, world.family, {}}});
     }
   }
   for (std::size_t i = 0; i < results.plan->variants.size(); ++i) {
@@ -191,6 +207,7 @@ Table family_table(const BenchResults& results) {
       table.rows[row].push_back(successes(those(runs, [&](auto& run) {
         return run.family == rows[row].first && run.solvable.has_value() == rows[row].second;
       })));
+      table.runs[row].push_back({i, rows[row].first, {}});
     }
   }
   return table;
@@ -214,6 +231,7 @@ Table sequential_table(const BenchResults& results) {
          fmt::format("{}/{} {:.2f} % [{:.2f}, {:.2f}]", share.successes, share.trials,
                      100.0 * of_all, 100.0 * share.interval.low, 100.0 * share.interval.high),
          fmt::format("{:.4f}", share.width())});
+    table.runs.push_back({{i, {}, {}}, {i, {}, {}}});
   }
   return table;
 }
@@ -238,6 +256,7 @@ Table detector_table(const BenchResults& results) {
            std::to_string(total.captures), std::to_string(total.noticed),
            std::to_string(total.missed), std::to_string(total.false_alarms),
            quantiles(total.delays_s, "{:.1f}"), quantiles(total.delays_m, "{:.1f}")});
+      table.runs.push_back({{i, {}, {}}});
     }
   }
   return table;

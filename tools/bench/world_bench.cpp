@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "bench/coverage.hpp"
 #include "clew/run_output.hpp"
 #include "recorder/recording_sink.hpp"
 #include "recording/output_file.hpp"
@@ -68,27 +69,71 @@ bool needs_processes(const runtime::Graph& graph) {
                      [](const auto& stage) { return !stage.deployment.exec.empty(); });
 }
 
-Result<bridge::RunReport> run_processes(const runtime::RunPlan& run, const std::string& path) {
-  bridge::ProcessLayout layout;
-  layout.program = "/proc/self/exe";
-  CLEW_RETURN_IF_ERROR(bridge::mcap::OutputFile::reserve(path, true));
-  return bridge::run_processes(run, layout, {{path, bridge::describe_run(run), 0.0}}, {}, {});
+/// Runs it as processes if it needs them, with a recording.
+Result<bridge::RunReport> run_recorded(const runtime::RunPlan& run, const std::string& path) {
+  if (needs_processes(run.graph)) {
+    bridge::ProcessLayout layout;
+    layout.program = "/proc/self/exe";
+    CLEW_RETURN_IF_ERROR(bridge::mcap::OutputFile::reserve(path, true));
+    return bridge::run_processes(run, layout, {{path, bridge::describe_run(run), 0.0}}, {}, {});
+  }
+  auto recording = bridge::RecordingSink::create(run, path, true);
+  if (!recording.ok()) return recording.error();
+  auto report = bridge::run_composed(run, bridge::ComposedLayout{}, recording->get(), {});
+  if (!report.ok()) return report;
+  const bridge::RecordingAccount closed = (*recording)->close({});
+  if (!closed.failure.empty()) return core::Error{closed.failure, {}, 0, 0};
+  return report;
 }
 
-/// Runs as processes, recorded in passing: the judge looks at the samples afterwards.
-Result<bridge::RunReport> run_processes(const runtime::RunPlan& run, TrapJudge& judge) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / fmt::format("clew-bench-{}.mcap", ::getpid()))
-          .string();
-  auto report = run_processes(run, path);
-  if (report.ok()) {
-    const auto recording = bridge::RunRecording::open(path);
-    if (!recording.ok()) return recording.error();
-    CLEW_RETURN_IF_ERROR(bridge::copy_samples_before(*recording, UINT64_MAX, judge));
+/// A recording that is removed with this object.
+class PassingRecording {
+ public:
+  PassingRecording()
+      : path_(
+            (std::filesystem::temp_directory_path() / fmt::format("clew-bench-{}.mcap", ::getpid()))
+                .string()) {}
+  PassingRecording(const PassingRecording&) = delete;
+  PassingRecording& operator=(const PassingRecording&) = delete;
+  ~PassingRecording() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
   }
-  std::error_code ignored;
-  std::filesystem::remove(path, ignored);
-  return report;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// A run of which something is asked that only its recording tells.
+struct RecordedRun {
+  bridge::RunReport report;
+  std::vector<CoveredChoice> coverage;
+};
+
+/// Runs recorded in passing: the judge looks at the samples afterwards.
+Result<RecordedRun> run_and_look(const runtime::RunPlan& run, bool coverage, TrapJudge& judge) {
+  const PassingRecording file;
+  auto report = run_recorded(run, file.path());
+  if (!report.ok()) return report.error();
+  RecordedRun recorded{std::move(report).value(), {}};
+  if (recorded.report.interrupted_by != 0) return recorded;
+  const auto recording = bridge::RunRecording::open(file.path());
+  if (!recording.ok()) return recording.error();
+  CLEW_RETURN_IF_ERROR(bridge::copy_samples_before(*recording, UINT64_MAX, judge));
+  if (!coverage) return recorded;
+  auto counted = coverage_of(*recording, run);
+  if (!counted.ok()) return counted.error();
+  recorded.coverage = std::move(counted).value();
+  return recorded;
+}
+
+/// Runs it, as fast as can be where nothing needs a recording.
+Result<RecordedRun> run_judged(const runtime::RunPlan& run, bool coverage, TrapJudge& judge) {
+  if (coverage || needs_processes(run.graph)) return run_and_look(run, coverage, judge);
+  auto report = bridge::run_composed(run, bridge::ComposedLayout{}, &judge, {});
+  if (!report.ok()) return report.error();
+  return RecordedRun{std::move(report).value(), {}};
 }
 
 }  // namespace
@@ -118,11 +163,10 @@ Result<std::optional<std::string>> WorldBench::run(const Variant& variant, std::
   const world::World& world = *run->setup.world;
   TrapJudge judge(traps(*run), run->setup.behaviour.robot.radius_m, detectors_of(run->graph));
   const bool as_processes = needs_processes(run->graph);
-  const auto report = as_processes
-                          ? run_processes(*run, judge)
-                          : bridge::run_composed(*run, bridge::ComposedLayout{}, &judge, {});
-  if (!report.ok()) return report.error();
-  if (report->interrupted_by != 0) return std::optional<std::string>();
+  const auto ran = run_judged(*run, plan_.coverage, judge);
+  if (!ran.ok()) return ran.error();
+  const bridge::RunReport& report = ran->report;
+  if (report.interrupted_by != 0) return std::optional<std::string>();
 
   ordered_json line;
   line["graph"] = variant.graph;
@@ -132,7 +176,7 @@ Result<std::optional<std::string>> WorldBench::run(const Variant& variant, std::
   const tools::RunFacts facts =
       as_processes ? tools::RunFacts{"processes", bridge::ProcessLayout{}.middleware, ""}
                    : tools::RunFacts{"composed", "inprocess", ""};
-  auto as_run = ordered_json::parse(tools::report_json(*report, *run, facts));
+  auto as_run = ordered_json::parse(tools::report_json(report, *run, facts));
   // As the suite names them, which may be by a path.
   as_run["graph"] = line["graph"];
   as_run["world"] = line["world"];
@@ -145,6 +189,7 @@ Result<std::optional<std::string>> WorldBench::run(const Variant& variant, std::
   line["captures"] = judge.has_truth() ? ordered_json(judge.captures()) : ordered_json(nullptr);
   line["held_at_end"] = judge.has_truth() ? ordered_json(judge.is_held()) : ordered_json(nullptr);
   line["detectors"] = to_json(judge);
+  if (plan_.coverage) line["coverage"] = to_json(ran->coverage);
   return std::optional<std::string>(line.dump());
 }
 
@@ -152,17 +197,8 @@ Result<void> WorldBench::record(const Variant& variant, std::uint64_t seed,
                                 const std::string& path) {
   const auto run = prepare(variant, seed);
   if (!run.ok()) return run.error();
-  if (needs_processes(run->graph)) {
-    const auto report = run_processes(*run, path);
-    return report.ok() ? Result<void>() : Result<void>(report.error());
-  }
-  auto recording = bridge::RecordingSink::create(*run, path, true);
-  if (!recording.ok()) return recording.error();
-  const auto report = bridge::run_composed(*run, bridge::ComposedLayout{}, recording->get(), {});
-  if (!report.ok()) return report.error();
-  const bridge::RecordingAccount closed = (*recording)->close({});
-  if (!closed.failure.empty()) return core::Error{closed.failure, {}, 0, 0};
-  return {};
+  const auto report = run_recorded(*run, path);
+  return report.ok() ? Result<void>() : Result<void>(report.error());
 }
 
 }  // namespace clew::bench

@@ -15,12 +15,6 @@ namespace {
 
 constexpr std::size_t kMostPictures = 12;
 
-/// The greater, the worse.
-int badness(const RunResult& run) {
-  if (run.collisions > 0) return 2;
-  return run.success.value_or(true) ? 0 : 1;
-}
-
 std::string caption_of(const Variant& variant, const RunResult& run) {
   std::string text = fmt::format("{} in {}, seed {}: {}, path {:.1f} m", variant.label(),
                                  run.key.world, run.key.seed, run.outcome, run.path_length_m);
@@ -53,7 +47,8 @@ std::size_t worst_of(const std::vector<const RunResult*>& runs) {
 core::Result<std::vector<Picture>> draw_worst_runs(const BenchResults& results,
                                                    const runtime::ConfigPath& configs,
                                                    const std::vector<runtime::StageInfo>& stages,
-                                                   const std::string& directory) {
+                                                   const std::string& directory,
+                                                   const std::vector<KeptRun>& kept) {
   const BenchPlan& plan = *results.plan;
   const std::size_t seeds = plan.seeds.size();
   std::vector<Picture> pictures;
@@ -64,11 +59,19 @@ core::Result<std::vector<Picture>> draw_worst_runs(const BenchResults& results,
     const std::string name =
         fmt::format("pictures/{:02}-{}-{}", i + 1, file_name_of(run.key.world), run.key.seed);
     const std::string path = (std::filesystem::path(directory) / name).string();
-    WorldBench bench(plan, worst / seeds, configs, stages);
-    CLEW_RETURN_IF_ERROR(bench.record(plan.variants[i], run.key.seed, path + ".mcap"));
-    CLEW_RETURN_IF_ERROR(plot::plot_recordings({path + ".mcap"}, path + ".svg"));
-    std::error_code ignored;
-    std::filesystem::remove(path + ".mcap", ignored);
+    const auto index = static_cast<std::size_t>(&run - results.runs.data());
+    const auto there = std::find_if(kept.begin(), kept.end(),
+                                    [&](const KeptRun& each) { return each.index == index; });
+    if (there != kept.end()) {
+      const auto recording = std::filesystem::path(directory) / there->recording;
+      CLEW_RETURN_IF_ERROR(plot::plot_recordings({recording.string()}, path + ".svg"));
+    } else {
+      WorldBench bench(plan, worst / seeds, configs, stages);
+      CLEW_RETURN_IF_ERROR(bench.record(plan.variants[i], run.key.seed, path + ".mcap"));
+      CLEW_RETURN_IF_ERROR(plot::plot_recordings({path + ".mcap"}, path + ".svg"));
+      std::error_code ignored;
+      std::filesystem::remove(path + ".mcap", ignored);
+    }
     pictures.push_back({name + ".svg", caption_of(plan.variants[i], run)});
   }
   return pictures;

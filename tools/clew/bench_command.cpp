@@ -20,6 +20,7 @@
 #include "clew/version.hpp"
 #include "runtime/plugin_list.hpp"
 #include "stages/all.hpp"
+#include "view/page_file.hpp"
 
 namespace clew::tools {
 namespace {
@@ -35,6 +36,7 @@ struct BenchCommandOptions {
   bool force = false;
   bool json = false;
   bool compress = false;
+  std::size_t keep = 24;     ///< recordings of runs that failed
   std::string write_worlds;  ///< a directory for the generated worlds, instead of running
 };
 
@@ -83,6 +85,10 @@ Result<bench::BenchPlan> make_plan(
   const auto program = program_fingerprint();
   if (!program.ok()) return program.error();
   plan->configuration["clew"] = *program;
+  if (order.coverage) {
+    plan->coverage = true;
+    plan->configuration["coverage"] = "counted";
+  }
   // Results of another plug-in are no results of this one.
   for (const auto& plugin : runtime::loaded_plugins()) {
     plan->configuration["plugin " + plugin.name] = plugin.digest;
@@ -147,8 +153,10 @@ int tell(const bench::BenchEnd& end, const bench::BenchOptions& bench, bool as_j
     return kExitGood;
   }
   for (const std::string& remark : end.report.remarks) fmt::print("{}\n\n", remark);
-  fmt::print("{}\n{}/report.html, report.md, results.csv, results.jsonl\n",
-             bench::to_markdown(end.report.tables.front()), bench.directory);
+  fmt::print("{}\n", bench::to_markdown(end.report.tables.front()));
+  if (end.report.covers) fmt::print("{}\n", bench::to_markdown(end.report.tables.back()));
+  fmt::print("{}/report.html, report.md, results.csv, results.jsonl{}\n", bench.directory,
+             end.report.covers ? ", coverage.csv" : "");
   return kExitGood;
 }
 
@@ -171,6 +179,8 @@ Result<bench::BenchOptions> bench_options(const BenchCommandOptions& options) {
   bench.jobs = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
   bench.restart = options.force;
   bench.compress = options.compress;
+  bench.keep = options.keep;
+  bench.pages = {view::bench_page(), view::page()};
   bench.progress = terminal_progress();
   if (options.shard.empty()) return bench;
   const auto shard = bench::read_shard(options.shard);
@@ -239,6 +249,9 @@ void add_order(CLI::App& app, bench::BenchOrder& order) {
                  "of them; A+B is the list of A and B; repeated: all combinations, and two make a "
                  "matrix in the report")
       ->allow_extra_args(false);
+  app.add_flag("--coverage", order.coverage,
+               "count how often each rule, table cell, neuron and case decided, and which never "
+               "did; each run is recorded in passing and fed to its components again");
   add_plugins(app, order.plugins);
 }
 
@@ -251,8 +264,9 @@ void add_shards(CLI::App& app, BenchCommandOptions& options) {
                                       "the whole, in --out; of plug-ins "
                                       "it loads those that --plugin names")
                            ->type_name("DIR");
-  for (const char* other : {"suite", "--graph", "--with", "--set", "--vary", "--shard", "--jobs",
-                            "--write-worlds", "--on", "--shards", "--dry-run", "--until-width"}) {
+  for (const char* other :
+       {"suite", "--graph", "--with", "--set", "--vary", "--coverage", "--shard", "--jobs",
+        "--write-worlds", "--on", "--shards", "--dry-run", "--until-width"}) {
     merge->excludes(app.get_option(other));
   }
   // Whoever looks at results as they come needs all of them.
@@ -284,6 +298,10 @@ void add_bench(CLI::App& main, int& status) {
                   "run batch after batch until each graph's success is known to so much, as 0.05, "
                   "from one end of its interval to the other")
       ->check(number_between(0.001, 1.0));
+  app->add_option("--keep", options->keep,
+                  "recordings and reports of so many runs that failed, the worst of each graph "
+                  "first (24)")
+      ->check(whole_number());
   add_sweep(*app, options->sweep);
   add_shards(*app, *options);
   app->callback([options, &status] { status = bench_command(*options); });

@@ -5,14 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/json_line.hpp"
+#include "clew/own_program.hpp"
+#include "clew/plugin_options.hpp"
 #include "clew/typed_line.hpp"
 #include "gateway/gateway_process.hpp"
+#include "plugins/plugin_loader.hpp"
 #include "stages/all.hpp"
 #include "view/page_file.hpp"
 #include "view/page_order.hpp"
 #include "view/registry_json.hpp"
+#include "view/what_if.hpp"
 
 namespace clew::tools {
 namespace {
@@ -43,26 +48,45 @@ core::Result<bridge::PageCommandLine> read_command(const std::string& body,
   return bridge::PageCommandLine{std::move(command), typed_line(words)};
 }
 
+core::Result<bridge::PageQuestion> read_question(const std::string& body) {
+  const auto question = view::read_question(body, 1);
+  if (!question.ok()) return question.error();
+  std::vector<std::string> words = {"explain", "RECORDING"};
+  words.insert(words.end(), question->words.begin(), question->words.end());
+  return bridge::PageQuestion{question->tick, typed_line(words)};
+}
+
+struct Ends {
+  int socket = -1;
+  int port = 0;
+  std::vector<std::string> plugins;
+};
+
+int gateway_command(const Ends& ends) {
+  const auto loaded = bridge::load_plugins(ends.plugins);
+  if (!loaded.ok()) return complain(loaded.error());
+  std::vector<std::string> explain = {own_program(), "explain"};
+  for (const std::string& plugin : ends.plugins) {
+    explain.insert(explain.end(), {"--plugin", plugin});
+  }
+  const bridge::GatewayPage page{view::page(),
+                                 json_line({{"stages", view::registry_json(stages::all())},
+                                            {"graphs", nlohmann::ordered_json::array()},
+                                            {"worlds", nlohmann::ordered_json::array()}}),
+                                 read_command, read_question, explain};
+  return bridge::run_gateway_process(ends.socket, ends.port, page);
+}
+
 }  // namespace
 
 void add_gateway(CLI::App& main, int& status) {
-  struct Ends {
-    int socket = -1;
-    int port = 0;
-  };
   const auto ends = std::make_shared<Ends>();
   CLI::App* app = main.add_subcommand("gateway", "Serve the page of a run as this process");
   app->group("");
   app->add_option("--socket", ends->socket, "to the run")->required();
   app->add_option("--port", ends->port, "of 127.0.0.1")->required();
-  app->callback([ends, &status] {
-    const bridge::GatewayPage page{view::page(),
-                                   json_line({{"stages", view::registry_json(stages::all())},
-                                              {"graphs", nlohmann::ordered_json::array()},
-                                              {"worlds", nlohmann::ordered_json::array()}}),
-                                   read_command};
-    status = bridge::run_gateway_process(ends->socket, ends->port, page);
-  });
+  add_plugins(*app, ends->plugins);
+  app->callback([ends, &status] { status = gateway_command(*ends); });
 }
 
 }  // namespace clew::tools

@@ -13,6 +13,7 @@
 #include "clew/own_program.hpp"
 #include "clew/typed_line.hpp"
 #include "files/whole_file.hpp"
+#include "gateway/insides_answer.hpp"
 #include "runtime/config_source.hpp"
 #include "stages/all.hpp"
 #include "view/registry_json.hpp"
@@ -43,35 +44,25 @@ ordered_json last_object(const std::string& out) {
   return parsed.is_object() ? parsed : ordered_json(nullptr);
 }
 
-/// The objects that the program printed, one a line; null if that is not what it printed.
-ordered_json all_objects(const std::string& out) {
-  ordered_json objects = ordered_json::array();
-  for (std::size_t begin = 0; begin < out.size();) {
-    const std::size_t end = std::min(out.find('\n', begin), out.size());
-    auto parsed = ordered_json::parse(out.substr(begin, end - begin), nullptr, false);
-    if (!parsed.is_object()) return nullptr;
-    objects.push_back(std::move(parsed));
-    begin = end + 1;
-  }
-  return objects;
-}
-
 }  // namespace
 
 Result<std::unique_ptr<PageRuns>> PageRuns::create(bridge::ViewContent& content,
-                                                   std::vector<std::string> recordings) {
+                                                   std::vector<std::string> recordings,
+                                                   std::vector<std::string> plugins) {
   std::error_code code;
   std::string folder = (std::filesystem::temp_directory_path(code) / "clew-view-XXXXXX").string();
   if (code || ::mkdtemp(folder.data()) == nullptr) {
     return Error{std::string("cannot be made: ") + std::strerror(errno), folder, 0, 0};
   }
-  return std::unique_ptr<PageRuns>(new PageRuns(content, std::move(recordings), std::move(folder)));
+  return std::unique_ptr<PageRuns>(
+      new PageRuns(content, std::move(recordings), std::move(plugins), std::move(folder)));
 }
 
 PageRuns::PageRuns(bridge::ViewContent& content, std::vector<std::string> recordings,
-                   std::string folder)
+                   std::vector<std::string> plugins, std::string folder)
     : content_(content),
       paths_(std::move(recordings)),
+      plugins_(std::move(plugins)),
       folder_(std::move(folder)),
       programs_(kPatience) {
   const auto path = runtime::ConfigPath::from_environment();
@@ -103,6 +94,12 @@ void PageRuns::branch(const std::string& body, Answer answer) {
   if (!command.ok()) return answer(refusal(command.error().message));
   std::vector<std::string> words = {"replay", paths_[command->recording]};
   words.insert(words.end(), command->words.begin(), command->words.end());
+  for (const view::EditedRules& edited : command->rules) {
+    const std::string file = folder_ + "/rules-" + std::to_string(++rule_bases_) + ".yaml";
+    const auto written = files::write_file(file, edited.text);
+    if (!written.ok()) return answer(refusal(written.error().text()));
+    words.push_back("--set=" + edited.place + '=' + file);
+  }
   record(std::move(words), command->what, std::move(answer));
 }
 
@@ -111,13 +108,10 @@ void PageRuns::explain(const std::string& body, Answer answer) {
   if (!command.ok()) return answer(refusal(command.error().message));
   std::vector<std::string> words = {"explain", paths_[command->recording]};
   words.insert(words.end(), command->words.begin(), command->words.end());
+  name_plugins(words);
   const std::string line = typed_line(words);
   start(std::move(words), answer, [line, answer](const bridge::ProgramEnd& end) {
-    const ordered_json stages = all_objects(end.out);
-    if (end.status != 0 || !stages.is_array()) {
-      return answer(refusal(end.err.empty() ? "status " + std::to_string(end.status) : end.err));
-    }
-    answer({200, "application/json", json_line({{"command", line}, {"stages", stages}}), {}});
+    answer(bridge::insides_answer(end, line));
   });
 }
 
@@ -138,11 +132,16 @@ void PageRuns::run(const std::string& body, Answer answer) {
 
 void PageRuns::record(std::vector<std::string> words, const std::string& what, Answer answer) {
   const std::string file = folder_ + "/run-" + std::to_string(++count_) + ".mcap";
+  name_plugins(words);
   words.insert(words.end(), {"--record", file, "--json"});
   const std::string line = typed_line(words);
   start(std::move(words), answer, [this, line, file, what, answer](const bridge::ProgramEnd& end) {
     finish(end, line, file, what, answer);
   });
+}
+
+void PageRuns::name_plugins(std::vector<std::string>& words) const {
+  for (const std::string& plugin : plugins_) words.insert(words.end(), {"--plugin", plugin});
 }
 
 void PageRuns::start(std::vector<std::string> words, const Answer& answer,

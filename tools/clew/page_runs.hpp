@@ -18,9 +18,11 @@ namespace clew::tools {
 /// ends.
 class PageRuns {
  public:
-  /// `content` serves `recordings`, in this order, already.
+  /// `content` serves `recordings`, in this order, already. `plugins` are loaded, and named to
+  /// each command.
   static core::Result<std::unique_ptr<PageRuns>> create(bridge::ViewContent& content,
-                                                        std::vector<std::string> recordings);
+                                                        std::vector<std::string> recordings,
+                                                        std::vector<std::string> plugins);
   ~PageRuns();
 
   /// Takes the page's requests from now on.
@@ -29,24 +31,28 @@ class PageRuns {
  private:
   using Answer = bridge::WebContent::Answer;
 
-  PageRuns(bridge::ViewContent& content, std::vector<std::string> recordings, std::string folder);
+  PageRuns(bridge::ViewContent& content, std::vector<std::string> recordings,
+           std::vector<std::string> plugins, std::string folder);
 
   void branch(const std::string& body, Answer answer);
   void run(const std::string& body, Answer answer);
   void explain(const std::string& body, Answer answer);
   void record(std::vector<std::string> words, const std::string& what, Answer answer);
   void start(std::vector<std::string> words, const Answer& answer, bridge::ProgramRuns::Done done);
+  void name_plugins(std::vector<std::string>& words) const;
   void finish(const bridge::ProgramEnd& end, const std::string& line, const std::string& file,
               const std::string& what, const Answer& answer);
 
   bridge::ViewContent& content_;
   std::vector<std::string> paths_;  ///< of what is served, in the order of their numbers
-  std::string folder_;              ///< of our own recordings and worlds
+  std::vector<std::string> plugins_;
+  std::string folder_;  ///< of our own recordings and worlds
   view::KnownNames names_;
   bridge::ProgramRuns programs_;
   bridge::WebServer* server_ = nullptr;
   bool polls_ = false;
-  int count_ = 0;
+  int count_ = 0;       ///< of our own recordings
+  int rule_bases_ = 0;  ///< that were written
 };
 
 }  // namespace clew::tools

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
@@ -28,11 +24,10 @@ struct ReportOptions {
 Result<view::ReportedFile> read_recording(const std::string& path) {
   const auto recording = bridge::RunRecording::open(path);
   if (!recording.ok()) return recording.error();
-  std::ifstream file(path, std::ios::binary);
-  view::ReportedFile reported{std::filesystem::path(path).filename().string(),
-                              {std::istreambuf_iterator<char>(file), {}}};
-  if (!file || reported.bytes.empty()) return Error{std::strerror(errno), path, 0, 0};
-  return reported;
+  auto bytes = files::read_file(path);
+  if (!bytes.ok()) return bytes.error();
+  return view::ReportedFile{std::filesystem::path(path).filename().string(),
+                            std::move(bytes).value()};
 }
 
 Result<void> write_report(const ReportOptions& options) {

@@ -197,8 +197,7 @@ Result<bridge::ComposedStart> composed_start(Job& job, const bridge::RunControl&
 /// A composed run is one process with its recorder: it dies with it. So is one that has ended, and
 /// whose recording only lacks its end.
 Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& layout,
-                                       bridge::RunControl& control, bridge::LiveFeed* feed,
-                                       bridge::RunProfile* profile) {
+                                       bridge::RunControl& control, bridge::RunProfile* profile) {
   std::optional<bridge::RunName> name;
   if (!layout.name.empty()) {
     auto taken = bridge::RunName::take(layout.name);
@@ -218,7 +217,8 @@ Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& la
   auto start = composed_start(job, control, layout.hash);
   if (!start.ok()) return start.error();
   std::optional<bridge::FedSink> fed;
-  if (feed != nullptr) fed.emplace(sink.get(), *feed);
+  // Without a name nobody finds the run to ask for its page.
+  if (name) fed.emplace(sink.get(), *control.page());
   bridge::SampleSink* const all = fed ? &*fed : static_cast<bridge::SampleSink*>(sink.get());
   auto report =
       bridge::run_composed(job.plan, std::move(start).value(), composed, all, display, &orders);
@@ -236,21 +236,15 @@ Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& la
   return report;
 }
 
-bridge::WatchSamples watch_of(bridge::LiveFeed* feed) {
-  if (feed == nullptr) return nullptr;
-  return [feed](std::string_view spool) { feed->add(spool); };
-}
-
 Result<bridge::RunReport> run_job(Job& job, const bridge::ProcessLayout& layout, bool composed,
-                                  bridge::RunControl& control, bridge::LiveFeed* feed,
-                                  bridge::RunProfile* profile) {
+                                  bridge::RunControl& control, bridge::RunProfile* profile) {
   const bool has_ended = job.resumption && job.resumption->has_ended;
-  auto report = composed || has_ended
-                    ? run_composed(job, layout, control, feed, profile)
-                    : bridge::run_processes(
-                          job.plan, layout, job.recording, terminal_display(job.plan),
-                          job.resumption ? job.resumption->processes : bridge::ProcessStart{},
-                          &control, watch_of(feed));
+  auto report =
+      composed || has_ended
+          ? run_composed(job, layout, control, profile)
+          : bridge::run_processes(
+                job.plan, layout, job.recording, terminal_display(job.plan),
+                job.resumption ? job.resumption->processes : bridge::ProcessStart{}, &control);
   // What was only reserved is in nobody's way.
   const bool nothing = report.ok() && report->recording && report->recording->nothing;
   if ((!report.ok() || nothing) && job.recording && !job.resumption) {
@@ -325,9 +319,11 @@ int run_command(const RunOptions& options) {
   if (const auto planned = plan_changes(options, *job, control); !planned.ok()) {
     return complain(planned.error());
   }
-  const auto feed = start_view(options, job->plan, layout->name);
-  if (!feed.ok()) return complain(feed.error());
-  if (*feed) control.set_page((*feed)->address());
+  bridge::RunView view = view_of(job->plan);
+  control.set_called(layout->name);
+  control.set_page(&view);
+  const auto viewed = start_view(options, layout->name, view);
+  if (!viewed.ok()) return complain(viewed.error());
   const auto claimed = claim_files(options, *job);
   if (!claimed.ok()) return complain(claimed.error());
 
@@ -335,8 +331,7 @@ int run_command(const RunOptions& options) {
   if (!bridged.ok()) return complain(bridged.error());
   std::optional<bridge::RunProfile> profile;
   if (!options.profile.empty()) profile.emplace(bridge::profile_of(job->plan));
-  auto report =
-      run_job(*job, *layout, composed, control, feed->get(), profile ? &*profile : nullptr);
+  auto report = run_job(*job, *layout, composed, control, profile ? &*profile : nullptr);
   clear_display();
   if (!report.ok()) return complain(report.error());
   judge_recording(*layout, *report);
@@ -351,7 +346,7 @@ int run_command(const RunOptions& options) {
     if (!change.changes.empty()) facts.planned_changes.push_back(change.tick);
   }
   print_result(options, *report, job->plan, facts);
-  if (*feed) end_view(**feed, *report, signals);
+  end_view(options, view, *report, signals);
   const auto told = tell_profile(profile, options.profile);
   return told.ok() ? exit_status(*report) : complain(told.error());
 }

@@ -10,6 +10,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/terminal_text.hpp"
 #include "clew/topic_options.hpp"
 #include "clew/topic_reading.hpp"
 #include "core/nearest_name.hpp"
@@ -53,12 +54,12 @@ void print_topics(const std::vector<TopicOnWire>& topics, const ListOptions& opt
     if (options.json) {
       fmt::print("{}\n", json_line(topic_json(topic)));
     } else if (options.verbose) {
-      fmt::print("{} [{}], writers: {}, readers: {}\n", topic.name, topic.type,
-                 topic.writers.size(), topic.readers.size());
+      fmt::print("{} [{}], writers: {}, readers: {}\n", terminal_text(topic.name),
+                 terminal_text(topic.type), topic.writers.size(), topic.readers.size());
     } else if (options.show_types) {
-      fmt::print("{} [{}]\n", topic.name, topic.type);
+      fmt::print("{} [{}]\n", terminal_text(topic.name), terminal_text(topic.type));
     } else {
-      fmt::print("{}\n", topic.name);
+      fmt::print("{}\n", terminal_text(topic.name));
     }
   }
 }
@@ -96,7 +97,7 @@ ordered_json endpoint_json(const RemoteEndpoint& endpoint) {
 void print_endpoint(const RemoteEndpoint& endpoint) {
   const std::string stage = bridge::UserData::parse(endpoint.user_data).stage;
   fmt::print("  {} of {}, process {}, {}, {}, {}\n", endpoint.is_writer ? "writer" : "reader",
-             stage.empty() ? "no stage" : stage,
+             stage.empty() ? "no stage" : terminal_text(stage),
              endpoint.process_id == 0 ? "unknown" : std::to_string(endpoint.process_id),
              reliability_of(endpoint), durability_of(endpoint), endpoint.guid);
 }
@@ -116,11 +117,24 @@ int info_command(const ListOptions& options) {
     fmt::print("{}\n", json_line(json));
     return kExitGood;
   }
-  fmt::print("type: {}\nwriters: {}\nreaders: {}\n", topic->type, topic->writers.size(),
-             topic->readers.size());
+  fmt::print("type: {}\nwriters: {}\nreaders: {}\n", terminal_text(topic->type),
+             topic->writers.size(), topic->readers.size());
   if (!options.verbose) return kExitGood;
   for (const RemoteEndpoint& endpoint : topic->writers) print_endpoint(endpoint);
   for (const RemoteEndpoint& endpoint : topic->readers) print_endpoint(endpoint);
+  return kExitGood;
+}
+
+int type_command(const ListOptions& options) {
+  const auto watch = join_domain(options);
+  if (!watch.ok()) return complain(watch.error());
+  const auto topic = find_topic(**watch, options);
+  if (!topic.ok()) return complain(topic.error());
+  if (options.json) {
+    fmt::print("{}\n", json_line({{"topic", topic->name}, {"type", topic->type}}));
+  } else {
+    fmt::print("{}\n", terminal_text(topic->type));
+  }
   return kExitGood;
 }
 
@@ -253,6 +267,11 @@ void add_topic(CLI::App& main, int& status) {
   add_topic_argument(*app, *info);
   app->add_flag("-v,--verbose", info->verbose, "each endpoint with its stage, process and QoS");
   app->callback([info, &status] { status = info_command(*info); });
+
+  const auto type = std::make_shared<ListOptions>();
+  app = add_topic_verb(*topic, "type", "Tell the type of a topic", type);
+  add_topic_argument(*app, *type);
+  app->callback([type, &status] { status = type_command(*type); });
 
   const auto find = std::make_shared<ListOptions>();
   app = add_topic_verb(*topic, "find", "Name the topics of a type", find);

@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "clew/command_line.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/recorded_fields.hpp"
 #include "clew/sample_output.hpp"
+#include "clew/terminal_text.hpp"
 #include "clew/topic_reading.hpp"
 #include "core/nearest_name.hpp"
 
@@ -30,6 +32,7 @@ class EchoVerb : public TopicVerb {
       const auto known = check_type(topic, "; --raw shows its bytes");
       if (!known.ok()) return known.error();
       topic_ = *known;
+      name_ = terminal_text(topic.name);
       CLEW_RETURN_IF_ERROR(check_fields());
     }
     return watch.read(topic.name, topic.type);
@@ -42,7 +45,10 @@ class EchoVerb : public TopicVerb {
     }
     bridge::SampleView sample{topic_, 0, 0, arrival.cdr};
     const auto fields = reader_.fields_of(sample);
-    if (!fields.ok()) return fields.error();
+    if (!fields.ok()) {
+      note_malformed(fields.error());
+      return true;
+    }
     const auto stamp = stamp_of(topic_, arrival.cdr);
     sample.tick = stamp->tick;
     sample.sequence = stamp->sequence;
@@ -52,6 +58,9 @@ class EchoVerb : public TopicVerb {
   }
 
   void end() override {
+    if (malformed_ > 1) {
+      fmt::print(stderr, "clew: {} samples were no {}\n", malformed_, domain::type_name(topic_));
+    }
     if (lost_ > 0) fmt::print(stderr, "clew: {} samples were lost on the way\n", lost_);
     if (cut_ > 0) {
       fmt::print(stderr,
@@ -92,8 +101,34 @@ class EchoVerb : public TopicVerb {
     } else if (options_.csv) {
       print_row(sample, chosen_fields(fields, options_.fields));
     } else {
-      print_sample(sample, chosen_fields(fields, options_.fields));
+      print_sample(sample, shortened(chosen_fields(fields, options_.fields)));
     }
+  }
+
+  /// Of each list the first items, of each text the first characters, as many as are wanted.
+  std::vector<Field> shortened(std::vector<Field> fields) const {
+    const std::size_t most = options_.most_items;
+    if (most == 0) return fields;
+    std::string list;
+    std::size_t count = 0;
+    const auto is_too_many = [&](Field& field) {
+      if (auto* text = std::get_if<std::string>(&field.value); text && text->size() > most) {
+        *text = text->substr(0, most) + "...";
+      }
+      const std::size_t bracket = field.path.find('[');
+      if (bracket == std::string::npos || field.path.back() != ']') return false;
+      if (field.path.substr(0, bracket) != list) {
+        list = field.path.substr(0, bracket);
+        count = 0;
+      }
+      return ++count > most;
+    };
+    // One at a time and in order: it counts.
+    std::vector<Field> kept;
+    for (Field& field : fields) {
+      if (!is_too_many(field)) kept.push_back(std::move(field));
+    }
+    return kept;
   }
 
   /// The columns are those of the first sample.
@@ -121,6 +156,13 @@ class EchoVerb : public TopicVerb {
     }
   }
 
+  /// Anybody may write anything: such a sample is left out, and the others are shown.
+  void note_malformed(const Error& why) {
+    if (++malformed_ > 1) return;
+    fmt::print(stderr, "clew: a sample of {} is no {} and is left out: {}\n", name_,
+               domain::type_name(topic_), why.message);
+  }
+
   void note_sequence(std::uint64_t sequence) {
     if (last_sequence_ && sequence > *last_sequence_ + 1) {
       const std::uint64_t gap = sequence - *last_sequence_ - 1;
@@ -135,7 +177,9 @@ class EchoVerb : public TopicVerb {
   FieldReader reader_;
   FieldColumns columns_;
   std::optional<std::uint64_t> last_sequence_;
+  std::string name_;
   std::uint64_t lost_ = 0;
+  std::uint64_t malformed_ = 0;
   std::uint64_t cut_ = 0;
 };
 
@@ -152,6 +196,9 @@ void add_topic_echo(CLI::App& topic, int& status) {
   app->add_flag("--raw", options->raw, "the bytes, of whatever type, in hexadecimal");
   app->add_flag("--no-arr", options->no_lists, "without lists");
   app->add_flag("--no-str", options->no_texts, "without texts");
+  app->add_option("-l,--truncate-length", options->most_items,
+                  "so many items of a list and characters of a text, for people (all)")
+      ->check(number_between(1, 1e6));
   app->add_flag("--lost-messages", options->tell_lost, "say at once how many were lost");
   app->callback([options, &status] {
     if (options->csv && (options->json || options->raw)) {

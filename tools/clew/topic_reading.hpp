@@ -27,6 +27,7 @@ struct ReaderOptions : TopicOptions {
   bool no_lists = false;
   bool no_texts = false;
   bool tell_lost = false;
+  std::size_t most_items = 0;  ///< of a list, and characters of a text; 0: all
 };
 
 /// What a verb does with what it reads. Both say whether to go on.

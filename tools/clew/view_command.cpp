@@ -9,10 +9,12 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/page_runs.hpp"
+#include "clew/plugin_options.hpp"
 #include "gateway/view_content.hpp"
 #include "line/command_desk.hpp"
 #include "line/domain_lock.hpp"
 #include "line/wake_up.hpp"
+#include "plugins/plugin_loader.hpp"
 #include "recording/run_recording.hpp"
 #include "run/end_signals.hpp"
 #include "run/spool.hpp"
@@ -33,6 +35,7 @@ constexpr auto kAskPeriod = std::chrono::milliseconds(500);
 
 struct ViewOptions {
   std::vector<std::string> recordings;
+  std::vector<std::string> plugins;
   int port = 0;
 };
 
@@ -46,18 +49,15 @@ bool is_run(const std::string& text) {
              std::string::npos;
 }
 
-/// Tells where the page of a run is, and stays until the run is over or a signal comes.
+/// Tells where the page of a run is, which the run opens if nobody has, and stays until the run is
+/// over or a signal comes.
 int view_run(const std::string& run) {
   bridge::EndSignals signals;
-  const bridge::RunCommand question{bridge::RunCommand::Kind::kStatus};
-  auto answer = bridge::command_run(run, question);
+  auto answer = bridge::command_run(run, {bridge::RunCommand::Kind::kView});
   if (!answer.ok()) {
     return complain({answer.error().message + "; nor is there a file '" + run + "'", {}, 0, 0});
   }
-  if (answer->page.empty()) {
-    return complain(
-        {"run " + run + " has no page; 'clew run ... --view' starts one with a run", {}, 0, 0});
-  }
+  const bridge::RunCommand question{bridge::RunCommand::Kind::kStatus};
   fmt::print("view {}\n", answer->page);
   std::fflush(stdout);
   const bridge::WakeUp clock;
@@ -107,6 +107,8 @@ int view_command(const ViewOptions& options) {
     return complain(
         {"run " + each + " has a page of its own, at a port of its own: name it alone", {}, 0, 0});
   }
+  const auto loaded = bridge::load_plugins(options.plugins);
+  if (!loaded.ok()) return complain(loaded.error());
   auto files = open_all(options.recordings);
   if (!files.ok()) return complain(files.error());
   bridge::ViewContent content(view::page(), std::move(files).value());
@@ -117,7 +119,7 @@ int view_command(const ViewOptions& options) {
   const auto server = bridge::WebServer::listen(options.port, content);
   if (!server.ok()) return complain(server.error());
   // After the server, so that what waits for an answer goes before it.
-  auto runs = PageRuns::create(content, options.recordings);
+  auto runs = PageRuns::create(content, options.recordings, options.plugins);
   if (!runs.ok()) return complain(runs.error(), kExitFailed);
   (*runs)->serve_with(**server);
   (*server)->repeat(kPassOnPeriod, [&stream] {
@@ -140,6 +142,7 @@ void add_view(CLI::App& main, int& status) {
                   "run a graph");
   app->add_option("--port", options->port, "of 127.0.0.1 (a free one)")
       ->check(CLI::Range(1, 65535));
+  add_plugins(*app, options->plugins);
   app->callback([options, &status] { status = view_command(*options); });
 }
 

@@ -7,58 +7,50 @@
 #include <cstdio>
 
 #include "clew/own_program.hpp"
+#include "clew/run_output.hpp"
 #include "recorder/recording_sink.hpp"
+#include "runtime/plugin_list.hpp"
 #include "view/page_file.hpp"
 
 namespace clew::tools {
-namespace {
 
 using core::Error;
 using core::Result;
 
-const char* outcome_word(const bridge::RunReport& report) {
-  if (!report.aborted.empty() || !report.statistics.truth) return "aborted";
-  switch (report.statistics.truth->outcome) {
-    case domain::Outcome::kReached:
-      return "reached";
-    case domain::Outcome::kCollided:
-      return "collided";
-    case domain::Outcome::kUnreachable:
-      return "unreachable";
-    case domain::Outcome::kTimeout:
-      return "timeout";
-    case domain::Outcome::kRunning:
-      break;
-  }
-  return "aborted";
+bridge::RunView view_of(const runtime::RunPlan& plan) {
+  return bridge::RunView(
+      [&plan](int port, const std::string& run) -> Result<std::unique_ptr<bridge::LiveFeed>> {
+        if (view::page().empty()) return Error{view::kNoPage, {}, 0, 0};
+        std::vector<std::string> gateway = {own_program(), "gateway"};
+        for (const runtime::PluginInfo& plugin : runtime::loaded_plugins()) {
+          gateway.insert(gateway.end(), {"--plugin", plugin.file});
+        }
+        return bridge::LiveFeed::start(gateway, port, bridge::describe_run(plan), plan.graph.name,
+                                       run);
+      });
 }
 
-}  // namespace
-
-Result<std::unique_ptr<bridge::LiveFeed>> start_view(const RunOptions& options,
-                                                     const runtime::RunPlan& plan,
-                                                     const std::string& run) {
-  if (!options.view) return std::unique_ptr<bridge::LiveFeed>();
-  if (view::page().empty()) return Error{view::kNoPage, "--view", 0, 0};
-  auto feed = bridge::LiveFeed::start(own_program(), *options.view, bridge::describe_run(plan),
-                                      plan.graph.name, run);
-  if (!feed.ok()) return feed.error();
-  fmt::print("view {}\n", (*feed)->address());
+Result<void> start_view(const RunOptions& options, const std::string& run, bridge::RunView& view) {
+  if (!options.view) return {};
+  CLEW_RETURN_IF_ERROR(view.open_at(*options.view, run));
+  fmt::print("view {}\n", view.address());
   std::fflush(stdout);
-  return feed;
+  return {};
 }
 
-void end_view(bridge::LiveFeed& feed, const bridge::RunReport& report,
-              bridge::EndSignals& signals) {
-  feed.end(outcome_word(report));
-  if (feed.dropped_batches() > 0) {
+void end_view(const RunOptions& options, const bridge::RunView& view,
+              const bridge::RunReport& report, bridge::EndSignals& signals) {
+  bridge::LiveFeed* const feed = view.feed();
+  if (feed == nullptr) return;
+  feed->end(outcome_word(report));
+  if (feed->dropped_batches() > 0) {
     fmt::print(stderr, "clew: the view was too slow: {} batches of samples were not shown\n",
-               feed.dropped_batches());
+               feed->dropped_batches());
   }
-  const bool asked_to_end = report.interrupted_by != 0;
+  const bool asked_to_end = report.interrupted_by != 0 || !options.view;
   if (asked_to_end || ::isatty(STDIN_FILENO) == 0 || ::isatty(STDOUT_FILENO) == 0) return;
   fmt::print(stderr, "clew: the page stays until Ctrl-C\n");
-  feed.wait(signals);
+  feed->wait(signals);
 }
 
 }  // namespace clew::tools

@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace clew::files {
 namespace {
@@ -37,6 +39,13 @@ core::Result<void> write_file(const std::string& path, const std::string& bytes)
   if (failed != 0) return cannot("written", failed, path);
   if (closed != 0) return cannot("written", closed, path);
   return {};
+}
+
+core::Result<std::string> read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file) return cannot("read", errno, path);
+  return bytes;
 }
 
 core::Result<void> make_directory(const std::string& path) {

@@ -11,6 +11,9 @@ namespace clew::files {
 /// arrive whole, on a full disk for one. Then what is there of it is incomplete.
 core::Result<void> write_file(const std::string& path, const std::string& bytes);
 
+/// All bytes of a file.
+core::Result<std::string> read_file(const std::string& path);
+
 /// Makes a directory and those above it; one that is there is good.
 core::Result<void> make_directory(const std::string& path);
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# Makes PAGE from the FILES of SOURCE, in DIRECTORY. What cannot be made is left empty and old, so
+# Makes PAGE and BENCH_PAGE from the FILES of SOURCE, in DIRECTORY. What cannot be made is left empty and old, so
 # that the next build tries again.
 function(give_up why)
-  message("clew: ${why}; this build has no page for clew view and clew report")
+  message("clew: ${why}; this build has no page for clew view, clew report and clew bench")
   file(WRITE ${PAGE} "")
-  execute_process(COMMAND touch -d @0 ${PAGE})
+  file(WRITE ${BENCH_PAGE} "")
+  execute_process(COMMAND touch -d @0 ${PAGE} ${BENCH_PAGE})
 endfunction()
 
 foreach(file IN LISTS FILES)
@@ -34,5 +35,5 @@ if(NOT installed STREQUAL wanted)
 endif()
 # A mistake in our own sources is no reason to go on without a page.
 execute_process(
-  COMMAND ${NODE} build.mjs ${PAGE}
+  COMMAND ${NODE} build.mjs ${PAGE} ${BENCH_PAGE}
   WORKING_DIRECTORY ${DIRECTORY} COMMAND_ERROR_IS_FATAL ANY)

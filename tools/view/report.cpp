@@ -3,7 +3,7 @@
 
 #include <zstd.h>
 
-#include <cstdint>
+#include "core/base64.hpp"
 
 namespace clew::view {
 namespace {
@@ -23,23 +23,6 @@ core::Result<std::string> packed(const std::string& bytes) {
 
 }  // namespace
 
-std::string base64(std::string_view bytes) {
-  constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    const std::size_t there = bytes.size() - i < 3 ? bytes.size() - i : 3;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = (group << 8) | (k < there ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k > there ? '=' : kLetters[(group >> (18 - 6 * k)) & 63U];
-    }
-  }
-  return text;
-}
-
 core::Result<std::string> report(std::string_view page, const std::vector<ReportedFile>& files) {
   const std::size_t place = page.find(kPlace);
   if (place == std::string_view::npos)
@@ -48,8 +31,8 @@ core::Result<std::string> report(std::string_view page, const std::vector<Report
   for (const ReportedFile& file : files) {
     const auto bytes = packed(file.bytes);
     if (!bytes.ok()) return bytes.error();
-    text += "<script type=\"text/plain\" data-name=\"" + base64(file.name) + "\">";
-    text += base64(*bytes) + "</script>\n";
+    text += "<script type=\"text/plain\" data-name=\"" + core::base64(file.name) + "\">";
+    text += core::base64(*bytes) + "</script>\n";
   }
   text += page.substr(place + kPlace.size());
   return text;

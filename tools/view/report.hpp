@@ -19,7 +19,4 @@ struct ReportedFile {
 /// stand in it in base64, so that no text of a recording is ever HTML.
 core::Result<std::string> report(std::string_view page, const std::vector<ReportedFile>& files);
 
-/// As RFC 4648, section 4, has it.
-std::string base64(std::string_view bytes);
-
 }  // namespace clew::view

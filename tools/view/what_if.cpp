@@ -20,6 +20,9 @@ using nlohmann::json;
 
 constexpr std::uint64_t kMostTicks = 100000;
 constexpr std::size_t kMostWalls = 2000;
+constexpr std::size_t kMostRuleBases = 8;
+constexpr std::size_t kMostRuleBytes = 64 * 1024;
+constexpr char kRuleBases[] = "rulebases";
 constexpr double kMostCoordinate_m = 100000.0;
 constexpr double kLeastPace = 0.001;
 constexpr double kMostPace = 1000.0;
@@ -59,7 +62,9 @@ Result<std::uint64_t> read_moment(const json& request, std::size_t recordings,
   const auto recording = count_of(request, "recording", SIZE_MAX);
   if (!recording.ok() || *recording >= recordings) return bad("there is no such recording");
   command.recording = *recording;
-  return count_of(request, "tick", UINT32_MAX);
+  const auto tick = count_of(request, "tick", UINT32_MAX);
+  if (tick.ok()) command.tick = *tick;
+  return tick;
 }
 
 /// `recover.detector` and the names to put there, as an option of the command line.
@@ -110,7 +115,14 @@ Result<std::string> value_text(const core::ParameterInfo& info, const json& valu
   return word;
 }
 
-Result<std::string> read_set(const json& entry, const std::vector<runtime::StageInfo>& stages) {
+/// A parameter that a request names, and how the command line does.
+struct NamedParameter {
+  const core::ParameterInfo* info = nullptr;
+  std::string place;
+};
+
+Result<NamedParameter> find_parameter(const json& entry,
+                                      const std::vector<runtime::StageInfo>& stages) {
   const auto* stage = find_named(stages, text_of(entry, "stage"));
   if (stage == nullptr) return bad("there is no stage '" + text_of(entry, "stage") + "'");
   const std::string part_name = text_of(entry, "part");
@@ -120,13 +132,42 @@ Result<std::string> read_set(const json& entry, const std::vector<runtime::Stage
       part == nullptr ? nullptr : find_named(part->variants, text_of(entry, "behaviour"));
   const auto* info = find_named(variant == nullptr ? stage->parameters : variant->parameters, name);
   if (info == nullptr) return bad("there is no parameter '" + name + "' of " + stage->name);
-  const auto value = value_text(*info, entry.value("value", json()));
-  if (!value.ok()) return value.error();
   std::string place = stage->name;
   if (variant != nullptr && part->name != runtime::kBehaviourPart) {
     place += '.' + part->name + '.' + variant->name;
   }
-  return fmt::format("--set={}.{}={}", place, name, *value);
+  return NamedParameter{info, place + '.' + name};
+}
+
+Result<std::string> read_set(const json& entry, const std::vector<runtime::StageInfo>& stages) {
+  const auto parameter = find_parameter(entry, stages);
+  if (!parameter.ok()) return parameter.error();
+  const auto value = value_text(*parameter->info, entry.value("value", json()));
+  if (!value.ok()) return value.error();
+  return fmt::format("--set={}={}", parameter->place, *value);
+}
+
+/// What stands in them, the components judge that load them.
+Result<void> read_rules(const json& request, const std::vector<runtime::StageInfo>& stages,
+                        PageCommand& command) {
+  const json rules = request.value("rules", json::array());
+  if (!rules.is_array() || rules.size() > kMostRuleBases) {
+    return bad(fmt::format("rules is a list of up to {}", kMostRuleBases));
+  }
+  for (const json& entry : rules) {
+    if (!entry.is_object()) return bad("rules is a list of objects");
+    const auto parameter = find_parameter(entry, stages);
+    if (!parameter.ok()) return parameter.error();
+    if (parameter->info->folder != kRuleBases) {
+      return bad(parameter->place + " names no rule base");
+    }
+    std::string text = text_of(entry, "text");
+    if (text.empty() || text.size() > kMostRuleBytes) {
+      return bad(fmt::format("a rule base is a text of up to {} bytes", kMostRuleBytes));
+    }
+    command.rules.push_back({parameter->place, std::move(text)});
+  }
+  return {};
 }
 
 Result<void> read_changes(const json& request, const std::vector<runtime::StageInfo>& stages,
@@ -254,8 +295,12 @@ Result<PageCommand> read_branch(std::string_view text, std::size_t recordings,
   if (!tick.ok()) return tick.error();
   command.words.push_back(fmt::format("--branch={}", *tick));
   CLEW_RETURN_IF_ERROR(read_changes(*request, stages, command.words));
+  CLEW_RETURN_IF_ERROR(read_rules(*request, stages, command));
   CLEW_RETURN_IF_ERROR(read_max_ticks(*request, command.words));
-  const std::string changes = changes_text(command.words);
+  std::string changes = changes_text(command.words);
+  for (const EditedRules& edited : command.rules) {
+    changes += (changes.empty() ? "" : ", ") + edited.place + " edited";
+  }
   command.what = fmt::format("branch at {}{}", *tick, changes.empty() ? "" : ": " + changes);
   return command;
 }

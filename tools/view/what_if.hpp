@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,14 +12,22 @@
 
 namespace clew::view {
 
+/// A rule base that was written on the page.
+struct EditedRules {
+  std::string place;  ///< the parameter that names it: `control.rules`
+  std::string text;   ///< of the file
+};
+
 /// A command of clew that the page asks for, checked: every word is one that its registry knows, or
 /// a number. So a page names no program, no plug-in and no path.
 struct PageCommand {
-  std::size_t recording = 0;       ///< of a branch: which of those that are served
+  std::size_t recording = 0;       ///< of a branch or a question: which of those that are served
+  std::uint64_t tick = 0;          ///< of a branch or a question
   std::vector<std::string> words;  ///< behind `clew replay RECORDING` or `clew run GRAPH`
   std::string graph;               ///< of a run
   std::string world;               ///< of a run: a name; empty: `world_text`
   std::string world_text;          ///< a world that was drawn, as a file
+  std::vector<EditedRules> rules;  ///< of a branch
   std::string what;                ///< for people: `branch at 100: recover.detector=none`
 };
 
@@ -30,7 +39,9 @@ struct KnownNames {
 
 /// `{"recording": 0, "tick": 100, "with": {"recover.detector": ["none"]},
 ///   "set": [{"stage": "control", "part": "behaviour", "behaviour": "polar", "name": "speed_mps",
-///            "value": 0.5}], "max_ticks": 2000}`
+///            "value": 0.5}], "max_ticks": 2000}`; rule bases that were edited are
+/// `"rules": [{"stage": "control", "part": "behaviour", "behaviour": "pin_bender", "name": "rules",
+///             "text": "format: ..."}]`.
 core::Result<PageCommand> read_branch(std::string_view json, std::size_t recordings,
                                       const std::vector<runtime::StageInfo>& stages);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "control/attraction/krishna_kalra_fuzzy.hpp"
 #include "core/angle.hpp"
@@ -50,6 +51,11 @@ void KrishnaKalraFuzzy::tell(const domain::Odometry& odometry, const domain::Sca
   obstacle.number("strength_w2", 1.0 - w1);
   obstacle.number("turn_clockwise", obstacle_turn_rad(u), "rad");
   obstacle.number("step", obstacle_step_m(u), "m");
+  domain::InsideGroup& strengths = inside.values.group("strengths");
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    strengths.number("reading_" + std::to_string(i + 1), (1.0 - w1) * near(u[i]));
+  }
+  strengths.number("target", w1);
   tell_surface(u, angle_rad, inside);
   inside.say("Obstacles are near to " + domain::say_percent(left) + " on the left, " +
              domain::say_percent(near(u[3])) + " ahead and " + domain::say_percent(right) +

@@ -1,12 +1,82 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
 #include "domain/words.hpp"
 #include "recover/escapes/cut_proof.hpp"
 #include "recover/escapes/map_following.hpp"
 
 namespace clew::recover {
+namespace {
+
+// What is told of the costs: as many cells on each side of the robot.
+constexpr std::int32_t kReach = 40;
+constexpr double kCosts_m = 2.1;
+
+domain::PictureCell cell_of(const map::Grid& grid, const map::Cell& cell, double value) {
+  const core::Vec2 middle = grid.centre(cell);
+  const double half_m = 0.5 * grid.cell_m;
+  return {{middle + core::Vec2(-half_m, -half_m), middle + core::Vec2(half_m, -half_m),
+           middle + core::Vec2(half_m, half_m), middle + core::Vec2(-half_m, half_m)},
+          value};
+}
+
+/// The cheapest and the dearest cell that the robot fits into, of those around it.
+std::pair<double, double> range_of(const map::Costmap& costs, const map::Cell& robot) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (std::int32_t row = robot.row - kReach; row <= robot.row + kReach; ++row) {
+    for (std::int32_t column = robot.column - kReach; column <= robot.column + kReach; ++column) {
+      if (!costs.grid.contains({column, row})) continue;
+      const double cost = static_cast<double>(costs.cost[costs.grid.index({column, row})]);
+      if (cost > 0.0) least = std::min(least, cost);
+      most = std::max(most, cost);
+    }
+  }
+  return {std::min(least, most), most};
+}
+
+/// The costs around the robot by which a path would be sought now.
+void tell_costs(const map::Costmap& costs, const core::Vec2& place, domain::Inside& inside) {
+  const auto robot = costs.grid.cell_at(place);
+  if (!robot) return;
+  const auto [least, most] = range_of(costs, *robot);
+  const double span = std::log(std::max(most, 1.0) / std::max(least, 1.0));
+  domain::PictureLayer dear{"cost of a metre", domain::PictureLayer::Kind::kValues, {}, {}};
+  domain::PictureLayer blocked{
+      "no room for the body", domain::PictureLayer::Kind::kBlocked, {}, {}};
+  domain::InsideGrid told{2 * kReach + 1, {}, "cell, along x", "cell, y from the top", {}};
+  for (std::int32_t row = robot->row + kReach; row >= robot->row - kReach; --row) {
+    for (std::int32_t column = robot->column - kReach; column <= robot->column + kReach; ++column) {
+      const map::Cell cell{column, row};
+      const bool known = costs.grid.contains(cell);
+      const double cost = known ? static_cast<double>(costs.cost[costs.grid.index(cell)]) : least;
+      // Where there is no room costs more than all that can be paid.
+      told.values.push_back(cost > 0.0 ? cost : most + 1.0);
+      if (!known || cost == least) continue;
+      const double share = span > 0.0 ? std::log(cost / least) / span : 1.0;
+      if (cost > 0.0) dear.cells.push_back(cell_of(costs.grid, cell, share));
+      if (cost <= 0.0) blocked.cells.push_back(cell_of(costs.grid, cell, 0.0));
+    }
+  }
+  told.marked = told.values.size() / 2;
+  domain::InsideGroup& group = inside.values.group("costs");
+  group.number("cell", costs.grid.cell_m, "m");
+  group.number("cheapest", least);
+  group.number("dearest", most);
+  group.number("cells_without_room", static_cast<double>(blocked.cells.size()));
+  group.grid("cost_of_a_metre", std::move(told));
+  inside.picture.layers.push_back(std::move(dear));
+  inside.picture.layers.push_back(std::move(blocked));
+}
+
+}  // namespace
 
 void MapFollowing::tell(const Situation& situation, domain::Inside& inside) const {
   const core::Vec2 place = situation.pose().position();
+  tell_costs(path_.costs_around(situation.path_request(), kCosts_m), place, inside);
   const double still_s = static_cast<double>(situation.tick - state_.progress_tick) * tick_s_;
   inside.values.flag("path_exists", path_.exists());
   inside.values.bound("ended_last_at", state_.ended_at_m, "m");

@@ -26,11 +26,12 @@ void WallFollower::tell(const domain::Scan& scan, Side side, domain::Inside& ins
   domain::InsideGroup& rules = inside.values.group("wall_rules");
   rules.number("side_of_range", u_side);
   rules.number("front_of_range", u_front);
-  rules.number("blocked", blocked);
-  rules.number("close", (1.0 - blocked) * close);
-  rules.number("good", (1.0 - blocked) * (1.0 - close - far));
-  rules.number("far", (1.0 - blocked) * far);
   rules.flag("at_break", at_break(scan, side));
+  domain::InsideGroup& strengths = rules.group("strengths");
+  strengths.number("blocked", blocked);
+  strengths.number("close", (1.0 - blocked) * close);
+  strengths.number("good", (1.0 - blocked) * (1.0 - close - far));
+  strengths.number("far", (1.0 - blocked) * far);
   inside.say("The way ahead is blocked to " + domain::say_percent(blocked) +
              "; the wall is too close to " + domain::say_percent(close) + " and too far to " +
              domain::say_percent(far) + ".");

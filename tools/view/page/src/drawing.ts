@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A world drawn on the map: walls by dragging, start and target by a click.
+// A world drawn on the map: walls by dragging, start and target by a click; or by the keys that
+// move a cross on the map.
 
 import { button, element } from "./elements";
 import type { MapTool, MapView } from "./map_view";
@@ -37,7 +38,10 @@ export class Drawing implements MapTool {
     const parts: [Part, string][] = [["wall", "Drag on the map: a wall"], ["start", "Click: where the robot starts; drag for its heading"],
       ["target", "Click: the target"], ["erase", "Click: the nearest wall goes"]];
     for (const [part, title] of parts) {
-      const choose = button(part, title, () => this.choose(part));
+      const choose = button(part, title, () => {
+        this.choose(part);
+        map.ask_for_place();
+      });
       choose.dataset["part"] = part;
       this.box.append(choose);
     }
@@ -50,6 +54,10 @@ export class Drawing implements MapTool {
       bounds: [...bounds], walls: walls.map((wall) => wall.map(rounded)), start: start.map(rounded), target: target.map(rounded),
       target_radius: this.world.target_radius_m,
     };
+  }
+
+  get drags(): boolean {
+    return this.part === "wall" || this.part === "start";
   }
 
   /// What is being dragged, too.

@@ -8,8 +8,10 @@ import type { Group, Value } from "./inside_values";
 import { draw_grid, draw_list } from "./inside_drawings";
 import type { MapView } from "./map_view";
 import type { Run } from "./run";
+import { RuleEditor, rule_files } from "./rule_editor";
+import type { Branch } from "./rule_editor";
 import { ask_insides } from "./server";
-import type { Told } from "./server";
+import type { Choices, Told } from "./server";
 import type { Session } from "./session";
 
 /// Asking costs the server a replay: only for a tick that somebody stays at.
@@ -27,6 +29,9 @@ export class Insides {
   private asked = "";
   private told: Told | undefined;
   private told_of: { run: Run | undefined; tick: number } | undefined;
+  /// What rules can be edited with, once the server has told.
+  private branches: { choices: Choices; branch: Branch } | undefined;
+  private readonly editors = new Map<Run, Map<string, RuleEditor[]>>();
   private readonly draw = once_a_frame(() => this.draw_now());
 
   constructor(private readonly session: Session, private readonly map: MapView, private readonly panel: HTMLElement, private readonly has_server: boolean) {
@@ -36,6 +41,24 @@ export class Insides {
       if (change === "layers" || change === "theme") this.show_on_map();
     });
     this.look();
+  }
+
+  /// From now on rules can be edited: `branch` goes on with them.
+  let_edit(choices: Choices, branch: Branch): void {
+    this.branches = { choices, branch };
+    this.draw();
+  }
+
+  /// What is written in them stays from tick to tick.
+  private editors_of(stage: string): RuleEditor[] {
+    const run = this.told_of?.run;
+    if (!run || !this.branches) return [];
+    const { choices, branch } = this.branches;
+    const of_run = this.editors.get(run) ?? new Map<string, RuleEditor[]>();
+    this.editors.set(run, of_run);
+    const editors = of_run.get(stage) ?? rule_files(run, choices, stage).map((file) => new RuleEditor(file, branch));
+    of_run.set(stage, editors);
+    return editors;
   }
 
   /// Which tick of which run is looked at; nothing where that cannot be told.
@@ -48,12 +71,13 @@ export class Insides {
     if (this.panel.hidden && !this.session.wants_insides) return;
     const wanted = this.wanted;
     if (!this.has_server) return this.say("Insides are computed when somebody asks, by the server of clew view. This page has no server; clew explain tells them of the recording.");
-    if (!wanted) return this.say("Insides are computed from recordings. This run is under way; they can be asked for once it is recorded.");
+    if (!wanted) return;
     if (this.session.playing) return this.say("Pause to see the insides of a tick.");
     const key = `${wanted.recording} ${wanted.tick}`;
     // Whoever waits asks of another tick or run.
     window.clearTimeout(this.timer);
     if (key === this.asked) return;
+    if (!this.told) this.say("Stay at a tick to see its insides: of a run under way, pause it or choose a tick.");
     const run = this.session.run;
     this.timer = window.setTimeout(() => void this.ask(key, run, wanted), kPatience_ms);
   }
@@ -94,6 +118,7 @@ export class Insides {
       const section = element("section", { "data-stage": stage });
       section.append(element("h2", {}, `${stage} · ${behaviour}`), element("p", { class: "told" }, text));
       if (Object.keys(inside).length > 0) section.append(this.folded(stage, "values", inside, this.open.has(stage)));
+      section.append(...this.editors_of(stage).map(({ box }) => box));
       return section;
     }), element("p", { class: "faint" }, "The same on the command line: ", element("code", {}, command)));
     this.body.dataset["tick"] = String(stages[0]?.tick ?? "");

@@ -61,7 +61,7 @@ function show_panel(name: string): void {
 
 new Overview(session, add_panel("overview", "Overview"));
 new Inspector(session, plots, add_panel("messages", "Messages"));
-new Insides(session, map, add_panel("insides", "Insides"), location.protocol.startsWith("http") && embedded().length === 0);
+const insides = new Insides(session, map, add_panel("insides", "Insides"), location.protocol.startsWith("http") && embedded().length === 0);
 show_panel("overview");
 
 // ---- runs ----
@@ -89,7 +89,8 @@ function show_runs(): void {
       session.tell("runs");
     });
     choose.setAttribute("aria-pressed", String(session.chosen === run.index));
-    return element("span", { role: "listitem", class: "run" }, box, swatch, choose, element("small", {}, run.outcome + (worlds.size > 1 ? ` in ${run.world?.name ?? "?"}` : "")));
+    const number = element("b", {}, session.runs.length > 1 ? String(run.index + 1) : "");
+    return element("span", { role: "listitem", class: "run" }, box, number, swatch, choose, element("small", {}, run.outcome + (worlds.size > 1 ? ` in ${run.world?.name ?? "?"}` : "")));
   }));
   by_id("first-difference").hidden = session.runs.length < 2;
 }
@@ -146,6 +147,8 @@ export async function open(name: string, read: (recording: Recording, on_piece: 
 async function add_what_if(): Promise<void> {
   const choices = await read_choices();
   what_if = new WhatIf(session, map, add_panel("what-if", "What if"), choices, ({ recording, name }) => open_served(recording, name));
+  const asked = what_if;
+  insides.let_edit(choices, (rules) => asked.branch_with(rules));
   show_panel(session.runs.length === 0 ? "what-if" : "overview");
 }
 
@@ -175,6 +178,8 @@ async function watch(): Promise<void> {
     },
   });
   run = session.add(live.recording);
+  // All that a gateway has.
+  run.served = 0;
   show_runs();
   const choices = await read_choices();
   control = new Control(session, map, add_panel("control", "Control"), choices);
@@ -231,12 +236,12 @@ listen_to_keys([
   { keys: ["c"], shown: "c", what: "control of a run under way", act: () => control && show_panel("control") },
   { keys: ["k"], shown: "k", what: "pause or resume a run under way", act: () => void control?.toggle() },
   { keys: ["j"], shown: "j", what: "a tick of a run that is paused", act: () => void control?.do_step() },
-  { keys: ["g"], shown: "g", what: "a new target for a run under way: then click on the map", act: () => control?.choose_goal() },
+  { keys: ["g"], shown: "g", what: "a new target for a run under way: then click on the map, or move the cross there by arrows and press Enter", act: () => control?.choose_goal() },
   { keys: ["+", "="], shown: "+", what: "zoom in", act: () => map.zoom(1.3) },
   { keys: ["-"], shown: "-", what: "zoom out", act: () => map.zoom(1 / 1.3) },
   { keys: ["0", "f"], shown: "0", what: "the whole world", act: () => map.fit() },
   { keys: ["w", "a", "s", "W", "A", "S", "D"], shown: "w a s", what: "move the map up, left, down; D right", act: (e) => map.pan(...pan_of(e.key)) },
-  { keys: ["m"], shown: "m", what: "measure", act: () => map.measure() },
+  { keys: ["m"], shown: "m", what: "measure; arrows move a cross on the map, Enter begins and ends", act: () => map.measure() },
   { keys: ["l"], shown: "l", what: "layers", act: open_layers },
   { keys: ["t"], shown: "t", what: "light or dark", act: redraw_theme },
   { keys: ["?"], shown: "?", what: "these keys", act: () => by_id<HTMLDialogElement>("keys").showModal() },

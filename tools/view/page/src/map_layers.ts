@@ -162,10 +162,12 @@ export function draw_paths(scene: Scene, run: Run): void {
   if (layers.has("path")) {
     g.lineWidth = 2;
     drawn.truth.draw(g, view, now);
-    // Where an escape was at work the path is twice as wide, with a light core.
-    g.setLineDash([]);
+    // Where an escape was at work the path is twice as wide, with a light core; the dashes tell
+    // runs apart there, too.
+    g.setLineDash(run_dash(run.index).map((length) => 1.5 * length));
     g.lineWidth = 4.5;
     drawn.recovering.draw(g, view, now);
+    g.setLineDash([]);
     g.strokeStyle = theme.field;
     g.lineWidth = 1.5;
     drawn.recovering.draw(g, view, now);
@@ -335,7 +337,8 @@ export function draw_start(scene: Scene, world: World): void {
   g.stroke();
 }
 
-export function draw_robot(scene: Scene, run: Run): void {
+/// With its number where there are several: robots have one shape.
+export function draw_robot(scene: Scene, run: Run, numbered: boolean): void {
   const at = run.index_at(scene.tick);
   const { g, view, theme } = scene;
   const body = (x: number, y: number, heading: number, ghost: boolean): void => {
@@ -358,5 +361,21 @@ export function draw_robot(scene: Scene, run: Run): void {
   const belief = run.belief[at];
   const truth = run.truth[at];
   if (belief && scene.layers.has("belief")) body(belief.x, belief.y, belief.heading, true);
-  if (truth) body(truth.x, truth.y, truth.heading, false);
+  if (!truth) return;
+  body(truth.x, truth.y, truth.heading, false);
+  if (numbered) draw_number(scene, run, view.at(truth.x, truth.y));
+}
+
+function draw_number({ g, view, theme }: Scene, run: Run, [x, y]: Point): void {
+  const away = Math.max(5, run.radius_m * view.scale) + 7;
+  // Runs that stand upon each other have their numbers side by side.
+  const at: Point = [x + away + 9 * run.index, y - away];
+  g.font = "700 12px system-ui, sans-serif";
+  g.textAlign = "center";
+  g.textBaseline = "middle";
+  g.lineWidth = 3;
+  g.strokeStyle = theme.field;
+  g.strokeText(String(run.index + 1), ...at);
+  g.fillStyle = run_colour(theme, run.index);
+  g.fillText(String(run.index + 1), ...at);
 }

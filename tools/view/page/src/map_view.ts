@@ -4,6 +4,7 @@
 import { by_id, button, element, fit_canvas, once_a_frame } from "./elements";
 import { InsideLayers } from "./inside_layers";
 import type { ToldTick } from "./inside_layers";
+import { MapCursor } from "./map_cursor";
 import {
   draw_events, draw_paths, draw_robot, draw_scan, draw_start, draw_virtual_obstacles, draw_virtual_targets, draw_world, kLayers,
   round_up,
@@ -17,6 +18,8 @@ import type { Point, World } from "./world";
 /// What takes the pointer in place of panning, and a world to show in place of the runs'.
 export interface MapTool {
   readonly shown: World;
+  /// Whether what is pressed is moved until it is let go.
+  readonly drags: boolean;
   down(place: Point): void;
   move(place: Point): void;
   up(): void;
@@ -34,11 +37,19 @@ export class MapView {
   private tool: MapTool | undefined;
   private picker: ((place: Point) => void) | undefined;
   private drag: { x: number; y: number } | undefined;
+  private readonly cursor: MapCursor;
   readonly draw = once_a_frame(() => this.draw_now());
 
   constructor(private readonly session: Session) {
     this.add_controls();
     this.add_pointer();
+    this.cursor = new MapCursor(this.canvas, {
+      wanted: () => this.measuring || this.tool !== undefined || this.picker !== undefined,
+      drags: () => this.measuring || (this.tool?.drags ?? false),
+      down: (x, y) => this.press(x, y),
+      move: (x, y) => this.move(x, y),
+      up: () => this.release(),
+    }, () => this.draw());
     session.listen((change) => {
       if (change === "data" || change === "runs") this.fit_if_new();
       this.draw();
@@ -59,10 +70,17 @@ export class MapView {
     this.draw();
   }
 
-  /// The next click gives a place instead of panning; nothing: it pans again.
+  /// The next click, or Enter, gives a place instead of panning; nothing: it pans again.
   pick(take: ((place: Point) => void) | undefined): void {
     this.picker = take;
     this.canvas.style.cursor = take ? "crosshair" : "";
+    if (take) this.ask_for_place();
+  }
+
+  /// Keys go to the map, where somebody is to choose a place.
+  ask_for_place(): void {
+    this.cursor.begin();
+    this.status.textContent = "click, or move the cross with the arrow keys and press Enter";
   }
 
   /// Draws what was told of a tick, if the layer of insides is on.
@@ -127,6 +145,7 @@ export class MapView {
     if (!on) this.ruler = undefined;
     by_id("measure").setAttribute("aria-pressed", String(on));
     this.canvas.style.cursor = on ? "crosshair" : "";
+    if (on) this.ask_for_place();
     this.draw();
   }
 
@@ -168,6 +187,7 @@ export class MapView {
     else this.draw_runs(scene);
     this.draw_ruler(g);
     this.draw_scale(g, height);
+    this.cursor.draw(g, colours);
   }
 
   private draw_runs(scene: Scene): void {
@@ -186,7 +206,7 @@ export class MapView {
       draw_events(scene, run);
     }
     if (has_insides) this.inside_layers.draw_places(scene);
-    for (const run of shown) draw_robot(scene, run);
+    for (const run of shown) draw_robot(scene, run, shown.length > 1);
   }
 
   private draw_scale(g: CanvasRenderingContext2D, height: number): void {
@@ -263,38 +283,44 @@ export class MapView {
       this.zoom(Math.exp(-event.deltaY * 0.0015), event.offsetX, event.offsetY);
     }, { passive: false });
     canvas.addEventListener("pointerdown", (event) => {
-      if (this.picker && !this.measuring) {
-        this.picker(this.place(event.offsetX, event.offsetY));
-        return;
-      }
-      canvas.setPointerCapture(event.pointerId);
-      this.drag = { x: event.offsetX, y: event.offsetY };
-      if (this.tool && !this.measuring) this.tool.down(this.place(event.offsetX, event.offsetY));
-      if (this.measuring) this.ruler = { from: this.place(event.offsetX, event.offsetY), to: this.place(event.offsetX, event.offsetY) };
+      if (!this.picker || this.measuring) canvas.setPointerCapture(event.pointerId);
+      this.press(event.offsetX, event.offsetY);
     });
-    canvas.addEventListener("pointermove", (event) => {
-      this.show_status(event.offsetX, event.offsetY);
-      if (!this.drag) return;
-      if (this.measuring && this.ruler) {
-        this.ruler.to = this.place(event.offsetX, event.offsetY);
-        this.draw();
-      } else if (this.tool) {
-        this.tool.move(this.place(event.offsetX, event.offsetY));
-        this.draw();
-      } else {
-        this.pan(this.drag.x - event.offsetX, this.drag.y - event.offsetY);
-        this.drag = { x: event.offsetX, y: event.offsetY };
-      }
-    });
-    canvas.addEventListener("pointerup", () => {
-      if (this.drag && !this.measuring) this.tool?.up();
-      this.drag = undefined;
-      this.draw();
-    });
+    canvas.addEventListener("pointermove", (event) => this.move(event.offsetX, event.offsetY));
+    canvas.addEventListener("pointerup", () => this.release());
     canvas.addEventListener("dblclick", (event) => {
       const near = this.nearest_event(event.offsetX, event.offsetY);
       if (near) this.session.go_to(near.tick);
     });
+  }
+
+  private press(x: number, y: number): void {
+    const place = this.place(x, y);
+    if (this.picker && !this.measuring) return this.picker(place);
+    this.drag = { x, y };
+    if (this.measuring) this.ruler = { from: place, to: place };
+    else this.tool?.down(place);
+  }
+
+  private move(x: number, y: number): void {
+    this.show_status(x, y);
+    if (!this.drag) return;
+    if (this.measuring && this.ruler) {
+      this.ruler.to = this.place(x, y);
+      this.draw();
+    } else if (this.tool) {
+      this.tool.move(this.place(x, y));
+      this.draw();
+    } else {
+      this.pan(this.drag.x - x, this.drag.y - y);
+      this.drag = { x, y };
+    }
+  }
+
+  private release(): void {
+    if (this.drag && !this.measuring) this.tool?.up();
+    this.drag = undefined;
+    this.draw();
   }
 
   private nearest_event(x: number, y: number): RunEvent | undefined {

@@ -47,6 +47,15 @@ export interface Changes {
   set: SetEntry[];
 }
 
+/// A rule base in the place of the one that a parameter names.
+export interface RuleEdit {
+  stage: string;
+  part: string;
+  behaviour: string;
+  name: string;
+  text: string;
+}
+
 /// What became of a branch or a run.
 export interface Started {
   command: string;

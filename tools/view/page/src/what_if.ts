@@ -8,7 +8,7 @@ import { button, element } from "./elements";
 import type { MapView } from "./map_view";
 import type { Run } from "./run";
 import { ask_for } from "./server";
-import type { Choices, Started } from "./server";
+import type { Choices, RuleEdit, Started } from "./server";
 import type { Session } from "./session";
 import { names_of } from "./graph_names";
 
@@ -60,35 +60,48 @@ export class WhatIf {
   async branch(): Promise<void> {
     const run = this.session.run;
     if (!run || run.served === undefined) return;
-    await this.ask("branch", {
+    await this.say_errors(() => this.ask("branch", {
       recording: run.served, tick: this.session.tick, max_ticks: Number(this.max_ticks.value), ...this.form.changes,
-    });
+    }));
+  }
+
+  /// Goes on from the chosen tick with other rule bases, and all else as it was. Throws what is wrong.
+  async branch_with(rules: RuleEdit[]): Promise<Started> {
+    const run = this.session.run;
+    if (!run || run.served === undefined) throw new Error("this run cannot be branched");
+    return this.ask("branch", { recording: run.served, tick: this.session.tick, max_ticks: Number(this.max_ticks.value), rules });
   }
 
   private async run(): Promise<void> {
     const drawn = this.world.value === "";
     const world = drawn ? this.drawing.drawn : this.world.value;
-    const started = await this.ask("run", { graph: this.graph.value, world, max_ticks: Number(this.max_ticks.value) });
-    if (!started) return;
+    const request = { graph: this.graph.value, world, max_ticks: Number(this.max_ticks.value) };
+    if (!await this.say_errors(() => this.ask("run", request))) return;
     this.map.use(undefined);
     this.map.fit();
   }
 
-  private async ask(what: "branch" | "run", request: object): Promise<boolean> {
+  private async ask(what: "branch" | "run", request: object): Promise<Started> {
+    const started = await ask_for(what, request);
+    const { report } = started;
+    const run = await this.open(started);
+    this.told.prepend(element("li", {}, element("b", {}, started.name), ` ${report.outcome} after ${report.ticks} ticks`,
+      element("code", { title: "The same on the command line" }, started.command)));
+    if (what === "run") {
+      this.session.chosen = run.index;
+      for (const other of this.session.runs) if (other !== run) this.session.hidden.add(other.index);
+      this.session.tell("runs");
+      this.session.go_to(0);
+      this.session.set_playing(true);
+    }
+    return started;
+  }
+
+  /// Whether it went well.
+  private async say_errors(work: () => Promise<unknown>): Promise<boolean> {
     this.message.textContent = "";
     try {
-      const started = await ask_for(what, request);
-      const { report } = started;
-      const run = await this.open(started);
-      this.told.prepend(element("li", {}, element("b", {}, started.name), ` ${report.outcome} after ${report.ticks} ticks`,
-        element("code", { title: "The same on the command line" }, started.command)));
-      if (what === "run") {
-        this.session.chosen = run.index;
-        for (const other of this.session.runs) if (other !== run) this.session.hidden.add(other.index);
-        this.session.tell("runs");
-        this.session.go_to(0);
-        this.session.set_playing(true);
-      }
+      await work();
       return true;
     } catch (error) {
       this.message.textContent = error instanceof Error ? error.message : String(error);

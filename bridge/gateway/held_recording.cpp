@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gateway/held_recording.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "recording/run_recorder.hpp"
+#include "run/sample_account.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using core::Error;
+using core::Result;
+
+/// A folder that is removed with this object.
+class Folder {
+ public:
+  static Result<Folder> make() {
+    std::error_code code;
+    std::string path = (std::filesystem::temp_directory_path(code) / "clew-held-XXXXXX").string();
+    if (code || ::mkdtemp(path.data()) == nullptr) {
+      return Error{std::string("cannot be made: ") + std::strerror(errno), path, 0, 0};
+    }
+    return Folder(std::move(path));
+  }
+  Folder(Folder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+  Folder& operator=(Folder&&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  }
+  const std::string& path() const { return path_; }
+
+ private:
+  explicit Folder(std::string path) : path_(std::move(path)) {}
+
+  std::string path_;
+};
+
+Result<void> check_held(const LiveStream& stream, std::uint64_t last_tick) {
+  const auto newest = stream.newest();
+  if (!newest) return Error{"the run has not begun", {}, 0, 0};
+  if (newest->number < last_tick) {
+    return Error{"the run is at tick " + std::to_string(newest->number), {}, 0, 0};
+  }
+  for (std::uint64_t tick = 0; tick <= last_tick; ++tick) {
+    const auto held = stream.tick_from(tick);
+    if (held && held->number == tick) continue;
+    return Error{"tick " + std::to_string(tick) +
+                     " is not held here, and what components remember follows from all ticks; ask "
+                     "clew explain once the run is recorded",
+                 {},
+                 0,
+                 0};
+  }
+  return {};
+}
+
+Result<void> record(const LiveStream& stream, std::uint64_t last_tick, const std::string& path) {
+  RunDescription description = *stream.description();
+  description.compression = mcap::Compression::kNone;  // it is read once
+  auto recorder = RunRecorder::create(path, description, false);
+  if (!recorder.ok()) return recorder.error();
+  for (const domain::Intervention& each : stream.interventions()) {
+    if (each.tick <= last_tick) recorder->add_intervention(each);
+  }
+  Result<void> written;
+  const auto add = [&](const SampleView& sample) {
+    if (!written.ok()) return;
+    written = recorder->add(sample.topic, sample.tick, sample.sequence, sample.cdr);
+  };
+  for (std::uint64_t tick = 0; tick <= last_tick; ++tick) {
+    for_each_spooled(*stream.tick_from(tick)->records, {add, [](const SpooledState&) {}});
+  }
+  CLEW_RETURN_IF_ERROR(written);
+  return recorder->finish("it was under way");
+}
+
+}  // namespace
+
+Result<HeldRecording> HeldRecording::write(const LiveStream& stream, std::uint64_t last_tick) {
+  CLEW_RETURN_IF_ERROR(check_held(stream, last_tick));
+  const auto folder = Folder::make();
+  if (!folder.ok()) return folder.error();
+  const std::string path = folder->path() + "/held.mcap";
+  CLEW_RETURN_IF_ERROR(record(stream, last_tick, path));
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return Error{std::strerror(errno), path, 0, 0};
+  return HeldRecording(descriptor);
+}
+
+HeldRecording::HeldRecording(HeldRecording&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+HeldRecording::~HeldRecording() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+std::string HeldRecording::path() const {
+  return "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(descriptor_);
+}
+
+}  // namespace clew::bridge

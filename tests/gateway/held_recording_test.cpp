@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gateway/held_recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "recording/run_recording.hpp"
+#include "run/sample_account.hpp"
+#include "run/spool.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using domain::Topic;
+
+class AHeldRun : public ::testing::Test {
+ protected:
+  AHeldRun() {
+    RunDescription description;
+    description.tick_s = 0.1;
+    description.schemas = {{Topic::kScan, "idl"}, {Topic::kState, "idl"}};
+    stream_.describe(description, "run");
+  }
+
+  void add_tick(std::uint64_t tick) {
+    std::string spool;
+    append_to_spool({Topic::kScan, tick, tick, "scan"}, spool);
+    append_to_spool({Topic::kState, tick, tick, "state"}, spool);
+    stream_.add(spool);
+  }
+
+  LiveStream stream_{1000};  // some seventeen ticks
+};
+
+TEST_F(AHeldRun, IsARecordingUpToTheTickThatIsAsked) {
+  for (std::uint64_t tick = 0; tick < 10; ++tick) add_tick(tick);
+  stream_.add(spooled({4, 4, {"goal=1,2"}, {}, {}}));
+  stream_.add(spooled({9, 9, {"goal=3,4"}, {}, {}}));
+
+  const auto held = HeldRecording::write(stream_, 6);
+  ASSERT_TRUE(held.ok()) << held.error().text();
+  const auto recording = RunRecording::open(held->path());
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
+
+  const auto survey = recording->survey_samples();
+  ASSERT_TRUE(survey.ok()) << survey.error().text();
+  EXPECT_EQ(survey->topics.at(Topic::kState).samples, 7U);
+  EXPECT_EQ(survey->topics.at(Topic::kScan).last_tick, 6U);
+  ASSERT_EQ(recording->interventions().size(), 1U);
+  EXPECT_EQ(recording->interventions()[0].tick, 4U);
+}
+
+TEST_F(AHeldRun, LeavesNoFile) {
+  add_tick(0);
+  std::string path;
+  {
+    const auto held = HeldRecording::write(stream_, 0);
+    ASSERT_TRUE(held.ok()) << held.error().text();
+    path = held->path();
+    EXPECT_TRUE(std::filesystem::exists(path) || std::filesystem::is_symlink(path));
+  }
+
+  EXPECT_FALSE(std::filesystem::is_symlink(path));
+}
+
+TEST_F(AHeldRun, IsRefusedBeforeItsFirstTickAndBeyondItsNewest) {
+  EXPECT_EQ(HeldRecording::write(stream_, 0).error().message, "the run has not begun");
+
+  add_tick(0);
+  EXPECT_EQ(HeldRecording::write(stream_, 1).error().message, "the run is at tick 0");
+}
+
+TEST_F(AHeldRun, IsRefusedWhenItsBeginningIsForgotten) {
+  for (std::uint64_t tick = 0; tick < 100; ++tick) add_tick(tick);
+
+  const auto held = HeldRecording::write(stream_, 99);
+  ASSERT_FALSE(held.ok());
+  EXPECT_EQ(held.error().message.find("tick 0 is not held here"), 0U);
+}
+
+TEST_F(AHeldRun, IsRefusedWhenATickBetweenWasLost) {
+  add_tick(0);
+  add_tick(2);
+
+  const auto held = HeldRecording::write(stream_, 2);
+  ASSERT_FALSE(held.ok());
+  EXPECT_EQ(held.error().message.find("tick 1 is not held here"), 0U);
+}
+
+}  // namespace
+}  // namespace clew::bridge

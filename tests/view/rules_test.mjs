@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// A rule base, edited on the page: the branch has the hash that the same file gives on the command
+// line, and differs from where the rule first matters.
+import assert from "node:assert/strict";
+import { copyFileSync, readFileSync } from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+
+import { clew, open_browser, open_page, scratch_directory, serve } from "./view_server.mjs";
+
+const hash_of = (file) => JSON.parse(clew("info", file, "--json").out).hash;
+
+for (const { graph, world, ticks, place, field, value, line } of [
+  { graph: "krishna_kalra", world: "u-trap", ticks: 60, place: "control.rules", field: "target_turn_deg: 9", value: "4", line: "target_turn_deg: 4" },
+  { graph: "nakhaeinia", world: "u-trap", ticks: 60, place: "control.rules", field: "- [D, VN, Large", value: "Smooth", line: "  - [D, VN, Smooth, Slow]" },
+]) {
+  test(`a rule is edited and the run branched with it (${graph})`, async (context) => {
+    const directory = scratch_directory(context);
+    const file = path.join(directory, "origin.mcap");
+    clew("run", graph, "--world", world, "--max-ticks", String(ticks), "--layout", "composed", "--record", file);
+    const served = await serve(context, "view", file);
+    const { page, complaints } = await open_page(await open_browser(context), served.address);
+    await page.fill("#tick", "10");
+    await page.keyboard.press("Enter");
+    await page.click("#tab-insides");
+    const editor = page.locator(`[data-rules="${place}"]`);
+    await editor.locator("summary").click();
+    // All that the file holds is there, comments and order included.
+    const shown = (await editor.locator(".rules > div").evaluateAll((rows) => rows.map((row) =>
+      [...row.childNodes].map((node) => node.nodeName === "INPUT" ? node.value : node.textContent).join("")))).join("\n");
+    const base = await editor.locator("summary").textContent();
+    const text = readFileSync(path.join(process.env.CLEW_SOURCE_DIR, "configs/rulebases", `${base.split(" ").at(-1)}.yaml`), "utf8");
+    assert.equal(shown, text);
+
+    const input = editor.getByLabel(field, { exact: true }).first();
+    await input.fill(value);
+    await page.getByRole("button", { name: "Branch with these rules" }).first().click();
+    await page.waitForSelector(".rule-editor [role=status] code", { timeout: 60000 });
+    const command = await editor.locator("[role=status] code").textContent();
+    const rules = new RegExp(`--set=${place.replace(".", "\\.")}=(\\S+)`).exec(command)[1];
+    assert.ok(readFileSync(rules, "utf8").split("\n").includes(line));
+    const mine = path.join(directory, "mine.yaml");
+    copyFileSync(rules, mine);
+
+    const again = path.join(directory, "again.mcap");
+    clew("replay", file, "--branch", "10", "--set", `${place}=${mine}`, "--max-ticks", "2000", "--record", again);
+    const hash = await page.evaluate(() => window.clew.session.runs.at(-1).recording.end.hash);
+    // The name of the rule base is no part of what the run does.
+    assert.equal(hash, hash_of(again));
+    assert.notEqual(hash, hash_of(file));
+
+    // What the rule base refuses is told with its place.
+    await input.fill("nonsense");
+    await page.getByRole("button", { name: "Branch with these rules" }).first().click();
+    await page.waitForFunction(() => /rules-2\.yaml:\d+/.test(document.querySelector(".rule-editor [role=alert]").textContent));
+    await page.getByRole("button", { name: "As it was" }).first().click();
+    assert.equal(await editor.locator("input.changed").count(), 0);
+    assert.deepEqual(complaints.filter((each) => !each.includes("400 (Bad Request)")), []);
+  });
+}
