@@ -67,7 +67,7 @@ class Layouts(unittest.TestCase):
         for vendor in ("cyclonedds", "fastdds"):
             with self.subTest(vendor=vendor):
                 done = subprocess.run(
-                    ["sh", "-c", 'ulimit -s 64; exec "$@"', "sh", CLEW, "run", "default", "--json",
+                    ["sh", "-c", 'ulimit -S -s 64; exec "$@"', "sh", CLEW, "run", "default", "--json",
                      "--max-ticks", "50", "--middleware", vendor], capture_output=True, text=True,
                     timeout=120, check=False)
 
