@@ -24,7 +24,7 @@ double seconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
-std::int64_t process_of(const Member& member) {
+std::int64_t process_id_of(const Member& member) {
   return member.child ? static_cast<std::int64_t>(member.child->process_id()) : member.process_id;
 }
 
@@ -65,7 +65,7 @@ std::vector<domain::Incident> LateWatch::watch(const std::vector<Member>& member
     }
     if (now - suspect.since < (realtime_ ? kLookAfter : kLookInLockstepAfter)) continue;
     if (suspect.seen && now - suspect.looked_at < kLookPeriod) continue;
-    const auto activity = activity_(process_of(member));
+    const auto activity = activity_(process_id_of(member));
     if (!activity) continue;
     starved = std::max(starved, look(suspect, *activity, now));
     const bool stopped = realtime_ && activity->stopped;
@@ -81,7 +81,7 @@ std::vector<domain::Incident> LateWatch::watch(const std::vector<Member>& member
 
 bool LateWatch::is_suspicious(const Member& member, const std::vector<Member>& members,
                               const TicksOf& written, Time now) const {
-  if (member.down || process_of(member) == 0) return false;
+  if (member.down || process_id_of(member) == 0) return false;
   // What it does is seen on the wire only. In lockstep its graph says for how long to wait.
   if (member.third_party) return realtime_ && inputs_are_there(member, members, written);
   if (!member.link) return false;

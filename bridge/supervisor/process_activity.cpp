@@ -47,13 +47,15 @@ bool add(std::int64_t process_id, int generation, ProcessActivity& activity) {
   auto fields = stat_of(place / "stat");
   if (!fields) return false;
   activity.processor_s += processor_time_s(*fields);
+  // It may end at any time.
   std::error_code gone;
-  for (const auto& thread : std::filesystem::directory_iterator(place / "task", gone)) {
-    const auto state = state_of(thread.path() / "stat");
+  auto thread = std::filesystem::directory_iterator(place / "task", gone);
+  for (; !gone && thread != end(thread); thread.increment(gone)) {
+    const auto state = state_of(thread->path() / "stat");
     if (state == 'R' || state == 'D') activity.runnable = true;
     if (generation == 0 && (state == 'T' || state == 't')) activity.stopped = true;
     if (generation == kMostGenerations) continue;
-    std::ifstream children(thread.path() / "children");
+    std::ifstream children(thread->path() / "children");
     for (std::int64_t child = 0; children >> child;) add(child, generation + 1, activity);
   }
   return true;
