@@ -9,7 +9,7 @@
 #include "sample_run.hpp"
 #include "scratch_directory.hpp"
 
-namespace clew::bridge {
+namespace clew::recording_test {
 namespace {
 
 TEST(RecordedIncident, ReadsWhatItWrote) {
@@ -113,4 +113,4 @@ TEST(RecordedIncident, IsKeptByARecorderThatGoesOn) {
 }
 
 }  // namespace
-}  // namespace clew::bridge
+}  // namespace clew::recording_test

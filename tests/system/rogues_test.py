@@ -3,10 +3,11 @@
 named, and the run ends or is not changed by it."""
 import json
 import pathlib
+import re
 import tempfile
 import unittest
 
-from clew_command import THIRD_PARTY, Run, write_file
+from clew_command import SOURCE, THIRD_PARTY, Run, write_file
 
 GRAPH = """world: open-field
 robot: disc-015
@@ -129,10 +130,12 @@ class Rogues(unittest.TestCase):
                     self.assertEqual(run.report["hash"], alone["hash"])
 
     def test_a_reader_that_takes_nothing_holds_nothing_up_beside_a_drive_of_somebody_elses(self):
-        # 2000 steps: longer than any history is.
+        # In steps of a millimetre, so that it takes longer than any history is.
+        shipped = (SOURCE / "configs/rulebases/krishna_kalra_control.yaml").read_text()
+        rules = write_file(re.sub(r"(_step_m: ).*", r"\g<1>0.001", shipped))
         graph = write_file("world: open-field\nrobot: disc-015\nsense: {behaviour: cones}\n"
-                           "control: {behaviour: krishna_kalra_fuzzy}\n"
-                           f"drive: {{exec: ['{THIRD_PARTY}/line_drive', '200'], "
+                           f"control: {{behaviour: krishna_kalra_fuzzy, rules: {rules}}}\n"
+                           f"drive: {{exec: ['{THIRD_PARTY}/line_drive'], "
                            "behaviour: turn_then_step}\n")
         for vendor in ("cyclonedds", "fastdds"):
             with self.subTest(vendor=vendor):
