@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "bench/groups.hpp"
 #include "bench/results_file.hpp"
 #include "bench/run_order.hpp"
 #include "bench/stopping.hpp"
@@ -166,6 +167,16 @@ Result<BenchResults> read_results(const BenchPlan& plan, const std::string& path
   return results;
 }
 
+Result<void> write_groups(const BenchResults& results, const fs::path& directory) {
+  std::vector<Grouping> by = results.plan->by;
+  if (by.empty()) by = {Grouping::kSeverity};
+  std::string text;
+  for (const Grouping grouping : by) {
+    for (const std::string& line : group_lines(results, grouping)) text += line + '\n';
+  }
+  return write_file(directory / kGroupsFile, text);
+}
+
 Result<void> write_report(const BenchResults& results, const Report& report,
                           const fs::path& directory) {
   auto table = NewFile::open((directory / "results.csv").string());
@@ -173,6 +184,7 @@ Result<void> write_report(const BenchResults& results, const Report& report,
   CLEW_RETURN_IF_ERROR(table->write(csv_header()));
   for (const RunResult& run : results.runs) CLEW_RETURN_IF_ERROR(table->write(csv_row(run)));
   CLEW_RETURN_IF_ERROR(table->finish());
+  CLEW_RETURN_IF_ERROR(write_groups(results, directory));
   CLEW_RETURN_IF_ERROR(write_file(directory / "report.md", to_markdown(report)));
   return write_file(directory / "report.html", to_html(report));
 }

@@ -63,6 +63,8 @@ struct BenchPlan {
   std::map<std::string, std::string> configuration;
   /// None: all is run.
   std::optional<Stopping> stopping;
+  /// Tables of the report, Suite::by. Results do not depend on it.
+  std::vector<Grouping> by;
 
   std::size_t runs() const { return variants.size() * worlds.size() * seeds.size(); }
 };

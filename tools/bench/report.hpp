@@ -20,6 +20,7 @@ struct Report {
   std::string about;
   std::vector<std::string> remarks;  ///< what a reader must know of the numbers
   std::vector<Table> tables;
+  std::size_t asked_for = 1;  ///< the first of them, for the terminal
   std::vector<Picture> pictures;
 };
 

@@ -29,9 +29,10 @@ struct BenchCommandOptions {
   std::string shard;               ///< `I/N`; empty: all runs
   std::vector<std::string> merge;  ///< directories of shards, instead of running
   BenchSweepOptions sweep;
-  double until_width = 0.0;  ///< 0: all runs
-  std::size_t jobs = 0;      ///< worker processes; 0: one a core
-  std::string out;           ///< empty: out/bench/SUITE
+  double until_width = 0.0;     ///< 0: all runs
+  std::vector<std::string> by;  ///< groupings; empty: the suite's
+  std::size_t jobs = 0;         ///< worker processes; 0: one a core
+  std::string out;              ///< empty: out/bench/SUITE
   bool force = false;
   bool json = false;
   bool compress = false;
@@ -59,6 +60,18 @@ Result<void> load_plugins_of_merge(const bench::ShardDirectory& shard,
     }
   }
   return load_plugins_of(plugins);
+}
+
+/// In place of the suite's groupings, if any.
+Result<void> group_by(const std::vector<std::string>& names, bench::BenchPlan& plan) {
+  if (names.empty()) return {};
+  plan.by.clear();
+  for (const std::string& name : names) {
+    const auto grouping = bench::read_grouping(name);
+    if (!grouping.ok()) return core::Error{grouping.error().message, "--by", 0, 0};
+    plan.by.push_back(*grouping);
+  }
+  return {};
 }
 
 Result<bench::BenchPlan> make_plan(
@@ -147,8 +160,10 @@ int tell(const bench::BenchEnd& end, const bench::BenchOptions& bench, bool as_j
     return kExitGood;
   }
   for (const std::string& remark : end.report.remarks) fmt::print("{}\n\n", remark);
-  fmt::print("{}\n{}/report.html, report.md, results.csv, results.jsonl\n",
-             bench::to_markdown(end.report.tables.front()), bench.directory);
+  for (std::size_t i = 0; i < end.report.asked_for; ++i) {
+    fmt::print("{}\n", bench::to_markdown(end.report.tables[i]));
+  }
+  fmt::print("{}/report.html, report.md, results.csv, results.jsonl\n", bench.directory);
   return kExitGood;
 }
 
@@ -157,10 +172,11 @@ Result<bench::BenchEnd> merge(const BenchCommandOptions& options, const bench::B
   const auto shards = bench::read_shards(options.merge);
   if (!shards.ok()) return shards.error();
   const bench::BenchOrder& order = shards->front().header.order;
-  const auto plan = make_plan(order, configs, [&](const auto&) {
+  auto plan = make_plan(order, configs, [&](const auto&) {
     return load_plugins_of_merge(shards->front(), options.order.plugins);
   });
   if (!plan.ok()) return plan.error();
+  CLEW_RETURN_IF_ERROR(group_by(options.by, *plan));
   return bench::merge_shards(*plan, order, *shards, configs, stages::all(), bench);
 }
 
@@ -217,6 +233,8 @@ int bench_command(const BenchCommandOptions& options) {
     return load_plugins_of_bench(options.order, graphs);
   });
   if (!plan.ok()) return complain(plan.error());
+  const auto grouped = group_by(options.by, *plan);
+  if (!grouped.ok()) return complain(grouped.error());
   if (options.until_width > 0.0) {
     plan->stopping = bench::Stopping{options.until_width, 0, 0};
     plan->configuration["until_width"] = fmt::format("{}", options.until_width);
@@ -258,7 +276,7 @@ void add_shards(CLI::App& app, BenchCommandOptions& options) {
   // Whoever looks at results as they come needs all of them.
   CLI::Option* until_width = app.get_option("--until-width");
   CLI::Option* on = app.get_option("--on");
-  app.get_option("--shard")->excludes(on)->excludes(until_width);
+  app.get_option("--shard")->excludes(on)->excludes(until_width)->excludes(app.get_option("--by"));
   until_width->excludes(on)->excludes(app.get_option("--dry-run"));
 }
 
@@ -268,6 +286,10 @@ void add_bench(CLI::App& main, int& status) {
   const auto options = std::make_shared<BenchCommandOptions>();
   CLI::App* app = main.add_subcommand("bench", "Run graphs in all worlds of a suite, and compare");
   add_order(*app, options->order);
+  app->add_option("--by", options->by,
+                  fmt::format("also a table of results by {}; may be repeated",
+                              fmt::join(bench::grouping_names(), ", ")))
+      ->allow_extra_args(false);
   app->add_option("--jobs", options->jobs, "worker processes (one a core)")
       ->check(number_between(1, 1024));
   app->add_option("--out", options->out,
