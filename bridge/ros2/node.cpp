@@ -11,24 +11,10 @@
 namespace clew::ros2 {
 namespace {
 
-constexpr char kOriginKey[] = "clew_origin=";
-constexpr char kHopsKey[] = "clew_hops=";
 /// As rmw_cyclonedds has it; a bridge that is killed is gone after that.
 constexpr double kRosLease_s = 10.0;
 /// The topic in which nodes tell what is theirs, which alone has no prefix.
 constexpr char kDiscoveryTopic[] = "ros_discovery_info";
-
-/// The value of `key` in a list `key=value;`; empty if there is none.
-std::string_view value_of(std::string_view list, std::string_view key) {
-  while (!list.empty()) {
-    const std::size_t end = list.find(';');
-    const std::string_view entry = list.substr(0, end);
-    if (entry.substr(0, key.size()) == key) return entry.substr(key.size());
-    if (end == std::string_view::npos) break;
-    list.remove_prefix(end + 1);
-  }
-  return {};
-}
 
 template <std::size_t kBytes>
 Gid<kBytes> gid_of(const std::string& guid) {
@@ -40,23 +26,6 @@ Gid<kBytes> gid_of(const std::string& guid) {
 }
 
 }  // namespace
-
-std::string Origin::to_text() const {
-  return id.empty() ? "" : fmt::format("{}{};{}{};", kOriginKey, id, kHopsKey, hops);
-}
-
-Origin Origin::parse(std::string_view user_data) {
-  Origin origin;
-  origin.id = value_of(user_data, kOriginKey);
-  const std::string_view hops = value_of(user_data, kHopsKey);
-  std::from_chars(hops.data(), hops.data() + hops.size(), origin.hops);
-  return origin;
-}
-
-bool Origin::may_take(std::string_view user_data) const {
-  const Origin other = parse(user_data);
-  return other.id.empty() || (other.id != id && other.hops < kMostHops);
-}
 
 core::Result<std::unique_ptr<Node>> Node::create(const NodeConfig& config) {
   std::unique_ptr<Node> self(new Node(config));

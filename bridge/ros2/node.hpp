@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "dds/origin.hpp"
 #include "dds/participant.hpp"
 #include "ros2/environment.hpp"
 #include "ros2/topic_output.hpp"
@@ -17,21 +18,7 @@
 
 namespace clew::ros2 {
 
-/// Where samples of a bridge come from, so that they do not come back: an entry of each endpoint's
-/// USER_DATA beside its type's hash.
-struct Origin {
-  static constexpr int kMostHops = 4;
-
-  std::string id;  ///< of a run: `4711-3`
-  int hops = 1;    ///< bridges that samples have gone through
-
-  std::string to_text() const;
-  /// Empty id if there is none.
-  static Origin parse(std::string_view user_data);
-  /// Whether samples of a writer with this USER_DATA may be taken by an endpoint of this origin:
-  /// not its own, and none that has come through kMostHops bridges.
-  bool may_take(std::string_view user_data) const;
-};
+using bridge::Origin;
 
 struct NodeConfig {
   bridge::Vendor vendor = bridge::Vendor::kCycloneDds;

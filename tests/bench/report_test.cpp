@@ -244,10 +244,15 @@ TEST_F(ReportOfThreeSeeds, SeedsMatterIfOneOfTheRunsDiffers) {
 }
 
 TEST_F(ReportOfFourRuns, HasARowOfCsvForARun) {
+  results_.runs[3].severity = RunResult::Severity{1.5, 2, 0.25, 40.0, 30.0};
+
   const std::string header = csv_header();
   const std::string row = csv_row(results_.runs[3]);
 
-  EXPECT_EQ(row, "bad,,closed,box,1,timeout,false,false,0,9.0000,50.0000,,,2,0,0,,false,0,0,\n");
+  EXPECT_EQ(row,
+            "bad,,closed,box,1,timeout,false,false,0,9.0000,50.0000,,,1.5000,2,0.2500,40.0000,30."
+            "0000,2,0,"
+            "0,,false,0,0,\n");
   EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(row.begin(), row.end(), ','));
 }
 

@@ -14,6 +14,7 @@ worlds: {traps: [u-trap, kk-*]}
 generated: {seed: 7, count: 3, families: [u, v]}
 seeds: [1, 2]
 max_ticks: 500
+by: [nesting, family]
 )";
 
 using Words = std::vector<std::vector<std::string>>;
@@ -45,6 +46,7 @@ TEST(Suite, IsReadWhole) {
   EXPECT_EQ(suite->generated.families, (std::vector<std::string>{"u", "v"}));
   EXPECT_EQ(suite->seeds, (std::vector<std::uint64_t>{1, 2}));
   EXPECT_EQ(suite->max_ticks, 500u);
+  EXPECT_EQ(suite->by, (std::vector<Grouping>{Grouping::kNesting, Grouping::kFamily}));
 }
 
 TEST(Suite, GeneratesEveryFamilyIfNoneIsNamed) {
@@ -129,6 +131,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"[1, 2]", "[1, 1]", "seed 1 stands twice"},
         Refusal{"[1, 2]", "[-1]", "allowed: 0 to"},
         Refusal{"max_ticks: 500", "max_ticks: many", "suite.yaml:8:12"},
+        Refusal{"[nesting, family]", "[nestin]",
+                "suite.yaml:9:6: unknown grouping 'nestin' (did you mean 'nesting'?)"},
         Refusal{
             "worlds: {traps: [u-trap, kk-*]}\ngenerated: {seed: 7, count: 3, families: [u, v]}\n",
             "", "no worlds"},

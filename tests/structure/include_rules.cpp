@@ -42,6 +42,8 @@ const std::map<std::string, Folders> kLayers = {
     {"bridge/ros2",
      {"core", "domain", "map", "world", "runtime", "wire", "recording", "dds", "vendors", "run",
       "line", "watch"}},
+    {"bridge/domains",
+     {"core", "domain", "wire", "dds", "vendors", "run", "line", "watch", "ros2"}},
     {"bridge/robot", {"core", "domain", "world", "runtime", "drive", "dds", "vendors", "ros2"}},
     {"bridge/recorder", {"core", "domain", "runtime", "wire", "recording", "run", "line"}},
     {"bridge/supervisor",

@@ -108,6 +108,14 @@ class Published(unittest.TestCase):
 
 
 class Sample(Published):
+    def test_how_hard_a_sample_of_the_worlds_is(self):
+        done = Run(["world", "severity", "u-trap", "spir*", "unsolvable-box"])
+
+        self.assertEqual(done.status, 0, done.err)
+        table = rows(done.out)
+        self.assertEqual(len(table), 5)
+        self.assert_published(table)
+
     def test_a_sample_of_the_matrix(self):
         _, report = self.bench(
             write_file(SAMPLE), "--vary", "recover.detector=landmark_revisit,position_revisit,none",
@@ -208,6 +216,14 @@ class Whole(Published):
         runs = [run for suite in arrivals.SUITES for run in arrivals.runs(suite)]
 
         self.assert_published(list(arrivals.lines(runs)))
+
+    def test_the_worlds_by_how_hard_they_are(self):
+        _, report = self.bench("severity")
+        worlds = Run(["world", "severity", "*"], timeout_s=LONGEST_S)
+
+        [table] = [part for part in report.split("\n## ") if part.startswith("By the depth")]
+        self.assertIn(table[table.index("| group |"):].strip(), RESULTS)
+        self.assertIn(worlds.out[worlds.out.index("| world |"):].strip(), RESULTS)
 
     def test_the_static_worlds(self):
         paper_table = load_tool("paper-table")

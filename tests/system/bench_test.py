@@ -66,6 +66,41 @@ class Bench(unittest.TestCase):
         self.assertEqual(noticed["detectors"][0]["noticed"], 1)
         self.assertTrue(by_key["krishna_kalra", "unsolvable-box", 1]["success"])
         self.assertIsNone(by_key["reactive", "moving-crossing", 1]["captures"])
+        self.assertIsNone(by_key["reactive", "moving-crossing", 1]["bug1_bound_m"])
+
+    def test_tells_how_hard_its_worlds_are(self):
+        runs = {(run["graph"], run["world"]): run for run in map(json.loads,
+                                                                 self.first.out.splitlines())}
+        trapped = runs["krishna_kalra", "u-trap"]
+        closed = runs["krishna_kalra", "unsolvable-box"]
+        severity = Run(["world", "severity", "u-trap", "--graph", "krishna_kalra", "--json"]).report
+
+        for key in ("severity_ranges", "nested_pockets", "necessary_backtrack_m",
+                    "necessary_backtrack_ranges", "bug1_bound_m", "bug2_bound_m"):
+            self.assertEqual(trapped[key], severity[key], key)
+        self.assertEqual(trapped["depth_ranges"], trapped["severity_ranges"])
+        self.assertLess(trapped["path_length_m"], trapped["bug1_bound_m"])
+        self.assertEqual((closed["severity_ranges"], closed["necessary_backtrack_m"]), (None, None))
+        self.assertGreater(closed["nested_pockets"], 0)
+        by_severity = [json.loads(line) for line in
+                       (self.one / "groups.jsonl").read_text().splitlines()]
+        self.assertEqual({line["by"] for line in by_severity}, {"severity"})
+        self.assertEqual(by_severity[-1]["group"], "unknown")
+        # Every world has one robot, one sensor and so one group; moving-crossing is the unknown one.
+        self.assertEqual(sum(line["worlds"] for line in by_severity if line["graph"] == "reactive"),
+                         4 + 4 * 2)
+
+    def test_groups_can_be_asked_for_afterwards(self):
+        again = Run(["bench", self.suite, "--jobs", 1, "--out", self.one, "--by", "nesting"])
+        report = (self.one / "report.md").read_text()
+        Run(["bench", self.suite, "--jobs", 1, "--out", self.one])
+        unknown = Run(["bench", self.suite, "--by", "nestin"])
+
+        self.assertEqual(again.status, 0, again.err)
+        for text in (again.out, report):
+            self.assertIn("## By the number of nested pockets", text)
+        self.assertEqual(unknown.status, 2)
+        self.assertIn("--by: unknown grouping 'nestin' (did you mean 'nesting'?)", unknown.err)
 
     def test_is_what_run_reports(self):
         first = json.loads(self.first.out.splitlines()[0])

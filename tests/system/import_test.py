@@ -110,6 +110,7 @@ class Import(unittest.TestCase):
         self.assertIsNone(trap["inside_of"])
         # A way beside the U only comes nearer.
         self.assertEqual(done.report["necessary_backtrack_m"], 0)
+        self.assertGreater(done.report["bug2_bound_m"], solved.report["shortest_path_m"])
         self.assertEqual(done.report["resolution_m"], 0.05)
 
     def test_a_source_is_refused_with_its_place(self):

@@ -6,6 +6,7 @@
 
 #include "small_world.hpp"
 #include "tests/source_path.hpp"
+#include "world_analysis/bug_bounds.hpp"
 #include "world_analysis/reachability.hpp"
 #include "world_analysis/shortest_path.hpp"
 
@@ -37,6 +38,10 @@ TEST(ShippedWorlds, AreAsSolvableAndAsLongAsTheySay) {
     if (!path || !world.shortest_path_m()) continue;
     ++with_path;
     EXPECT_NEAR(path->length_m / *world.shortest_path_m(), 1.0, 0.01) << world.name();
+    // No robot's worst case is shorter than the best way there is.
+    const BugBounds bug = bug_bounds(grid, kRadius_m);
+    EXPECT_GE(1.01 * bug.bug1_m, path->length_m) << world.name();
+    EXPECT_GE(1.01 * bug.bug2_m, path->length_m) << world.name();
   }
   EXPECT_GE(with_path, 60u);
 }

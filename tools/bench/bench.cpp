@@ -6,6 +6,7 @@
 #include <map>
 
 #include "bench/coverage.hpp"
+#include "bench/groups.hpp"
 #include "bench/results_file.hpp"
 #include "bench/run_order.hpp"
 #include "bench/stopping.hpp"
@@ -167,6 +168,16 @@ Result<BenchResults> read_results(const BenchPlan& plan, const std::string& path
   return results;
 }
 
+Result<void> write_groups(const BenchResults& results, const fs::path& directory) {
+  std::vector<Grouping> by = results.plan->by;
+  if (by.empty()) by = {Grouping::kSeverity};
+  std::string text;
+  for (const Grouping grouping : by) {
+    for (const std::string& line : group_lines(results, grouping)) text += line + '\n';
+  }
+  return write_file(directory / kGroupsFile, text);
+}
+
 Result<void> write_report(const BenchResults& results, const Report& report,
                           const std::vector<KeptRun>& kept, const fs::path& directory,
                           std::string_view page) {
@@ -178,6 +189,7 @@ Result<void> write_report(const BenchResults& results, const Report& report,
   if (results.plan->coverage) {
     CLEW_RETURN_IF_ERROR(write_file(directory / "coverage.csv", coverage_csv(results)));
   }
+  CLEW_RETURN_IF_ERROR(write_groups(results, directory));
   CLEW_RETURN_IF_ERROR(write_file(directory / "report.md", to_markdown(report)));
   if (page.empty()) return write_file(directory / "report.html", to_html(report));
   const auto html = bench_page(page, results, report, kept, directory.string());

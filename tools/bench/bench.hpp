@@ -34,10 +34,10 @@ struct BenchEnd {
 };
 
 /// Runs what has no result in the directory yet, then puts the results in the bench's order and
-/// writes `results.csv`, `report.md`, `report.html`, pictures of each variant's worst run and
-/// recordings of runs that failed. Of
-/// all these files no byte depends on the number of jobs or on interruptions. What a clock measured
-/// is in `timing.jsonl`. A shard has results and timing only.
+/// writes `results.csv`, `groups.jsonl`, `report.md`, `report.html`, pictures of each variant's
+/// worst run and recordings of runs that failed. Of all these files no byte depends on the number
+/// of jobs or on interruptions. What a clock measured is in `timing.jsonl`. A shard has results and
+/// timing only.
 core::Result<BenchEnd> run_bench(const BenchPlan& plan, const BenchOrder& order,
                                  const runtime::ConfigPath& configs,
                                  const std::vector<runtime::StageInfo>& stages,

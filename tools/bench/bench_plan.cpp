@@ -271,6 +271,7 @@ Result<BenchPlan> plan_bench(const Suite& suite, const BenchChanges& changes,
   plan.suite = suite.name;
   plan.about = suite.about;
   plan.seeds = suite.seeds;
+  plan.by = suite.by;
   const std::vector<Variation> variations = all_variations(suite, changes);
   plan.variants = combine(changes.graphs.empty() ? suite.graphs : changes.graphs, variations, suite,
                           changes, stages);

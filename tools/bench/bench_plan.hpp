@@ -64,6 +64,8 @@ struct BenchPlan {
   bool coverage = false;  ///< what decided is counted
   /// None: all is run.
   std::optional<Stopping> stopping;
+  /// Tables of the report, Suite::by. Results do not depend on it.
+  std::vector<Grouping> by;
 
   std::size_t runs() const { return variants.size() * worlds.size() * seeds.size(); }
 };

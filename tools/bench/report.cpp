@@ -6,6 +6,7 @@
 #include <array>
 
 #include "bench/coverage.hpp"
+#include "bench/groups.hpp"
 #include "bench/pairs.hpp"
 
 namespace clew::bench {
@@ -62,6 +63,13 @@ std::string number_or_nothing(const std::optional<double>& value) {
   return value ? fmt::format("{:.4f}", *value) : "";
 }
 
+std::string severity_cells(const std::optional<RunResult::Severity>& severity) {
+  if (!severity) return ",,,,";
+  return fmt::format("{},{},{},{:.4f},{:.4f}", number_or_nothing(severity->deepest_ranges),
+                     severity->nested_pockets, number_or_nothing(severity->backtrack_ranges),
+                     severity->bug1_bound_m, severity->bug2_bound_m);
+}
+
 }  // namespace
 
 Report make_report(const BenchResults& results, std::vector<Picture> pictures) {
@@ -73,11 +81,15 @@ Report make_report(const BenchResults& results, std::vector<Picture> pictures) {
                              plan.configuration.at("max_ticks"));
   report.remarks = remarks_on(results);
   report.tables.push_back(overall_table(results));
+  for (const Grouping by : plan.by) report.tables.push_back(group_table(results, by));
+  report.asked_for = report.tables.size();
   if (plan.stopping) report.tables.push_back(sequential_table(results));
   for (Table& table : matrix_tables(results)) report.tables.push_back(std::move(table));
   report.tables.push_back(family_table(results));
+  if (plan.by.empty()) report.tables.push_back(group_table(results, Grouping::kSeverity));
   report.tables.push_back(detector_table(results));
-  for (Table& table : std::array{paired_graphs_table(results), paired_table(results)}) {
+  for (Table& table :
+       std::array{bug_table(results), paired_graphs_table(results), paired_table(results)}) {
     if (!table.rows.empty()) report.tables.push_back(std::move(table));
   }
   report.covers = plan.coverage;
@@ -126,7 +138,8 @@ std::string to_html(const Report& report) {
 
 std::string csv_header() {
   return "graph,variant,family,world,seed,outcome,success,solvable,ticks,sim_time_s,path_length_m,"
-         "shortest_path_m,path_ratio,collisions,hit_by,safety_stops,captures,held_at_end,alarms,"
+         "shortest_path_m,path_ratio,severity_ranges,nested_pockets,necessary_backtrack_ranges,"
+         "bug1_bound_m,bug2_bound_m,collisions,hit_by,safety_stops,captures,held_at_end,alarms,"
          "false_alarms,hash\n";
 }
 
@@ -138,15 +151,16 @@ std::string csv_row(const RunResult& run) {
     alarms += detector.alarms;
     false_alarms += detector.false_alarms;
   }
-  return fmt::format("{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{}\n",
+  return fmt::format("{},{},{},{},{},{},{},{},{},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{}\n",
                      csv_cell(run.key.graph), csv_cell(run.key.variant), csv_cell(run.family),
                      csv_cell(run.key.world), run.key.seed, run.outcome,
                      run.success ? fmt::format("{}", *run.success) : "",
                      run.solvable ? fmt::format("{}", *run.solvable) : "", run.ticks,
                      run.sim_time_s, run.path_length_m, number_or_nothing(run.shortest_path_m),
-                     number_or_nothing(run.path_ratio()), run.collisions, run.hit_by,
-                     run.safety_stops, run.captures ? fmt::format("{}", *run.captures) : "",
-                     run.held_at_end, alarms, false_alarms, run.hash);
+                     number_or_nothing(run.path_ratio()), severity_cells(run.severity),
+                     run.collisions, run.hit_by, run.safety_stops,
+                     run.captures ? fmt::format("{}", *run.captures) : "", run.held_at_end, alarms,
+                     false_alarms, run.hash);
 }
 
 }  // namespace clew::bench

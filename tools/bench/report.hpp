@@ -20,7 +20,8 @@ struct Report {
   std::string about;
   std::vector<std::string> remarks;  ///< what a reader must know of the numbers
   std::vector<Table> tables;
-  bool covers = false;  ///< the last table tells what decided
+  std::size_t asked_for = 1;  ///< the first of them, for the terminal
+  bool covers = false;        ///< the last table tells what decided
   std::vector<Picture> pictures;
 };
 

@@ -30,6 +30,19 @@ RunResult::Detector read_detector(const json& object) {
   return detector;
 }
 
+/// A world of which something is known has a number of nested pockets, be it 0.
+std::optional<RunResult::Severity> read_severity(const json& object) {
+  const auto nested_pockets = optional_at<std::uint32_t>(object, "nested_pockets");
+  if (!nested_pockets) return std::nullopt;
+  RunResult::Severity severity;
+  severity.deepest_ranges = optional_at<double>(object, "severity_ranges");
+  severity.nested_pockets = *nested_pockets;
+  severity.backtrack_ranges = optional_at<double>(object, "necessary_backtrack_ranges");
+  severity.bug1_bound_m = object.at("bug1_bound_m").get<double>();
+  severity.bug2_bound_m = object.at("bug2_bound_m").get<double>();
+  return severity;
+}
+
 RunKey read_key(const json& object) {
   return {object.at("graph").get<std::string>(), object.at("variant").get<std::string>(),
           object.at("world").get<std::string>(), object.at("seed").get<std::uint64_t>()};
@@ -50,6 +63,7 @@ RunResult read(const json& object) {
   run.hit_by = object.at("hit_by").get<std::uint32_t>();
   run.safety_stops = object.at("safety_stops").get<std::uint32_t>();
   run.hash = optional_at<std::string>(object, "hash").value_or("");
+  run.severity = read_severity(object);
   run.captures = optional_at<std::uint32_t>(object, "captures");
   run.held_at_end = optional_at<bool>(object, "held_at_end").value_or(false);
   for (const json& detector : object.at("detectors")) {

@@ -44,6 +44,17 @@ struct RunResult {
   std::uint32_t safety_stops = 0;
   std::string hash;
 
+  /// How hard the world is for this robot and sensor.
+  struct Severity {
+    std::optional<double> deepest_ranges;  ///< of its traps; 0: it has none; none: no way out
+    std::uint32_t nested_pockets = 0;
+    std::optional<double> backtrack_ranges;  ///< that no way avoids; none: there is no way
+    double bug1_bound_m = 0.0;
+    double bug2_bound_m = 0.0;
+  };
+  /// None where something moves for ever.
+  std::optional<Severity> severity;
+
   /// None without a truth about traps.
   std::optional<std::uint32_t> captures;
   bool held_at_end = false;

@@ -208,6 +208,19 @@ Result<void> read_about(const YamlNode& root, Suite& suite) {
   return {};
 }
 
+/// `by: [severity, nesting]`.
+Result<void> read_groupings(const YamlNode& node, Suite& suite) {
+  const auto names = read_texts(node);
+  if (!names.ok()) return names.error();
+  const auto items = *node.items();
+  for (std::size_t i = 0; i < names->size(); ++i) {
+    const auto grouping = read_grouping((*names)[i]);
+    if (!grouping.ok()) return items[i].error(grouping.error().message);
+    suite.by.push_back(*grouping);
+  }
+  return {};
+}
+
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> words;
   std::istringstream stream(text);
@@ -221,8 +234,8 @@ Result<Suite> read_suite(const core::Resource& file, const std::string& name) {
   const auto root = YamlNode::parse(file.text, file.file);
   if (!root.ok()) return root.error();
   CLEW_RETURN_IF_ERROR(core::check_format(*root, kSuiteFormat));
-  CLEW_RETURN_IF_ERROR(root->check_keys(
-      {"format", "about", "graphs", "set", "vary", "worlds", "generated", "seeds", "max_ticks"}));
+  CLEW_RETURN_IF_ERROR(root->check_keys({"format", "about", "graphs", "set", "vary", "worlds",
+                                         "generated", "seeds", "max_ticks", "by"}));
   Suite suite;
   suite.name = name;
   CLEW_RETURN_IF_ERROR(read_about(*root, suite));
@@ -242,10 +255,16 @@ Result<Suite> read_suite(const core::Resource& file, const std::string& name) {
     CLEW_RETURN_IF_ERROR(read_generated(*node, suite.generated));
   }
   CLEW_RETURN_IF_ERROR(read_numbers(*root, suite));
+  if (const auto node = root->find("by")) CLEW_RETURN_IF_ERROR(read_groupings(*node, suite));
   if (suite.worlds.empty() && suite.generated.count == 0) {
     return root->error("no worlds; expected 'worlds', 'generated' or both");
   }
   return suite;
+}
+
+Result<Grouping> read_grouping(const std::string& name) {
+  if (const auto grouping = grouping_of(name)) return *grouping;
+  return Error{core::unknown_name("grouping", name, grouping_names()), {}, 0, 0};
 }
 
 Result<Variation> read_variation(const std::string& text) {

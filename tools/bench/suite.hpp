@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/grouping.hpp"
 #include "core/resources.hpp"
 #include "core/result.hpp"
 
@@ -48,11 +49,16 @@ struct Suite {
   GeneratedWorlds generated;
   std::vector<std::uint64_t> seeds = {1};
   std::uint64_t max_ticks = 6000;
+  /// Tables of the report; empty: by severity, and by family in short.
+  std::vector<Grouping> by;
 };
 
 /// Reads a suite file, `clew-suite/1`. Refused, with the place and what is allowed: unknown or
 /// duplicate keys, unknown families, nothing to run, wrong types, numbers out of range.
 core::Result<Suite> read_suite(const core::Resource& file, const std::string& name);
+
+/// Reads the name of a grouping; refused with the names that there are.
+core::Result<Grouping> read_grouping(const std::string& name);
 
 /// Reads `PATH=VALUE,VALUE,...` of --vary, where a value `a+b` is the list of a and b.
 core::Result<Variation> read_variation(const std::string& text);

@@ -53,15 +53,6 @@ std::string reached_of(const Runs& runs) {
   return share_text(count(runs, [](auto& run) { return run.reached(); }), runs.size());
 }
 
-/// Median and 90 % quantile; empty without values.
-std::string quantiles(const std::vector<double>& values, const char* format) {
-  if (values.empty()) return "";
-  const auto text = [&](double share) {
-    return fmt::format(fmt::runtime(format), quantile(values, share));
-  };
-  return text(0.5) + ", " + text(0.9);
-}
-
 std::vector<double> path_ratios(const Runs& runs) {
   std::vector<double> ratios;
   for (const RunResult* run : runs) {
@@ -141,6 +132,14 @@ std::string share_text(std::size_t successes, std::size_t trials) {
                      100.0 * interval.low, 100.0 * interval.high);
 }
 
+std::string quantiles_text(const std::vector<double>& values, const char* format) {
+  if (values.empty()) return "";
+  const auto text = [&](double share) {
+    return fmt::format(fmt::runtime(format), quantile(values, share));
+  };
+  return text(0.5) + ", " + text(0.9);
+}
+
 Table overall_table(const BenchResults& results) {
   Table table;
   table.title = "All worlds";
@@ -158,13 +157,13 @@ Table overall_table(const BenchResults& results) {
     for (const RunResult* run : runs) {
       if (run->succeeded()) times_s.push_back(run->sim_time_s);
     }
-    table.rows.push_back({results.plan->variants[i].label(), successes(runs),
-                          successes(with(runs, true)), successes(with(runs, false)),
-                          reached_of(with(runs, std::nullopt)),
-                          std::to_string(sum(runs, [](auto& run) { return run.collisions; })),
-                          std::to_string(sum(runs, [](auto& run) { return run.hit_by; })),
-                          std::to_string(sum(runs, [](auto& run) { return run.safety_stops; })),
-                          quantiles(path_ratios(runs), "{:.2f}"), quantiles(times_s, "{:.0f}")});
+    table.rows.push_back(
+        {results.plan->variants[i].label(), successes(runs), successes(with(runs, true)),
+         successes(with(runs, false)), reached_of(with(runs, std::nullopt)),
+         std::to_string(sum(runs, [](auto& run) { return run.collisions; })),
+         std::to_string(sum(runs, [](auto& run) { return run.hit_by; })),
+         std::to_string(sum(runs, [](auto& run) { return run.safety_stops; })),
+         quantiles_text(path_ratios(runs), "{:.2f}"), quantiles_text(times_s, "{:.0f}")});
     using Only = CellRuns::Only;
     const CellRuns all{i, {}, {}};
     table.runs.push_back({all,
@@ -255,7 +254,7 @@ Table detector_table(const BenchResults& results) {
           {results.plan->variants[i].label(), name.second + (name.first ? " (shadow)" : ""),
            std::to_string(total.captures), std::to_string(total.noticed),
            std::to_string(total.missed), std::to_string(total.false_alarms),
-           quantiles(total.delays_s, "{:.1f}"), quantiles(total.delays_m, "{:.1f}")});
+           quantiles_text(total.delays_s, "{:.1f}"), quantiles_text(total.delays_m, "{:.1f}")});
       table.runs.push_back({{i, {}, {}}});
     }
   }

@@ -54,6 +54,9 @@ struct Chart {
 /// A share with its Wilson interval: `11/12 92 % [65, 99]`.
 std::string share_text(std::size_t successes, std::size_t trials);
 
+/// Median and 90 % quantile, `1.27, 2.13`, by the format of a number; empty without values.
+std::string quantiles_text(const std::vector<double>& values, const char* format);
+
 /// A row a variant, over all worlds: success, collisions, path lengths, time.
 Table overall_table(const BenchResults& results);
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -53,6 +54,30 @@ ordered_json to_json(const TrapJudge& judge) {
     detectors.push_back(std::move(one));
   }
   return detectors;
+}
+
+/// How hard a world is, with lengths in ranges of the robot's sensor; all null where it is unknown.
+/// `made_with`: the depth that a generated world was ordered with.
+ordered_json severity_json(const world_analysis::Severity* severity, double range_m,
+                           const std::optional<double>& made_with) {
+  const auto or_null = [](const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? ordered_json(*value) : ordered_json(nullptr);
+  };
+  std::optional<double> deepest_ranges;
+  std::optional<double> backtrack_ranges;
+  if (severity != nullptr) {
+    deepest_ranges = severity->deepest_m / range_m;
+    if (severity->backtrack_m) backtrack_ranges = *severity->backtrack_m / range_m;
+  }
+  ordered_json json;
+  json["depth_ranges"] = or_null(made_with ? made_with : deepest_ranges);
+  json["severity_ranges"] = or_null(deepest_ranges);
+  json["nested_pockets"] = severity ? ordered_json(severity->nested_pockets) : nullptr;
+  json["necessary_backtrack_m"] = or_null(severity ? severity->backtrack_m : std::nullopt);
+  json["necessary_backtrack_ranges"] = or_null(backtrack_ranges);
+  json["bug1_bound_m"] = severity ? ordered_json(severity->bug.bug1_m) : nullptr;
+  json["bug2_bound_m"] = severity ? ordered_json(severity->bug.bug2_m) : nullptr;
+  return json;
 }
 
 /// Whether the run ended as it should: at the target, or with `unreachable` where it is. None for
@@ -145,23 +170,30 @@ Result<runtime::RunPlan> WorldBench::prepare(const Variant& variant, std::uint64
   return runtime::prepare_run(variant.graph, overrides, source_, stages_);
 }
 
-const world_analysis::TrapMap* WorldBench::traps(const runtime::RunPlan& run) {
+const WorldBench::Truth* WorldBench::truth(const runtime::RunPlan& run) {
   if (!grid_) {
     surveyed_ = run.setup.world;
     const auto time_s = world_analysis::surveyed_time_s(*surveyed_);
     if (!time_s.ok()) return nullptr;
     grid_ = std::make_unique<world_analysis::ClearanceGrid>(*surveyed_, *time_s);
   }
-  // Minima shallower than the robot is wide are none.
   const double radius_m = run.setup.behaviour.robot.radius_m;
-  return &traps_by_radius_.try_emplace(radius_m, *grid_, radius_m, 2.0 * radius_m).first->second;
+  const auto known = truth_by_radius_.find(radius_m);
+  if (known != truth_by_radius_.end()) return &known->second;
+  // Minima shallower than the robot is wide are none.
+  world_analysis::TrapMap traps(*grid_, radius_m, 2.0 * radius_m);
+  auto severity = world_analysis::severity_of(*grid_, traps, radius_m);
+  return &truth_by_radius_.emplace(radius_m, Truth{std::move(traps), std::move(severity)})
+              .first->second;
 }
 
 Result<std::optional<std::string>> WorldBench::run(const Variant& variant, std::uint64_t seed) {
   const auto run = prepare(variant, seed);
   if (!run.ok()) return run.error();
   const world::World& world = *run->setup.world;
-  TrapJudge judge(traps(*run), run->setup.behaviour.robot.radius_m, detectors_of(run->graph));
+  const Truth* const known = truth(*run);
+  TrapJudge judge(known == nullptr ? nullptr : &known->traps, run->setup.behaviour.robot.radius_m,
+                  detectors_of(run->graph));
   const bool as_processes = needs_processes(run->graph);
   const auto ran = run_judged(*run, plan_.coverage, judge);
   if (!ran.ok()) return ran.error();
@@ -184,8 +216,8 @@ Result<std::optional<std::string>> WorldBench::run(const Variant& variant, std::
   const auto success = is_success(as_run["outcome"], world);
   line["success"] = success ? ordered_json(*success) : ordered_json(nullptr);
   line["solvable"] = world.solvable() ? ordered_json(*world.solvable()) : ordered_json(nullptr);
-  line["depth_ranges"] =
-      source_.depth_ranges() ? ordered_json(*source_.depth_ranges()) : ordered_json(nullptr);
+  line.update(severity_json(known == nullptr ? nullptr : &known->severity,
+                            run->setup.behaviour.scan.range_max_m, source_.depth_ranges()));
   line["captures"] = judge.has_truth() ? ordered_json(judge.captures()) : ordered_json(nullptr);
   line["held_at_end"] = judge.has_truth() ? ordered_json(judge.is_held()) : ordered_json(nullptr);
   line["detectors"] = to_json(judge);

@@ -11,7 +11,7 @@
 #include "bench/trap_judge.hpp"
 #include "runtime/run_plan.hpp"
 #include "world_analysis/clearance_grid.hpp"
-#include "world_analysis/trap_map.hpp"
+#include "world_analysis/severity.hpp"
 
 namespace clew::bench {
 
@@ -23,8 +23,9 @@ class WorldBench {
       : plan_(plan), world_(plan.worlds[world]), source_(configs, world_), stages_(stages) {}
 
   /// Runs a variant, composed, and tells of it as one line of JSON: what `clew run --json` prints,
-  /// with `graph`, `variant`, `world`, `family`, `success`, `solvable`, `depth_ranges` and what the
-  /// judge of traps says. None if the run was interrupted by a signal.
+  /// with `graph`, `variant`, `world`, `family`, `success`, `solvable`, how hard the world is for
+  /// this robot and sensor, and what the judge of traps says. None if the run was interrupted by a
+  /// signal.
   core::Result<std::optional<std::string>> run(const Variant& variant, std::uint64_t seed);
 
   /// A generated world's file; empty for another.
@@ -35,8 +36,13 @@ class WorldBench {
 
  private:
   core::Result<runtime::RunPlan> prepare(const Variant& variant, std::uint64_t seed) const;
-  /// The traps for a robot of this radius; none where something moves for ever.
-  const world_analysis::TrapMap* traps(const runtime::RunPlan& run);
+  /// What is true of the world for robots of one radius.
+  struct Truth {
+    world_analysis::TrapMap traps;
+    world_analysis::Severity severity;
+  };
+  /// None where something moves for ever.
+  const Truth* truth(const runtime::RunPlan& run);
 
   const BenchPlan& plan_;
   const BenchWorld& world_;
@@ -44,7 +50,7 @@ class WorldBench {
   const std::vector<runtime::StageInfo>& stages_;
   std::shared_ptr<const world::World> surveyed_;  ///< what the grid refers to
   std::unique_ptr<world_analysis::ClearanceGrid> grid_;
-  std::map<double, world_analysis::TrapMap> traps_by_radius_;
+  std::map<double, Truth> truth_by_radius_;
 };
 
 }  // namespace clew::bench

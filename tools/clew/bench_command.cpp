@@ -30,9 +30,10 @@ struct BenchCommandOptions {
   std::string shard;               ///< `I/N`; empty: all runs
   std::vector<std::string> merge;  ///< directories of shards, instead of running
   BenchSweepOptions sweep;
-  double until_width = 0.0;  ///< 0: all runs
-  std::size_t jobs = 0;      ///< worker processes; 0: one a core
-  std::string out;           ///< empty: out/bench/SUITE
+  double until_width = 0.0;     ///< 0: all runs
+  std::vector<std::string> by;  ///< groupings; empty: the suite's
+  std::size_t jobs = 0;         ///< worker processes; 0: one a core
+  std::string out;              ///< empty: out/bench/SUITE
   bool force = false;
   bool json = false;
   bool compress = false;
@@ -61,6 +62,18 @@ Result<void> load_plugins_of_merge(const bench::ShardDirectory& shard,
     }
   }
   return load_plugins_of(plugins);
+}
+
+/// In place of the suite's groupings, if any.
+Result<void> group_by(const std::vector<std::string>& names, bench::BenchPlan& plan) {
+  if (names.empty()) return {};
+  plan.by.clear();
+  for (const std::string& name : names) {
+    const auto grouping = bench::read_grouping(name);
+    if (!grouping.ok()) return core::Error{grouping.error().message, "--by", 0, 0};
+    plan.by.push_back(*grouping);
+  }
+  return {};
 }
 
 Result<bench::BenchPlan> make_plan(
@@ -153,7 +166,9 @@ int tell(const bench::BenchEnd& end, const bench::BenchOptions& bench, bool as_j
     return kExitGood;
   }
   for (const std::string& remark : end.report.remarks) fmt::print("{}\n\n", remark);
-  fmt::print("{}\n", bench::to_markdown(end.report.tables.front()));
+  for (std::size_t i = 0; i < end.report.asked_for; ++i) {
+    fmt::print("{}\n", bench::to_markdown(end.report.tables[i]));
+  }
   if (end.report.covers) fmt::print("{}\n", bench::to_markdown(end.report.tables.back()));
   fmt::print("{}/report.html, report.md, results.csv, results.jsonl{}\n", bench.directory,
              end.report.covers ? ", coverage.csv" : "");
@@ -165,10 +180,11 @@ Result<bench::BenchEnd> merge(const BenchCommandOptions& options, const bench::B
   const auto shards = bench::read_shards(options.merge);
   if (!shards.ok()) return shards.error();
   const bench::BenchOrder& order = shards->front().header.order;
-  const auto plan = make_plan(order, configs, [&](const auto&) {
+  auto plan = make_plan(order, configs, [&](const auto&) {
     return load_plugins_of_merge(shards->front(), options.order.plugins);
   });
   if (!plan.ok()) return plan.error();
+  CLEW_RETURN_IF_ERROR(group_by(options.by, *plan));
   return bench::merge_shards(*plan, order, *shards, configs, stages::all(), bench);
 }
 
@@ -227,6 +243,8 @@ int bench_command(const BenchCommandOptions& options) {
     return load_plugins_of_bench(options.order, graphs);
   });
   if (!plan.ok()) return complain(plan.error());
+  const auto grouped = group_by(options.by, *plan);
+  if (!grouped.ok()) return complain(grouped.error());
   if (options.until_width > 0.0) {
     plan->stopping = bench::Stopping{options.until_width, 0, 0};
     plan->configuration["until_width"] = fmt::format("{}", options.until_width);
@@ -272,7 +290,7 @@ void add_shards(CLI::App& app, BenchCommandOptions& options) {
   // Whoever looks at results as they come needs all of them.
   CLI::Option* until_width = app.get_option("--until-width");
   CLI::Option* on = app.get_option("--on");
-  app.get_option("--shard")->excludes(on)->excludes(until_width);
+  app.get_option("--shard")->excludes(on)->excludes(until_width)->excludes(app.get_option("--by"));
   until_width->excludes(on)->excludes(app.get_option("--dry-run"));
 }
 
@@ -282,6 +300,10 @@ void add_bench(CLI::App& main, int& status) {
   const auto options = std::make_shared<BenchCommandOptions>();
   CLI::App* app = main.add_subcommand("bench", "Run graphs in all worlds of a suite, and compare");
   add_order(*app, options->order);
+  app->add_option("--by", options->by,
+                  fmt::format("also a table of results by {}; may be repeated",
+                              fmt::join(bench::grouping_names(), ", ")))
+      ->allow_extra_args(false);
   app->add_option("--jobs", options->jobs, "worker processes (one a core)")
       ->check(number_between(1, 1024));
   app->add_option("--out", options->out,

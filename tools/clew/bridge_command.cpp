@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <memory>
 
+#include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "dds/rtps_ports.hpp"
+#include "domains/bridge_process.hpp"
 #include "line/command_desk.hpp"
 #include "ros2/ros2_bridge.hpp"
+#include "runtime/config_source.hpp"
 #include "stages/all.hpp"
 
 namespace clew::tools {
@@ -94,11 +98,48 @@ int ros2_command(const Ros2Options& typed) {
   return ended.ok() ? *ended : complain(ended.error(), kExitFailed);
 }
 
+struct DomainsOptions {
+  std::string file;
+  double status_s = 0.0;
+  bool json = false;
+};
+
+int domains_command(const DomainsOptions& options) {
+  const auto resource = runtime::ConfigPath::from_environment().find("bridges", options.file);
+  if (!resource.ok()) return complain(resource.error());
+  const auto file = domains::read_bridge_file(*resource);
+  if (!file.ok()) return complain(file.error());
+  domains::BridgeProcess process;
+  process.status_s = options.status_s;
+  process.tell = [](const std::string& what) { fmt::print(stderr, "clew bridge: {}\n", what); };
+  process.report = [&](const domains::DomainBridge& bridge) {
+    fmt::print("{}", options.json ? passages_json(bridge) : passages_text(bridge));
+    std::fflush(stdout);
+  };
+  const auto ended = domains::run_bridge_process(*file, process);
+  return ended.ok() ? kExitGood : complain(ended.error(), kExitFailed);
+}
+
+void add_domains(CLI::App& bridge, int& status) {
+  const auto options = std::make_shared<DomainsOptions>();
+  CLI::App* app = bridge.add_subcommand(
+      "domains", "Pass topics from DDS domain to DDS domain, of runs, of ROS or of anybody");
+  app->add_option("file", options->file, "clew-bridge/1: the domains, and which topics go where")
+      ->required();
+  app->add_option("--status", options->status_s,
+                  "s between reports of what has passed (at the end only)")
+      ->check(number_between(0.1, 86400.0));
+  app->add_flag("--json", options->json, "report as JSON, an object a line");
+  app->callback([options, &status] { status = domains_command(*options); });
+}
+
 }  // namespace
 
 void add_bridge(CLI::App& main, int& status) {
-  CLI::App* bridge = main.add_subcommand("bridge", "Connect a live run with other systems");
+  CLI::App* bridge = main.add_subcommand(
+      "bridge", "Connect a live run with other systems, or DDS domains with each other");
   bridge->require_subcommand(1);
+  add_domains(*bridge, status);
   const auto options = std::make_shared<Ros2Options>();
   CLI::App* app = bridge->add_subcommand("ros2", "Show a live run to ROS 2");
   app->add_option("--domain", options->run, "the run: its DDS domain, or its name")->required();

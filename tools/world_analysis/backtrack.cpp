@@ -15,46 +15,30 @@ constexpr double kUnseen = -1.0;
 class BacktrackSearch {
  public:
   BacktrackSearch(const ClearanceGrid& grid, double radius_m)
-      : grid_(grid), radius_m_(radius_m), distances_m_(grid.size(), kUnseen) {
+      : grid_(grid), distances_m_(grid.size(), kUnseen) {
     for (std::size_t node = 0; node < grid.size(); ++node) {
-      if (!is_free(node)) continue;
+      if (grid.clearance_m(node) < radius_m) continue;
       distances_m_[node] = core::length(grid.position(node) - grid.world().target());
       farthest_m_ = std::max(farthest_m_, distances_m_[node]);
     }
-    start_ = free_node_at_start();
+    start_ = grid.nearest_free(grid.world().start().position(), radius_m);
   }
 
   std::optional<double> least_m() const {
     if (!start_) return std::nullopt;
+    // Steps of the lattice along a way that only comes nearer may rise by as much.
+    double too_little_m = kSpacing_m * std::sqrt(2.0);
+    if (is_enough(too_little_m)) return 0.0;
     double enough_m = farthest_m_;
     if (!is_enough(enough_m)) return std::nullopt;
-    double too_little_m = 0.0;
     while (enough_m - too_little_m > kResolution_m) {
       const double middle_m = 0.5 * (enough_m + too_little_m);
       (is_enough(middle_m) ? enough_m : too_little_m) = middle_m;
     }
-    // Steps of the lattice along a way that only comes nearer may rise by as much.
-    return enough_m < kSpacing_m * std::sqrt(2.0) ? 0.0 : enough_m;
+    return enough_m;
   }
 
  private:
-  bool is_free(std::size_t node) const { return grid_.clearance_m(node) >= radius_m_; }
-
-  std::optional<std::size_t> free_node_at_start() const {
-    const Vec2 start = grid_.world().start().position();
-    const std::size_t middle = grid_.nearest(start);
-    if (is_free(middle)) return middle;
-    std::optional<std::size_t> best;
-    grid_.visit_around(middle, 2, [&](std::size_t node) {
-      if (!is_free(node)) return;
-      const auto far_m = [&](std::size_t from) {
-        return core::length(grid_.position(from) - start);
-      };
-      if (!best || far_m(node) < far_m(*best)) best = node;
-    });
-    return best;
-  }
-
   /// Whether some way to the target never rises more than this above its lowest before.
   bool is_enough(double rise_m) const {
     const double arrived_m = std::max(grid_.world().target_radius_m(), kSpacing_m);
@@ -80,7 +64,6 @@ class BacktrackSearch {
   }
 
   const ClearanceGrid& grid_;
-  double radius_m_;
   std::vector<double> distances_m_;  ///< from the target; kUnseen where the robot cannot be
   double farthest_m_ = 0.0;
   std::optional<std::size_t> start_;

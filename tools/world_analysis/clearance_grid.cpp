@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace clew::world_analysis {
 namespace {
@@ -70,6 +71,21 @@ std::size_t ClearanceGrid::nearest(const Vec2& position) const {
   const Vec2& min = world_->bounds_min();
   return index_along(position.y() - min.y(), rows_) * columns_ +
          index_along(position.x() - min.x(), columns_);
+}
+
+std::optional<std::size_t> ClearanceGrid::nearest_free(const Vec2& position,
+                                                       double radius_m) const {
+  const std::size_t middle = nearest(position);
+  if (clearances_m_[middle] >= radius_m) return middle;
+  std::optional<std::size_t> best;
+  double best_m = std::numeric_limits<double>::infinity();
+  visit_around(middle, 2, [&](std::size_t node) {
+    const double distance_m = core::length(this->position(node) - position);
+    if (clearances_m_[node] < radius_m || distance_m >= best_m) return;
+    best = node;
+    best_m = distance_m;
+  });
+  return best;
 }
 
 bool ClearanceGrid::is_way_free(const Vec2& from, const Vec2& to, double radius_m) const {

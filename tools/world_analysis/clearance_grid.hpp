@@ -46,10 +46,15 @@ class ClearanceGrid {
   double time_s() const { return time_s_; }
 
   std::size_t size() const { return clearances_m_.size(); }
+  std::size_t columns() const { return columns_; }
+  std::size_t rows() const { return rows_; }
   double clearance_m(std::size_t node) const { return clearances_m_[node]; }
   Vec2 position(std::size_t node) const;
   /// The node nearest to a position within the bounds.
   std::size_t nearest(const Vec2& position) const;
+  /// The node that stands for a disc at a position: the nearest one, if the disc has room there,
+  /// else the nearest with room within two rows and columns. None: no room.
+  std::optional<std::size_t> nearest_free(const Vec2& position, double radius_m) const;
 
   /// Calls visit(node) for the nodes around one, at most `reach` rows and columns away.
   template <typename Visit>

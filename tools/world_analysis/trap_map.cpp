@@ -104,7 +104,7 @@ class TrapMap::Flood {
 
   /// At the end there is a component for each room of the free space.
   void note_what_the_start_reaches() {
-    const auto start = map_.free_node_at(grid_.world().start().position());
+    const auto start = grid_.nearest_free(grid_.world().start().position(), map_.radius_m_);
     if (!start) return;
     const std::uint32_t room = find(static_cast<std::uint32_t>(*start));
     for (std::size_t i = 0; i < bottoms_.size(); ++i) {
@@ -123,32 +123,15 @@ class TrapMap::Flood {
 };
 
 TrapMap::TrapMap(const ClearanceGrid& grid, double radius_m, double least_depth_m)
-    : grid_(&grid), trap_of_node_(grid.size(), kNone), is_free_(grid.size()) {
+    : grid_(&grid), radius_m_(radius_m), trap_of_node_(grid.size(), kNone), is_free_(grid.size()) {
   for (std::size_t node = 0; node < grid.size(); ++node) {
     is_free_[node] = grid.clearance_m(node) >= radius_m;
   }
   Flood(*this, grid, least_depth_m).run();
 }
 
-std::optional<std::size_t> TrapMap::free_node_at(const Vec2& position) const {
-  const std::size_t middle = grid_->nearest(position);
-  std::optional<std::size_t> best;
-  double best_m = Trap::kNoWayOut;
-  const auto consider = [&](std::size_t node) {
-    if (!is_free_[node]) return;
-    const double distance_m = core::length(grid_->position(node) - position);
-    if (distance_m < best_m) {
-      best_m = distance_m;
-      best = node;
-    }
-  };
-  consider(middle);
-  if (!best) grid_->visit_around(middle, 2, consider);
-  return best;
-}
-
 std::optional<std::size_t> TrapMap::trap_at(const Vec2& position) const {
-  const auto node = free_node_at(position);
+  const auto node = grid_->nearest_free(position, radius_m_);
   if (!node || trap_of_node_[*node] == kNone) return std::nullopt;
   return trap_of_node_[*node];
 }

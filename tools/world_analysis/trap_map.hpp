@@ -54,10 +54,8 @@ class TrapMap {
 
   class Flood;
 
-  /// The node that stands for a place: the nearest free one within two rows and columns.
-  std::optional<std::size_t> free_node_at(const Vec2& position) const;
-
   const ClearanceGrid* grid_;
+  double radius_m_;
   std::vector<Trap> traps_;
   std::vector<std::uint32_t> trap_of_node_;
   std::vector<bool> is_free_;
