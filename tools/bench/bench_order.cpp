@@ -17,6 +17,7 @@ std::vector<std::string> BenchOrder::words() const {
       words.push_back(value);
     }
   }
+  if (!data.empty()) words.insert(words.end(), {"--data", data});
   return words;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "bench/barn.hpp"
 #include "bench/pairs.hpp"
 
 namespace clew::bench {
@@ -71,6 +72,8 @@ Report make_report(const BenchResults& results, std::vector<Picture> pictures) {
                              plan.about.empty() ? "" : " ", plan.worlds.size(), plan.seeds.size(),
                              plan.configuration.at("max_ticks"));
   report.remarks = remarks_on(results);
+  Table barn = barn_table(results);
+  if (!barn.rows.empty()) report.tables.push_back(std::move(barn));
   report.tables.push_back(overall_table(results));
   if (plan.stopping) report.tables.push_back(sequential_table(results));
   for (Table& table : matrix_tables(results)) report.tables.push_back(std::move(table));

@@ -27,6 +27,7 @@ nlohmann::ordered_json to_json(const BenchOrder& order) {
   nlohmann::ordered_json json;
   json["suite"] = order.suite;
   for_each_list(order, [&](const char* name, const auto& list) { json[name] = list; });
+  if (!order.data.empty()) json["data"] = order.data;
   return json;
 }
 
@@ -34,6 +35,7 @@ BenchOrder read_order(const nlohmann::json& json) {
   BenchOrder order;
   json.at("suite").get_to(order.suite);
   for_each_list(order, [&](const char* name, auto& list) { json.at(name).get_to(list); });
+  if (json.contains("data")) json.at("data").get_to(order.data);
   return order;
 }
 

@@ -50,6 +50,11 @@ RunResult read(const json& object) {
   run.hash = optional_at<std::string>(object, "hash").value_or("");
   run.captures = optional_at<std::uint32_t>(object, "captures");
   run.held_at_end = optional_at<bool>(object, "held_at_end").value_or(false);
+  if (object.contains("barn")) {
+    const json& barn = object.at("barn");
+    run.barn = BarnScore{barn.at("arrived").get<bool>(), barn.at("optimal_time_s").get<double>(),
+                         barn.at("score").get<double>(), barn.at("score_2022").get<double>()};
+  }
   for (const json& detector : object.at("detectors")) {
     run.detectors.push_back(read_detector(detector));
   }

@@ -20,6 +20,14 @@ struct RunKey {
   bool operator<(const RunKey& other) const;
 };
 
+/// What the challenge of BARN gives a run.
+struct BarnScore {
+  bool arrived = false;  ///< in time
+  double optimal_time_s = 0.0;
+  double score = 0.0;
+  double score_2022 = 0.0;  ///< by the rules of that year
+};
+
 /// What a report needs of a run's line.
 struct RunResult {
   RunKey key;
@@ -36,6 +44,7 @@ struct RunResult {
   std::uint32_t hit_by = 0;
   std::uint32_t safety_stops = 0;
   std::string hash;
+  std::optional<BarnScore> barn;  ///< in its worlds
 
   /// None without a truth about traps.
   std::optional<std::uint32_t> captures;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "bench/barn.hpp"
 #include "clew/run_output.hpp"
 #include "recorder/recording_sink.hpp"
 #include "recording/output_file.hpp"
@@ -52,6 +53,13 @@ ordered_json to_json(const TrapJudge& judge) {
     detectors.push_back(std::move(one));
   }
   return detectors;
+}
+
+ordered_json to_json(const BarnScore& barn) {
+  return {{"arrived", barn.arrived},
+          {"optimal_time_s", barn.optimal_time_s},
+          {"score", barn.score},
+          {"score_2022", barn.score_2022}};
 }
 
 /// Whether the run ended as it should: at the target, or with `unreachable` where it is. None for
@@ -145,6 +153,10 @@ Result<std::optional<std::string>> WorldBench::run(const Variant& variant, std::
   line["captures"] = judge.has_truth() ? ordered_json(judge.captures()) : ordered_json(nullptr);
   line["held_at_end"] = judge.has_truth() ? ordered_json(judge.is_held()) : ordered_json(nullptr);
   line["detectors"] = to_json(judge);
+  if (world_.barn_path_m > 0.0) {
+    line["barn"] = to_json(
+        barn_score(as_run["outcome"] == "reached", as_run["sim_time_s"], world_.barn_path_m));
+  }
   return std::optional<std::string>(line.dump());
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <thread>
 
+#include "bench/barn.hpp"
 #include "bench/bench.hpp"
 #include "bench/merge.hpp"
 #include "clew/bench_sweep.hpp"
@@ -61,13 +62,27 @@ Result<void> load_plugins_of_merge(const bench::ShardDirectory& shard,
   return load_plugins_of(plugins);
 }
 
+/// The worlds that the suite needs and the user has.
+Result<void> read_data(const bench::BenchOrder& order, bench::Suite& suite) {
+  if (!suite.needs_barn) {
+    if (order.data.empty()) return {};
+    return core::Error{"the suite " + suite.name + " needs none; barn does", "--data", 0, 0};
+  }
+  if (order.data.empty()) return {};  // the plan says what is missing
+  auto worlds = bench::read_barn(order.data);
+  if (!worlds.ok()) return worlds.error();
+  suite.barn = std::move(worlds).value();
+  return {};
+}
+
 Result<bench::BenchPlan> make_plan(
     const bench::BenchOrder& order, const runtime::ConfigPath& configs,
     const std::function<Result<void>(const std::vector<std::string>& graphs)>& load) {
   const auto file = configs.find("suites", order.suite);
   if (!file.ok()) return file.error();
-  const auto suite = bench::read_suite(*file, order.suite);
+  auto suite = bench::read_suite(*file, order.suite);
   if (!suite.ok()) return suite.error();
+  CLEW_RETURN_IF_ERROR(read_data(order, *suite));
   CLEW_RETURN_IF_ERROR(load(order.graphs.empty() ? suite->graphs : order.graphs));
   bench::BenchChanges changes;
   changes.graphs = order.graphs;
@@ -239,6 +254,10 @@ void add_order(CLI::App& app, bench::BenchOrder& order) {
                  "of them; A+B is the list of A and B; repeated: all combinations, and two make a "
                  "matrix in the report")
       ->allow_extra_args(false);
+  app.add_option(
+      "--data", order.data,
+      "the directory of a suite's worlds that are not part of it: of barn, world_N.world "
+      "and path_N.npy");
   add_plugins(app, order.plugins);
 }
 
@@ -251,8 +270,9 @@ void add_shards(CLI::App& app, BenchCommandOptions& options) {
                                       "the whole, in --out; of plug-ins "
                                       "it loads those that --plugin names")
                            ->type_name("DIR");
-  for (const char* other : {"suite", "--graph", "--with", "--set", "--vary", "--shard", "--jobs",
-                            "--write-worlds", "--on", "--shards", "--dry-run", "--until-width"}) {
+  for (const char* other :
+       {"suite", "--graph", "--with", "--set", "--vary", "--data", "--shard", "--jobs",
+        "--write-worlds", "--on", "--shards", "--dry-run", "--until-width"}) {
     merge->excludes(app.get_option(other));
   }
   // Whoever looks at results as they come needs all of them.
