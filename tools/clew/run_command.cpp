@@ -338,6 +338,7 @@ int run_command(const RunOptions& options) {
   auto report =
       run_job(*job, *layout, composed, control, feed->get(), profile ? &*profile : nullptr);
   clear_display();
+  if (!report.ok() || !report->statistics.truth) bridged->stop();
   if (!report.ok()) return complain(report.error());
   judge_recording(*layout, *report);
   if (!report->aborted.empty()) std::fprintf(stderr, "clew: %s\n", report->aborted.c_str());
