@@ -167,8 +167,10 @@ FoxgloveMessage FoxgloveScene::scene(std::uint64_t time_ns) {
   ordered_json movers = entity_json("run", time_ns);
   const Pose2& robot = state.pose_world_robot;
   movers["cylinders"].push_back(cylinder_json(robot.position(), radius_m_, kRobot));
-  movers["cylinders"].push_back(
-      cylinder_json(world_.target(), std::max(world_.target_radius_m(), 0.05), kTarget));
+  for (const world::Waypoint& waypoint : world_.waypoints()) {
+    movers["cylinders"].push_back(
+        cylinder_json(waypoint.place, std::max(waypoint.radius_m, 0.05), kTarget));
+  }
   for (const auto& obstacle : world_.moving()) {
     movers["cylinders"].push_back(
         cylinder_json(obstacle.position_at(state.stamp.sim_time_s), obstacle.radius_m, kMoving));

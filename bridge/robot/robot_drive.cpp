@@ -42,7 +42,8 @@ void RobotDrive::step(const runtime::TickInputs& inputs, runtime::TickOutputs& o
   state.turn_rate_radps = stands ? 0.0 : view.odometry.turn_rate_radps;
   state.outcome = referee_.judge(inputs.tick(), state.pose_world_robot, 0, motion);
 
-  const bool goes_on = is_heard(view) && state.outcome == domain::Outcome::kRunning;
+  const bool is_under_way = state.outcome == domain::Outcome::kRunning && !referee_.waits();
+  const bool goes_on = is_heard(view) && is_under_way;
   if (!goes_on) state_.blocked = false;
   state_.told = goes_on ? braked(velocities_for(motion), view) : domain::Velocities{};
   link_->command(state_.told, now);
@@ -54,7 +55,9 @@ void RobotDrive::step(const runtime::TickInputs& inputs, runtime::TickOutputs& o
   odometry.stamp = stamp;
   odometry.blocked = state_.blocked;
   if (state_.blocked) odometry.contact_bearings_rad.push_back(state_.contact_bearing_rad);
-  if (auto* target = outputs.find<domain::Target>()) referee_.announce(*target);
+  if (auto* target = outputs.find<domain::Target>()) {
+    referee_.announce(odometry.pose_odom_robot, *target);
+  }
 }
 
 /// What the drive of the graph would do in a tick, as one arc.
@@ -106,11 +109,13 @@ bool RobotDrive::is_heard(const RobotView& view) {
 void RobotDrive::save(core::StateWriter& writer) const {
   writer(state_.told.speed_mps, state_.told.turn_rate_radps, state_.blocked,
          state_.contact_bearing_rad, state_.safety_stops);
+  referee_.save(writer);
 }
 
 void RobotDrive::load(core::StateReader& reader) {
   reader(state_.told.speed_mps, state_.told.turn_rate_radps, state_.blocked,
          state_.contact_bearing_rad, state_.safety_stops);
+  referee_.load(reader);
 }
 
 }  // namespace clew::robot

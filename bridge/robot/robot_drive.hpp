@@ -16,8 +16,9 @@ namespace clew::robot {
 /// its odometry says is odometry and state. The referee judges by the odometry.
 ///
 /// It is told to stand still if the command was late, if its scan or its odometry is older than
-/// `timeout_s`, and when the run ends. It is told not to go on, only to turn, where it would come
-/// nearer than `brake_margin_m` to what its scan shows; the tick's odometry then says `blocked`.
+/// `timeout_s`, while it has no mission, and when the run ends. It is told not to go on, only to
+/// turn, where it would come nearer than `brake_margin_m` to what its scan shows; the tick's
+/// odometry then says `blocked`.
 class RobotDrive final : public runtime::Component {
  public:
   struct Handlers {
@@ -41,7 +42,7 @@ class RobotDrive final : public runtime::Component {
 
   const std::shared_ptr<RobotLink> link_;
   const std::unique_ptr<drive::DriveModel> model_;
-  const drive::Referee referee_;
+  drive::Referee referee_;
   const double radius_m_;
   const Handlers handlers_;
 

@@ -108,8 +108,7 @@ core::Result<runtime::Node> Robots::make_node(const runtime::RunPlan& plan,
     if (!model.ok()) return model.error();
     const world::World& world = *plan.setup.world;
     component = std::make_unique<RobotDrive>(
-        *link, std::move(model).value(),
-        drive::Mission{world.target(), world.target_radius_m(), plan.setup.max_ticks},
+        *link, std::move(model).value(), drive::Mission{world.waypoints(), plan.setup.max_ticks},
         setup.robot.radius_m, RobotDrive::Handlers{on_notice_, on_fatal_});
   } else {
     component = std::make_unique<RobotSense>(*link, setup.scan, setup.robot.radius_m);

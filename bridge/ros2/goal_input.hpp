@@ -15,18 +15,21 @@
 
 namespace clew::ros2 {
 
-/// Goals that somebody of ROS publishes, as RViz does. One writer is listened to, the first that
-/// says something, until it is gone: two people who steer one robot are one too many.
-class GoalInput : private bridge::SampleListener {
+/// Goals that somebody of ROS publishes: one as RViz does, or way-points as a path. One writer is
+/// listened to, the first that says something, until it is gone: two people who steer one robot are
+/// one too many.
+class GoalInput {
  public:
   /// `node` must outlive it.
-  explicit GoalInput(const Node& node) : node_(node) {}
+  explicit GoalInput(const Node& node) : node_(node), pose_(*this), path_(*this) {}
 
-  /// Opens the reader; `node` is that of the constructor, `topic` a whole name.
-  core::Result<void> listen(Node& node, const std::string& topic);
+  /// Opens the readers; `node` is that of the constructor, the topics are whole names.
+  core::Result<void> listen(Node& node, const std::string& pose_topic,
+                            const std::string& path_topic);
 
-  /// The newest that has come since the last call.
-  std::optional<PoseStamped> take();
+  /// The newest that have come since the last call, each with its frame; none: the goals are
+  /// cancelled.
+  std::optional<std::vector<PoseStamped>> take();
   /// Who is listened to and who is not, since the last call.
   std::vector<std::string> take_notices();
 
@@ -34,7 +37,17 @@ class GoalInput : private bridge::SampleListener {
   /// Notices that wait, and refused writers that are remembered.
   static constexpr std::size_t kMost = 16;
 
-  void on_sample(std::string_view cdr, const bridge::RemoteEndpoint* writer) override;
+  /// Listens to one of the two topics.
+  template <typename Message>
+  class Listener : public bridge::SampleListener {
+   public:
+    explicit Listener(GoalInput& goals) : goals_(goals) {}
+    void on_sample(std::string_view cdr, const bridge::RemoteEndpoint* writer) override;
+
+   private:
+    GoalInput& goals_;
+  };
+
   bool is_listened_to(const std::string& writer);
   void note(std::string notice);
 
@@ -42,9 +55,12 @@ class GoalInput : private bridge::SampleListener {
   std::mutex mutex_;  ///< of what follows
   std::string writer_;
   std::set<std::string> refused_;  ///< writers that were not listened to
-  std::optional<PoseStamped> goal_;
+  std::optional<std::vector<PoseStamped>> goals_;
   std::vector<std::string> notices_;
-  std::unique_ptr<bridge::SampleReader> reader_;  ///< closed first
+  Listener<PoseStamped> pose_;
+  Listener<Path> path_;
+  std::unique_ptr<bridge::SampleReader> pose_reader_;  ///< the readers are closed first
+  std::unique_ptr<bridge::SampleReader> path_reader_;
 };
 
 }  // namespace clew::ros2

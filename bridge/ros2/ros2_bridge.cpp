@@ -2,6 +2,7 @@
 #include "ros2/ros2_bridge.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -15,6 +16,7 @@
 #include "ros2/run_publisher.hpp"
 #include "run/end_signals.hpp"
 #include "run/limits.hpp"
+#include "runtime/goals.hpp"
 #include "watch/run_watch.hpp"
 
 namespace clew::ros2 {
@@ -30,6 +32,16 @@ constexpr int kInterruptedStatus = 130;
 /// A run that answers later hangs; what it publishes is waiting meanwhile.
 constexpr auto kAnswerTimeout = std::chrono::seconds(2);
 
+/// Until there is a run, nothing is to be ended in order: signals do what they do to any program.
+core::Result<void> wait_for_run(const std::string& run, SteadyClock::time_point deadline) {
+  const auto socket = bridge::is_domain_number(run)
+                          ? bridge::Link::connect(std::stoi(run), deadline)
+                          : bridge::Link::connect(run, deadline);
+  if (!socket.ok()) return socket.error();
+  ::close(*socket);
+  return {};
+}
+
 core::Result<bridge::CommandAnswer> change(const std::string& run, const std::string& text) {
   const auto socket = bridge::connect_to_run(run);
   if (!socket.ok()) return socket.error();
@@ -40,19 +52,23 @@ core::Result<bridge::CommandAnswer> change(const std::string& run, const std::st
   return bridge::answer_of(*frame);
 }
 
-/// Hands a goal on to the run, which fixes the tick and records it; says what became of it.
+/// Hands goals on to the run, which fixes the tick and records it; says what became of it.
 void hand_on(GoalInput& goals, const RunPublisher& publisher, const std::string& run) {
   for (const std::string& notice : goals.take_notices()) {
     fmt::print(stderr, "clew bridge: {}\n", notice);
   }
-  const auto goal = goals.take();
-  if (!goal) return;
-  const auto place = publisher.place_in_world(*goal);
-  if (!place.ok()) {
-    fmt::print(stderr, "clew bridge: goal_pose is refused: {}\n", place.error().message);
-    return;
+  const auto poses = goals.take();
+  if (!poses) return;
+  world::Goals places;
+  for (const PoseStamped& pose : *poses) {
+    const auto place = publisher.place_in_world(pose);
+    if (!place.ok()) {
+      fmt::print(stderr, "clew bridge: the goal is refused: {}\n", place.error().message);
+      return;
+    }
+    places.push_back({*place, std::nullopt});
   }
-  const std::string text = fmt::format("goal={},{}", place->x(), place->y());
+  const std::string text = runtime::goals_change(places);
   const auto answer = change(run, text);
   if (answer.ok()) {
     fmt::print(stderr, "clew bridge: {} at tick {}\n", text, answer->tick);
@@ -92,8 +108,10 @@ int follow(bridge::RunWatch& watch, RunPublisher& publisher, GoalInput* goals,
 
 core::Result<int> run_ros2_bridge(const BridgeOptions& options,
                                   const std::vector<runtime::StageInfo>& stages) {
+  const auto deadline = SteadyClock::now() + kJoinTimeout;
+  CLEW_RETURN_IF_ERROR(wait_for_run(options.run, deadline));
   bridge::EndSignals signals;
-  auto watch = bridge::RunWatch::join(options.run, SteadyClock::now() + kJoinTimeout);
+  auto watch = bridge::RunWatch::join(options.run, deadline);
   if (!watch.ok()) return watch.error();
   const auto plan = runtime::prepare_run((*watch)->run().bundle, stages);
   if (!plan.ok()) return plan.error();
@@ -122,7 +140,7 @@ core::Result<int> run_ros2_bridge(const BridgeOptions& options,
   std::optional<GoalInput> goals;
   if (options.takes_goals) {
     goals.emplace(**node);
-    CLEW_RETURN_IF_ERROR(goals->listen(**node, names.topic("goal_pose")));
+    CLEW_RETURN_IF_ERROR(goals->listen(**node, names.topic("goal_pose"), names.topic("waypoints")));
   }
   CLEW_RETURN_IF_ERROR((*node)->announce());
   (*publisher)->begin();

@@ -22,9 +22,14 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 /// At a pace of its own a run need not be far ahead, and what somebody changes shall not wait long.
+/// In real time a supervisor that is stopped, as by Ctrl-Z, holds the run up when it would call a
+/// component frozen: a robot is not left to itself for longer.
 std::uint64_t lead_of(const runtime::RunPlan& plan, const ProcessLayout& layout) {
-  if (layout.pace != Pace::kScaled) return kLead;
-  const double ticks = kPacedLead_s * layout.pace_factor / plan.graph.tick_s;
+  if (layout.pace == Pace::kLockstep) return kLead;
+  const double lead_s = layout.pace == Pace::kRealtime
+                            ? std::chrono::duration<double>(kRealtimeFrozenAfter).count()
+                            : kPacedLead_s * layout.pace_factor;
+  const double ticks = lead_s / plan.graph.tick_s;
   return static_cast<std::uint64_t>(std::clamp(std::ceil(ticks), 4.0, double{kLead}));
 }
 

@@ -7,6 +7,19 @@ namespace clew::drive {
 
 using domain::Topic;
 
+namespace {
+
+/// Arrival at the target may be a matter of the drive; a way-point has the mission's own radius.
+Mission mission_of(const runtime::RunSetup& setup, const ArrivalParameters& arrival) {
+  Mission mission{setup.world->waypoints(), setup.max_ticks};
+  if (arrival.arrive_m > 0.0 && !mission.waypoints.empty()) {
+    mission.waypoints.back().radius_m = arrival.arrive_m;
+  }
+  return mission;
+}
+
+}  // namespace
+
 std::vector<runtime::PortInfo> DriveComponent::ports() {
   return {runtime::delayed_input(Topic::kCommand, "what to do during the tick"),
           runtime::output(Topic::kState, "the truth, for the sensors and the referee"),
@@ -23,25 +36,27 @@ DriveComponent::DriveComponent(std::unique_ptr<DriveModel> model, const SafetyPa
       seed_(setup.seed),
       robot_index_(setup.robot_index),
       drifts_(drift.any()),
-      referee_({world_->target(),
-                arrival.arrive_m > 0.0 ? arrival.arrive_m : world_->target_radius_m(),
-                setup.max_ticks}),
+      referee_(mission_of(setup, arrival)),
       body_(world_->start(), setup.behaviour.robot.radius_m, safety),
       reckoning_(world_->start(), drift) {}
 
 void DriveComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto* command = inputs.find<domain::Command>();
   const bool late = inputs.tick() > 0 && command == nullptr;
-  // Without a command the robot rests: that is what a late one means.
-  const domain::Motion motion = command != nullptr ? command->motion : domain::Motion{};
+  // Without a command the robot rests: that is what a late one means. So it does without a mission.
+  const bool rests = command == nullptr || referee_.waits();
+  const domain::Motion motion = rests ? domain::Motion{} : command->motion;
   if (inputs.tick() > 0) move(motion, inputs.tick() - 1);
 
   auto& state = outputs.get<domain::State>();
   write_state(state);
   state.command_late = late;
   state.outcome = referee_.judge(inputs.tick(), state.pose_world_robot, state.collisions, motion);
-  write_odometry(outputs.get<domain::Odometry>());
-  if (auto* target = outputs.find<domain::Target>()) referee_.announce(*target);
+  auto& odometry = outputs.get<domain::Odometry>();
+  write_odometry(odometry);
+  if (auto* target = outputs.find<domain::Target>()) {
+    referee_.announce(odometry.pose_odom_robot, *target);
+  }
 }
 
 /// Applies the motion during `tick`.
@@ -89,8 +104,12 @@ void DriveComponent::write_odometry(domain::Odometry& odometry) const {
 
 void DriveComponent::save(core::StateWriter& writer) const {
   writer(body_.state(), reckoning_.state());
+  referee_.save(writer);
 }
 
-void DriveComponent::load(core::StateReader& reader) { reader(body_.state(), reckoning_.state()); }
+void DriveComponent::load(core::StateReader& reader) {
+  reader(body_.state(), reckoning_.state());
+  referee_.load(reader);
+}
 
 }  // namespace clew::drive

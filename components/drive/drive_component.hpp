@@ -43,6 +43,7 @@ class DriveComponent final : public runtime::Component {
  private:
   void move(const domain::Motion& motion, std::uint64_t tick);
   void tell_motion(const domain::Motion& motion, domain::Inside& inside) const;
+  void tell_mission(const core::Vec2& position, domain::Inside& inside) const;
   void tell_belief(domain::Inside& inside) const;
   void write_state(domain::State& state) const;
   void write_odometry(domain::Odometry& odometry) const;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <string>
+
 #include "domain/words.hpp"
 #include "drive/drive_component.hpp"
 
@@ -28,6 +30,9 @@ void DriveComponent::tell(const runtime::TickInputs& samples, domain::Inside& in
   const auto* command = samples.find<domain::Command>();
   if (samples.tick() == 0) {
     inside.say("The robot stands at its start.");
+  } else if (referee_.waits()) {
+    inside.say("It has no mission, and waits where it is.");
+    tell_motion({}, inside);
   } else if (command == nullptr) {
     inside.say("The command of the tick before was late, so the robot came to rest.");
     tell_motion({}, inside);
@@ -37,17 +42,30 @@ void DriveComponent::tell(const runtime::TickInputs& samples, domain::Inside& in
   }
   const auto& state = samples.get<domain::State>();
   const core::Vec2 position = state.pose_world_robot.position();
-  const double distance_m = core::length(world_->target() - position);
-  inside.say("It stands at " + domain::say_place(position) + ", " + domain::say_metres(distance_m) +
-             " from the mission's target, after " + domain::say_metres(state.path_length_m) +
-             " of path.");
+  inside.say("It stands at " + domain::say_place(position) + ", after " +
+             domain::say_metres(state.path_length_m) + " of path.");
+  tell_mission(position, inside);
   tell_limits(model_->limits(), inside.values.group("limits"));
-  inside.values.number("distance_to_target", distance_m, "m");
-  inside.values.number("arrival_within", world_->target_radius_m(), "m");
   inside.values.number("collisions", state.collisions);
   inside.values.number("hit_by", state.hit_by);
   inside.values.number("safety_stops", state.safety_stops);
   tell_belief(inside);
+}
+
+void DriveComponent::tell_mission(const core::Vec2& position, domain::Inside& inside) const {
+  const world::Route& route = referee_.route();
+  inside.values.number("waypoints", static_cast<double>(route.size()));
+  inside.values.number("waypoints_passed", static_cast<double>(route.passed()));
+  if (route.empty()) return;
+  const double distance_m = core::length(route.next().place - position);
+  const bool is_last = route.passed() + 1 == route.size();
+  inside.say("The mission's " +
+             (is_last ? std::string("target")
+                      : "way-point " + std::to_string(route.passed() + 1) + " of " +
+                            std::to_string(route.size())) +
+             " is " + domain::say_metres(distance_m) + " away.");
+  inside.values.number("distance_to_target", distance_m, "m");
+  inside.values.number("arrival_within", route.next().radius_m, "m");
 }
 
 /// What the drive made of a command, and what the world made of that.

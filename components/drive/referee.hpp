@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "core/archive.hpp"
 #include "core/geometry.hpp"
 #include "core/parameters.hpp"
 #include "domain/messages.hpp"
+#include "world/route.hpp"
 
 namespace clew::drive {
 
@@ -21,26 +24,35 @@ void visit_parameters(Visitor& visit, ArrivalParameters& p) {
 
 /// What a robot is sent out for.
 struct Mission {
-  core::Vec2 target_world = core::Vec2::Zero();
-  double target_radius_m = 0.0;  ///< arrival is within this distance of the target
-  std::uint64_t max_ticks = 0;   ///< the run ends undecided at this tick
+  std::vector<world::Waypoint> waypoints;  ///< in their order; none: the robot waits where it is
+  std::uint64_t max_ticks = 0;             ///< the run ends undecided at this tick
 };
 
 /// Judges how a run goes, from the truth and from what the robot says; moves nothing.
 class Referee {
  public:
-  explicit Referee(const Mission& mission) : mission_(mission) {}
+  explicit Referee(const Mission& mission)
+      : route_(mission.waypoints), max_ticks_(mission.max_ticks) {}
 
-  /// The outcome at the beginning of `tick`. The first that holds of: a collision, arrival, the
-  /// robot's giving up, the last tick.
+  /// Whether the robot has nowhere to go: what it is commanded does not count then.
+  bool waits() const { return route_.empty(); }
+
+  /// The outcome at the beginning of `tick`. The first that holds of: a collision, arrival at the
+  /// last way-point, the robot's giving up, the last tick. Way-points before it are passed.
   domain::Outcome judge(std::uint64_t tick, const core::Pose2& pose_world_robot,
-                        std::uint32_t collisions, const domain::Motion& commanded) const;
+                        std::uint32_t collisions, const domain::Motion& commanded);
 
-  /// Writes where the mission wants the robot.
-  void announce(domain::Target& target) const;
+  /// Writes where the mission wants the robot: at the next way-point, or where it believes it is.
+  void announce(const core::Pose2& pose_odom_robot, domain::Target& target) const;
+
+  const world::Route& route() const { return route_; }
+
+  void save(core::StateWriter& writer) const { route_.save(writer); }
+  void load(core::StateReader& reader) { route_.load(reader); }
 
  private:
-  Mission mission_;
+  world::Route route_;
+  std::uint64_t max_ticks_;
 };
 
 }  // namespace clew::drive

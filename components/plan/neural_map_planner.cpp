@@ -58,7 +58,8 @@ core::Result<std::unique_ptr<NeuralMapPlanner>> NeuralMapPlanner::create(
 
 Subgoal NeuralMapPlanner::step(const Situation& situation) {
   const core::Vec2 robot = situation.odometry.pose_odom_robot.position();
-  if (!state_.planned || is_old(situation)) plan(situation);
+  const bool has_new_target = state_.target != situation.target;
+  if (!state_.planned || has_new_target || is_old(situation)) plan(situation);
   if (!state_.path.empty()) {
     if (core::length(state_.path[state_.subgoal] - robot) <= parameters_.arrive_m) {
       choose_subgoal(situation);
@@ -87,6 +88,7 @@ bool NeuralMapPlanner::is_old(const Situation& situation) const {
 void NeuralMapPlanner::plan(const Situation& situation) {
   state_.planned = true;
   state_.planned_tick = situation.odometry.stamp.tick;
+  state_.target = situation.target;
   state_.astray = false;
   state_.path.clear();
   state_.subgoal = 0;

@@ -44,8 +44,9 @@ class NeuralMapPlanner final : public Planner {
     map::Clearance room = map::Clearance::kOpen;  ///< that the path has, but near the target
     bool planned = false;
     std::uint64_t planned_tick = 0;
-    bool astray = false;             ///< no straight line leads to the subgoal
-    std::uint64_t astray_since = 0;  ///< tick, if astray
+    core::Vec2 target = core::Vec2::Zero();  ///< that it was planned to
+    bool astray = false;                     ///< no straight line leads to the subgoal
+    std::uint64_t astray_since = 0;          ///< tick, if astray
   };
 
   static core::Result<std::unique_ptr<NeuralMapPlanner>> create(
@@ -111,7 +112,7 @@ void visit_parameters(Visitor& visit, NeuralMapPlanner::Parameters& p) {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, NeuralMapPlanner::State& s) {
-  visit(s.path, s.subgoal, s.room, s.planned, s.planned_tick, s.astray, s.astray_since);
+  visit(s.path, s.subgoal, s.room, s.planned, s.planned_tick, s.target, s.astray, s.astray_since);
 }
 
 }  // namespace clew::plan

@@ -20,28 +20,39 @@ PlanComponent::PlanComponent(std::unique_ptr<Planner> planner, std::unique_ptr<M
                              const runtime::RunSetup& setup)
     : planner_(std::move(planner)),
       map_(std::move(map)),
-      target_(setup.world->target()),
-      target_radius_m_(setup.world->target_radius_m()),
+      route_(setup.world->waypoints()),
       subgoals_(setup.world->subgoals()) {}
 
 void PlanComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto& odometry = inputs.get<domain::Odometry>();
   map_->see(odometry, inputs.get<domain::Scan>());
-  const Subgoal subgoal = planner_->step({odometry, *map_, target_, target_radius_m_, subgoals_});
+  route_.pass(odometry.pose_odom_robot);
+  const Subgoal subgoal = planner_->step(situation(odometry));
   auto& target = outputs.get<domain::Target>();
   target.x_m = subgoal.place.x();
   target.y_m = subgoal.place.y();
   target.radius_m = subgoal.radius_m;
 }
 
+// The world's subgoals lead to its target; those are none on the way to the points before it.
+Situation PlanComponent::situation(const domain::Odometry& odometry) const {
+  static const std::vector<core::Vec2> kNone;
+  if (route_.empty()) return {odometry, *map_, odometry.pose_odom_robot.position(), 0.0, kNone};
+  const bool is_last = route_.passed() + 1 == route_.size();
+  const world::Waypoint& next = route_.next();
+  return {odometry, *map_, next.place, next.radius_m, is_last ? subgoals_ : kNone};
+}
+
 void PlanComponent::save(core::StateWriter& writer) const {
   map_->save(writer);
   planner_->save(writer);
+  route_.save(writer);
 }
 
 void PlanComponent::load(core::StateReader& reader) {
   map_->load(reader);
   planner_->load(reader);
+  route_.load(reader);
 }
 
 }  // namespace clew::plan

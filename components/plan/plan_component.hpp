@@ -8,11 +8,13 @@
 #include "plan/planner.hpp"
 #include "runtime/component.hpp"
 #include "runtime/stage.hpp"
+#include "world/route.hpp"
 
 namespace clew::plan {
 
 /// Writes the target in drive's place: subgoals on the way to the mission's target, which it knows
-/// from the run's set-up as drive does. Drive still judges by that one.
+/// from the run's set-up as drive does. Drive still judges by that one. Of a mission of several
+/// way-points it leads to the next, which follows from odometry.
 class PlanComponent final : public runtime::Component {
  public:
   static std::vector<runtime::PortInfo> ports();
@@ -26,12 +28,13 @@ class PlanComponent final : public runtime::Component {
   void tell(const runtime::TickInputs& samples, domain::Inside& inside) const override;
 
  private:
-  void tell_room(const core::Vec2& robot, domain::Inside& inside) const;
+  /// What the planner is to lead to.
+  Situation situation(const domain::Odometry& odometry) const;
+  void tell_room(const core::Vec2& robot, const core::Vec2& target, domain::Inside& inside) const;
 
   std::unique_ptr<Planner> planner_;
   std::unique_ptr<MapSource> map_;
-  core::Vec2 target_;
-  double target_radius_m_;
+  world::Route route_;  ///< as far as the robot believes to have come
   std::vector<core::Vec2> subgoals_;
 };
 

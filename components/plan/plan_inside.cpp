@@ -19,29 +19,32 @@ void PlanComponent::tell(const runtime::TickInputs& samples, domain::Inside& ins
   const auto& odometry = samples.get<domain::Odometry>();
   const auto& target = samples.get<domain::Target>();
   const core::Vec2 robot = odometry.pose_odom_robot.position();
-  const bool straight = core::length(target.position() - target_) == 0.0;
-  inside.say(
-      "The mission's target is " + domain::say_metres(core::length(target_ - robot)) + " away. " +
-      (straight ? "The subgoal is that target itself."
-                : "The subgoal is " + domain::say_place(target.position()) + ", " +
-                      domain::say_metres(core::length(target.position() - robot)) + " away, " +
-                      domain::say_bearing(
-                          core::bearing_rad(odometry.pose_odom_robot, target.position())) +
-                      "."));
+  const Situation now = situation(odometry);
+  const bool straight = core::length(target.position() - now.target) == 0.0;
+  inside.say("The mission's target is " + domain::say_metres(core::length(now.target - robot)) +
+             " away. " +
+             (straight
+                  ? "The subgoal is that target itself."
+                  : "The subgoal is " + domain::say_place(target.position()) + ", " +
+                        domain::say_metres(core::length(target.position() - robot)) + " away, " +
+                        domain::say_bearing(
+                            core::bearing_rad(odometry.pose_odom_robot, target.position())) +
+                        "."));
   inside.values.place("subgoal", target.position());
   inside.values.number("subgoal_radius", target.radius_m, "m");
   inside.values.flag("subgoal_is_target", straight);
   inside.picture.layers.push_back(
       {"subgoal", domain::PictureLayer::Kind::kGoal, {}, {target.position()}});
-  tell_room(robot, inside);
+  tell_room(robot, now.target, inside);
   domain::Inside part;
-  planner_->tell({odometry, *map_, target_, target_radius_m_, subgoals_}, part);
+  planner_->tell(now, part);
   inside.add("planner", std::move(part));
 }
 
 /// The room around the robot, as the map has it: 0 inside an obstacle .. 4 open.
-void PlanComponent::tell_room(const core::Vec2& robot, domain::Inside& inside) const {
-  const RoomView view = map_->read(robot, target_);
+void PlanComponent::tell_room(const core::Vec2& robot, const core::Vec2& target,
+                              domain::Inside& inside) const {
+  const RoomView view = map_->read(robot, target);
   const double cell_m = view.grid.cell_m;
   const auto reach = std::min(static_cast<std::size_t>(std::ceil(kWindow_m / cell_m)), kMostPlaces);
   const double step_m = kWindow_m / static_cast<double>(reach);

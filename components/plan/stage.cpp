@@ -61,7 +61,9 @@ core::Result<std::unique_ptr<MapSource>> make_map(const MapParameters& p,
   auto map = FileMap::create(setup.behaviour.resources, p.map_file, needs);
   if (!map.ok()) return map.error();
   CLEW_RETURN_IF_ERROR((*map)->check_covers("start", setup.world->start().position()));
-  CLEW_RETURN_IF_ERROR((*map)->check_covers("target", setup.world->target()));
+  for (const world::Waypoint& waypoint : setup.world->waypoints()) {
+    CLEW_RETURN_IF_ERROR((*map)->check_covers("target", waypoint.place));
+  }
   return as_source(std::move(map));
 }
 

@@ -24,7 +24,7 @@ struct GraphOverrides {
   std::vector<std::string> set;   ///< `STAGE[.PART][.NAME].PARAM=VALUE`
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> max_ticks;
-  std::optional<world::Goal> goal;
+  std::optional<world::Goals> goals;
 };
 
 /// Where something stands: in a graph file, or in the option that gave it.
@@ -92,8 +92,8 @@ struct Graph {
   std::uint64_t seed = 1;
   std::uint64_t max_ticks = 20000;
   double start_timeout_s = 10.0;
-  std::optional<world::Goal> goal;   ///< in the place of the world's target
-  std::string layout = "processes";  ///< or `composed`; the command line outranks it
+  std::optional<world::Goals> goals;  ///< in the place of the world's way-points and target
+  std::string layout = "processes";   ///< or `composed`; the command line outranks it
   /// What protects its wire: a directory of keys, or empty, keys for the run alone. None: nothing.
   std::optional<std::string> security;
   double tick_s = 0.0;
@@ -103,7 +103,7 @@ struct Graph {
   Place place;
   Place world_place;
   Place robot_place;
-  Place goal_place;
+  Place goals_place;
 
   const GraphStage* find(const std::string& stage) const;
   /// The stage that writes a topic, if any.

@@ -272,9 +272,9 @@ Result<void> apply_overrides(const GraphOverrides& overrides, RawGraph& graph) {
     graph.head.robot = *overrides.robot;
     graph.head.robot_place = {"--robot", 0, 0};
   }
-  if (overrides.goal) {
-    graph.head.goal = overrides.goal;
-    graph.head.goal_place = {"goal", 0, 0};
+  if (overrides.goals) {
+    graph.head.goals = overrides.goals;
+    graph.head.goals_place = {"goal", 0, 0};
   }
   if (overrides.seed) graph.head.seed = *overrides.seed;
   if (overrides.max_ticks) graph.head.max_ticks = *overrides.max_ticks;

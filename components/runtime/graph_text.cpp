@@ -3,6 +3,7 @@
 
 #include <cctype>
 
+#include "runtime/goals.hpp"
 #include "runtime/plugin_list.hpp"
 #include "runtime/raw_graph.hpp"
 
@@ -108,10 +109,7 @@ std::string Graph::expanded_yaml() const {
   std::string text = fmt::format("world: {}\nrobot: {}\nseed: {}\nmax_ticks: {}\n", quote(world),
                                  quote(robot), seed, max_ticks);
   text += plugins_text(*this);
-  if (goal) {
-    text += fmt::format("goal: [{}, {}", goal->place.x(), goal->place.y());
-    text += goal->radius_m ? fmt::format(", {}]\n", *goal->radius_m) : "]\n";
-  }
+  text += goals_yaml(goals);
   for (const GraphStage& stage : stages) text += stage.expanded_yaml();
   return text;
 }

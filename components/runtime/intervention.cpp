@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/yaml_reader.hpp"
+#include "runtime/goals.hpp"
 
 namespace clew::runtime {
 namespace {
@@ -18,25 +18,9 @@ namespace {
 using core::Error;
 using core::Result;
 
-constexpr char kGoal[] = "goal=";
-
 Error refused(std::string why) { return {std::move(why), {}, 0, 0}; }
 
-bool is_goal(const std::string& change) { return change.rfind(kGoal, 0) == 0; }
-
-Result<world::Goal> read_goal(const std::string& change) {
-  const auto list =
-      core::YamlNode::parse('[' + change.substr(std::string(kGoal).size()) + ']', "goal");
-  if (!list.ok()) return list.error();
-  const auto items = list->items();
-  if (!items.ok()) return items.error();
-  const std::size_t count = items->size() == 3 ? 3 : 2;
-  const auto numbers = list->numbers(count, "goal=X,Y or goal=X,Y,RADIUS");
-  if (!numbers.ok()) return refused("'" + change + "': " + numbers.error().message);
-  world::Goal goal{{(*numbers)[0], (*numbers)[1]}, std::nullopt};
-  if (count == 3) goal.radius_m = (*numbers)[2];
-  return goal;
-}
+bool is_goal(const std::string& change) { return change.rfind(kGoalChange, 0) == 0; }
 
 /// Whether what stands before `=` names a choice and not a parameter.
 bool names_choice(const std::string& change, const std::vector<StageInfo>& stages) {
@@ -59,10 +43,10 @@ Result<GraphOverrides> overrides_of(const std::vector<std::string>& changes,
                      "'; allowed: STAGE.PART=NAME, STAGE.PARAM=VALUE or goal=X,Y");
     }
     if (is_goal(change)) {
-      if (overrides.goal) return refused("the goal is given twice; once is allowed");
-      const auto goal = read_goal(change);
-      if (!goal.ok()) return goal.error();
-      overrides.goal = *goal;
+      if (overrides.goals) return refused("the goal is given twice; once is allowed");
+      auto goals = parse_goals(change.substr(std::string(kGoalChange).size()));
+      if (!goals.ok()) return goals.error();
+      overrides.goals = std::move(goals).value();
     } else {
       (names_choice(change, stages) ? overrides.with : overrides.set).push_back(change);
     }
@@ -84,20 +68,13 @@ bool differs(const GraphStage& before, const GraphStage& after) {
   return before.expanded_yaml() != after.expanded_yaml();
 }
 
-std::string goal_text(const Graph& graph) {
-  if (!graph.goal) return {};
-  return fmt::format("{} {} {}", graph.goal->place.x(), graph.goal->place.y(),
-                     graph.goal->radius_m.value_or(0.0));
-}
-
 /// Whether the stage's component is told where the mission ends.
 bool knows_target(const GraphStage& stage) {
   return stage.ports.outputs[index_of(Topic::kState)] ||
          stage.ports.outputs[index_of(Topic::kTarget)];
 }
 
-Result<void> check_stage(const GraphStage& before, const GraphStage& after) {
-  if (!differs(before, after)) return {};
+Result<void> check_stage(const GraphStage& after) {
   const std::string& name = after.info->name;
   if (!after.deployment.is_ours()) {
     return refused(name + " is a component of someone else's: it cannot be changed from here");
@@ -118,14 +95,24 @@ Result<void> check_goal_is_ours(const RunPlan& plan) {
   return {};
 }
 
+/// A new planner is fed the last ticks only: it would not know which way-points were passed before.
+Result<void> check_way_is_known(const RunPlan& after, const GraphStage& stage) {
+  if (!stage.ports.outputs[index_of(Topic::kTarget)]) return {};
+  if (after.setup.world->waypoints().size() < 2) return {};
+  return refused(stage.info->name +
+                 " cannot be changed on a mission of several way-points: a new one would not know "
+                 "which were passed");
+}
+
 /// What other components were told once is as it was.
 Result<void> check_succession(const RunPlan& before, const RunPlan& after) {
-  bool any = goal_text(before.graph) != goal_text(after.graph);
+  bool any = goals_yaml(before.graph.goals) != goals_yaml(after.graph.goals);
   if (any) CLEW_RETURN_IF_ERROR(check_goal_is_ours(after));
   for (const GraphStage& stage : after.graph.stages) {
-    const GraphStage& old_stage = *before.graph.find(stage.info->name);
-    CLEW_RETURN_IF_ERROR(check_stage(old_stage, stage));
-    any = any || differs(old_stage, stage);
+    if (!differs(*before.graph.find(stage.info->name), stage)) continue;
+    any = true;
+    CLEW_RETURN_IF_ERROR(check_stage(stage));
+    CLEW_RETURN_IF_ERROR(check_way_is_known(after, stage));
   }
   if (!any) return refused("that is as it is already: nothing would change");
   const domain::BehaviourSetup& then = before.setup.behaviour;
@@ -243,7 +230,7 @@ std::optional<Successor> successor(const RunPlan& before,
   const GraphStage* const now = after->graph.find(stage);
   const bool is_new = differs(*then, *now);
   const bool has_new_goal =
-      knows_target(*now) && goal_text(before.graph) != goal_text(after->graph);
+      knows_target(*now) && goals_yaml(before.graph.goals) != goals_yaml(after->graph.goals);
   if (!is_new && !has_new_goal) return std::nullopt;
   return Successor{intervention.tick, intervention.fed_from, intervention.tick, !is_new,
                    [after, now, make] {

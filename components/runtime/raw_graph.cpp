@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "core/nearest_name.hpp"
+#include "runtime/goals.hpp"
 #include "runtime/middleware.hpp"
 #include "runtime/plugin_list.hpp"
 
@@ -162,17 +163,6 @@ Result<std::uint64_t> read_count(const YamlNode& node, const char* key) {
   return static_cast<std::uint64_t>(*value);
 }
 
-Result<world::Goal> read_goal(const YamlNode& node) {
-  const auto items = node.items();
-  if (!items.ok()) return items.error();
-  const bool with_radius = items->size() == 3;
-  const auto numbers = node.numbers(with_radius ? 3 : 2, "[x, y] or [x, y, radius]");
-  if (!numbers.ok()) return numbers.error();
-  world::Goal goal{{(*numbers)[0], (*numbers)[1]}, std::nullopt};
-  if (with_radius) goal.radius_m = (*numbers)[2];
-  return goal;
-}
-
 /// `security: minted`, or `security: {directory: DIR}`.
 Result<void> read_security(const YamlNode& root, Graph& head) {
   const auto node = root.find("security");
@@ -231,11 +221,11 @@ Result<void> read_head(const YamlNode& root, Graph& head) {
     }
     head.start_timeout_s = *value;
   }
-  if (const auto node = root.find("goal")) {
-    const auto goal = read_goal(*node);
-    if (!goal.ok()) return goal.error();
-    head.goal = *goal;
-    head.goal_place = place_of(*node);
+  auto goals = read_goals(root);
+  if (!goals.ok()) return goals.error();
+  if (*goals) {
+    head.goals_place = place_of((*goals)->where);
+    head.goals = std::move((*goals)->goals);
   }
   if (const auto node = root.find("layout")) {
     CLEW_RETURN_IF_ERROR(text("layout", head.layout, true));
@@ -268,7 +258,7 @@ Result<ShortForm> find_mission(const YamlNode& node, const std::string& word,
 Result<std::optional<RawStage>> read_mission(const YamlNode& root,
                                              const std::vector<StageInfo>& stages) {
   const auto node = root.find("mission");
-  if (!node) return std::optional<RawStage>();
+  if (!node || node->kind() == YamlKind::kList) return std::optional<RawStage>();
   const auto word = node->string();
   if (!word.ok()) return word.error();
   if (*word == kPlainMission) return std::optional<RawStage>();

@@ -24,9 +24,9 @@ core::Error not_found(const Place& place, const std::string& key, const core::Er
 Result<void> load_world(const ConfigSource& source, RunPlan& plan) {
   auto file = source.find("worlds", plan.graph.world);
   if (!file.ok()) return not_found(plan.graph.world_place, "world", file.error());
-  auto world = world::World::parse(file->text, file->file, plan.graph.goal);
+  auto world = world::World::parse(file->text, file->file, plan.graph.goals);
   if (!world.ok() && world.error().file.empty()) {
-    return plan.graph.goal_place.error(world.error().message);
+    return plan.graph.goals_place.error(world.error().message);
   }
   if (!world.ok()) return world.error();
   const auto fits = world->check_robot_fits(plan.setup.behaviour.robot.radius_m);

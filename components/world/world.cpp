@@ -92,17 +92,21 @@ double surface_distance(const World::Circle& circle, const Vec2& point) {
 struct World::Content {
   explicit Content(WorldFile world_file)
       : file(std::move(world_file)),
+        mission(file.waypoints),
         boundary(file.boundary()),
         segments(solid_segments(file)),
         circles(file.circles),
         areas(file.polygons),
-        corners(find_corners(segments, boundary, areas, circles)) {}
+        corners(find_corners(segments, boundary, areas, circles)) {
+    if (file.has_mission) mission.push_back({file.target, file.target_radius_m});
+  }
 
   Circle disc_at(const MovingObstacle& obstacle, double time_s) const {
     return {obstacle.position_at(time_s), obstacle.radius_m};
   }
 
   WorldFile file;
+  std::vector<Waypoint> mission;
   std::vector<Segment> boundary;
   Indexed<Segment> segments;
   Indexed<Circle> circles;
@@ -115,10 +119,10 @@ core::Result<World> World::parse(std::string_view yaml, const std::string& file)
 }
 
 core::Result<World> World::parse(std::string_view yaml, const std::string& file,
-                                 const std::optional<Goal>& goal) {
+                                 const std::optional<Goals>& goals) {
   auto world = read_world_file(yaml, file);
   if (!world.ok()) return world.error();
-  if (goal) CLEW_RETURN_IF_ERROR(set_goal(*goal, *world));
+  if (goals) CLEW_RETURN_IF_ERROR(set_goals(*goals, *world));
   return World(std::make_unique<const Content>(*std::move(world)));
 }
 
@@ -134,6 +138,7 @@ const Vec2& World::bounds_max() const { return content_->file.bounds_max; }
 const Pose2& World::start() const { return content_->file.start; }
 const Vec2& World::target() const { return content_->file.target; }
 double World::target_radius_m() const { return content_->file.target_radius_m; }
+const std::vector<Waypoint>& World::waypoints() const { return content_->mission; }
 const std::vector<Vec2>& World::subgoals() const { return content_->file.subgoals; }
 std::optional<bool> World::solvable() const { return content_->file.solvable; }
 std::optional<double> World::shortest_path_m() const { return content_->file.shortest_path_m; }

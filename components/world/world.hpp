@@ -53,10 +53,22 @@ struct ConeDirection {
 
 class RayFan;
 
-/// Where a run is to end instead of at the target that its world file names.
+/// A place that a run is to lead to.
 struct Goal {
   Vec2 place = Vec2::Zero();
-  std::optional<double> radius_m;  ///< none: the world's
+  std::optional<double> radius_m;  ///< arrival is within it; none: the world's target radius
+};
+
+/// The places of a run in their order, instead of those that its world file names: it ends at the
+/// last. None at all: the robot waits where it is.
+using Goals = std::vector<Goal>;
+/// No more than this of them.
+inline constexpr std::size_t kMostGoals = 256;
+
+/// A place on the way of a mission: the next one follows when the robot is within the radius.
+struct Waypoint {
+  Vec2 place = Vec2::Zero();
+  double radius_m = 0.0;
 };
 
 /// A world file (`clew-world/1`), checked and indexed for queries. Immutable; safe to share between
@@ -66,13 +78,13 @@ class World {
  public:
   /// Reads a world from YAML. `file` is named in errors. Refused, with file, line and what is
   /// allowed: broken YAML, another format, unknown, missing or duplicate keys, wrong types, numbers
-  /// that are not finite, empty bounds, start or target outside or inside an obstacle, radii that
-  /// are not positive, polygons that cross themselves, times that do not rise.
+  /// that are not finite, empty bounds, start, target or way-point outside or inside an obstacle,
+  /// radii that are not positive, polygons that cross themselves, times that do not rise.
   static core::Result<World> parse(std::string_view yaml, const std::string& file);
-  /// The same with another target: nothing is known of the way there, and the file's subgoals are
-  /// none of it. Refused, too: a goal where the file's target could not lie.
+  /// The same with other goals: nothing is known of the way there, and the file's subgoals are none
+  /// of it. Refused, too: a goal where the file's target could not lie.
   static core::Result<World> parse(std::string_view yaml, const std::string& file,
-                                   const std::optional<Goal>& goal);
+                                   const std::optional<Goals>& goals);
 
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
@@ -84,8 +96,12 @@ class World {
   const Vec2& bounds_min() const;
   const Vec2& bounds_max() const;
   const Pose2& start() const;
+  /// The last of the way-points; without any, the file's.
   const Vec2& target() const;
   double target_radius_m() const;
+  /// The mission: the way-points in their order, and the target behind them. Empty: the robot
+  /// waits.
+  const std::vector<Waypoint>& waypoints() const;
   const std::vector<Vec2>& subgoals() const;
   std::optional<bool> solvable() const;
   std::optional<double> shortest_path_m() const;

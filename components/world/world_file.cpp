@@ -67,6 +67,20 @@ Result<void> read(const YamlNode& node, Vec2& point) {
   return {};
 }
 
+/// A radius that is not given is left as it is.
+Result<void> read(const YamlNode& node, Waypoint& waypoint) {
+  const auto items = node.items();
+  if (!items.ok()) return items.error();
+  const bool with_radius = items->size() == 3;
+  const auto numbers = read_numbers(node, with_radius ? 3 : 2, "[x, y] or [x, y, radius]");
+  if (!numbers.ok()) return numbers.error();
+  waypoint.place = {(*numbers)[0], (*numbers)[1]};
+  if (!with_radius) return {};
+  waypoint.radius_m = (*numbers)[2];
+  if (waypoint.radius_m > 0.0) return {};
+  return node.error(fmt::format("the radius is {}; it must be above 0", waypoint.radius_m));
+}
+
 Result<void> read(const YamlNode& node, Pose2& pose) {
   const auto numbers = read_numbers(node, 3, "[x, y, heading]");
   if (!numbers.ok()) return numbers.error();
@@ -173,8 +187,8 @@ Result<void> read_list(const YamlNode& map, const char* key, std::vector<T>& val
 Result<void> read_head(const YamlNode& root, WorldFile& world) {
   CLEW_RETURN_IF_ERROR(core::check_format(root, kFormat));
   CLEW_RETURN_IF_ERROR(root.check_keys({"format", "name", "about", "bounds", "walls", "polygons",
-                                        "circles", "moving", "subgoals", "start", "target",
-                                        "target_radius", "solvable", "shortest_path"}));
+                                        "circles", "moving", "subgoals", "start", "waypoints",
+                                        "target", "target_radius", "solvable", "shortest_path"}));
   CLEW_RETURN_IF_ERROR(read_required(root, "name", world.name));
   const bool allowed = std::all_of(world.name.begin(), world.name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
@@ -222,6 +236,24 @@ Result<void> check_free(const YamlNode& node, const char* what, const Vec2& poin
   return node.error(std::move(why_not));
 }
 
+Result<void> read_waypoints(const YamlNode& root, WorldFile& world) {
+  const auto node = root.find("waypoints");
+  if (!node) return {};
+  const auto items = node->items();
+  if (!items.ok()) return items.error();
+  if (items->size() >= kMostGoals) {
+    return node->error(fmt::format("found {} way-points; allowed: {} before the target",
+                                   items->size(), kMostGoals - 1));
+  }
+  for (const YamlNode& item : *items) {
+    Waypoint waypoint{Vec2::Zero(), world.target_radius_m};
+    CLEW_RETURN_IF_ERROR(read(item, waypoint));
+    CLEW_RETURN_IF_ERROR(check_free(item, "way-point", waypoint.place, world, Obstacles::kStatic));
+    world.waypoints.push_back(waypoint);
+  }
+  return {};
+}
+
 // What moves may leave a target or subgoal again; only the start must be free of it.
 Result<void> read_places(const YamlNode& root, WorldFile& world) {
   CLEW_RETURN_IF_ERROR(read_required(root, "start", world.start));
@@ -233,6 +265,7 @@ Result<void> read_places(const YamlNode& root, WorldFile& world) {
   CLEW_RETURN_IF_ERROR(
       check_free(*root.at("target"), "target", world.target, world, Obstacles::kStatic));
   CLEW_RETURN_IF_ERROR(read_required(root, "target_radius", world.target_radius_m));
+  CLEW_RETURN_IF_ERROR(read_waypoints(root, world));
   CLEW_RETURN_IF_ERROR(read_list(root, "subgoals", world.subgoals));
   for (std::size_t i = 0; i < world.subgoals.size(); ++i) {
     CLEW_RETURN_IF_ERROR(check_free((*root.at("subgoals")->items())[i], "subgoal",
@@ -247,6 +280,11 @@ Result<void> read_claims(const YamlNode& root, WorldFile& world) {
   }
   const auto node = root.find("shortest_path");
   if (!node || node->kind() == core::YamlKind::kNull) return {};
+  if (!world.waypoints.empty()) {
+    return node->error(
+        "shortest_path is the length of the way to the target, and there are waypoints before it; "
+        "allowed: one of the two");
+  }
   return read(*node, world.shortest_path_m.emplace());
 }
 
@@ -261,14 +299,24 @@ std::vector<World::Segment> WorldFile::boundary() const {
           {upper_left, bounds_min}};
 }
 
-core::Result<void> set_goal(const Goal& goal, WorldFile& world) {
-  std::string why_not = why_not_free("goal", goal.place, world, Obstacles::kStatic);
-  if (goal.radius_m && !(*goal.radius_m > 0.0)) {
-    why_not = fmt::format("the goal's radius is {} m; it must be positive", *goal.radius_m);
+core::Result<void> set_goals(const Goals& goals, WorldFile& world) {
+  world.waypoints.clear();
+  for (const Goal& goal : goals) {
+    const std::string name =
+        goals.size() == 1 ? "goal" : fmt::format("way-point {}", world.waypoints.size() + 1);
+    std::string why_not = why_not_free(name.c_str(), goal.place, world, Obstacles::kStatic);
+    if (goal.radius_m && !(*goal.radius_m > 0.0)) {
+      why_not = fmt::format("the {}'s radius is {} m; it must be positive", name, *goal.radius_m);
+    }
+    if (!why_not.empty()) return core::Error{std::move(why_not), {}, 0, 0};
+    world.waypoints.push_back({goal.place, goal.radius_m.value_or(world.target_radius_m)});
   }
-  if (!why_not.empty()) return core::Error{std::move(why_not), {}, 0, 0};
-  world.target = goal.place;
-  world.target_radius_m = goal.radius_m.value_or(world.target_radius_m);
+  world.has_mission = !goals.empty();
+  if (world.has_mission) {
+    world.target = world.waypoints.back().place;
+    world.target_radius_m = world.waypoints.back().radius_m;
+    world.waypoints.pop_back();
+  }
   world.subgoals.clear();
   world.solvable.reset();
   world.shortest_path_m.reset();

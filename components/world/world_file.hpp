@@ -26,6 +26,8 @@ struct WorldFile {
   Pose2 start;
   Vec2 target = Vec2::Zero();
   double target_radius_m = 0.0;
+  std::vector<Waypoint> waypoints;  ///< before the target
+  bool has_mission = true;          ///< else the target is no place to go to: the robot waits
   std::optional<bool> solvable;
   std::optional<double> shortest_path_m;
   core::Error start_place;  ///< where the file gives the start; without a message
@@ -37,7 +39,7 @@ struct WorldFile {
 /// Reads a world file; see World::parse.
 core::Result<WorldFile> read_world_file(std::string_view yaml, const std::string& file);
 
-/// Puts a goal in the target's place; see World::parse.
-core::Result<void> set_goal(const Goal& goal, WorldFile& world);
+/// Puts goals in the place of the file's way-points and target; see World::parse.
+core::Result<void> set_goals(const Goals& goals, WorldFile& world);
 
 }  // namespace clew::world

@@ -20,11 +20,12 @@ class DriveRun {
  public:
   explicit DriveRun(const std::string& obstacles = "", bool safety = true,
                     std::uint64_t max_ticks = 100, const DriftParameters& drift = {},
-                    const ArrivalParameters& arrival = {}) {
+                    const ArrivalParameters& arrival = {},
+                    const std::optional<world::Goals>& goals = std::nullopt) {
     auto world = world::World::parse("format: clew-world/1\nname: test\nbounds: [0, 0, 20, 20]\n" +
                                          obstacles +
                                          "\nstart: [5, 5, 0]\ntarget: [6, 5]\ntarget_radius: 0.2\n",
-                                     "test.yaml");
+                                     "test.yaml", goals);
     EXPECT_TRUE(world.ok()) << world.error().text();
     runtime::RunSetup setup;
     setup.world = std::make_shared<const world::World>(std::move(world).value());
@@ -64,6 +65,40 @@ Motion ahead(double step_m) {
   motion.kind = CommandKind::kTurnAndStep;
   motion.step_m = step_m;
   return motion;
+}
+
+TEST(DriveComponent, LeadsToTheWaypointsOfTheWorldAndEndsAtTheTarget) {
+  DriveRun run("waypoints: [[5.5, 5, 0.1], [5.8, 5]]");
+  run.start();
+  const auto& target = std::get<domain::Target>(run.messages());
+  EXPECT_EQ(target.position(), core::Vec2(5.5, 5.0));
+  EXPECT_EQ(target.radius_m, 0.1);
+
+  // A step is 0.15 m at most: 5.3 m is short of the first, 5.45 m is not; 5.57 m is short of the
+  // second, whose radius is the world's 0.2 m, and 5.67 m is not.
+  run.step(ahead(0.15));
+  run.step(ahead(0.15));
+  EXPECT_EQ(target.position(), core::Vec2(5.5, 5.0));
+  EXPECT_EQ(run.step(ahead(0.15)).outcome, Outcome::kRunning);
+  EXPECT_EQ(target.position(), core::Vec2(5.8, 5.0));
+  EXPECT_EQ(target.radius_m, 0.2);
+  run.step(ahead(0.12));
+  EXPECT_EQ(target.position(), core::Vec2(5.8, 5.0));
+  EXPECT_EQ(run.step(ahead(0.1)).outcome, Outcome::kRunning);
+  EXPECT_EQ(target.position(), core::Vec2(6.0, 5.0));
+  EXPECT_EQ(run.step(ahead(0.15)).outcome, Outcome::kReached);
+}
+
+TEST(DriveComponent, WaitsWithoutAMission) {
+  DriveRun run("", true, 100, {}, {}, world::Goals{});
+  run.start();
+
+  const auto& state = run.step(ahead(0.5));
+
+  EXPECT_EQ(state.pose_world_robot.x_m, 5.0);
+  EXPECT_EQ(state.outcome, Outcome::kRunning);
+  EXPECT_FALSE(state.command_late);
+  EXPECT_EQ(std::get<domain::Target>(run.messages()).position(), core::Vec2(5.0, 5.0));
 }
 
 TEST(DriveComponent, ArrivesWithinTheWorldsRadiusOrItsOwn) {

@@ -10,7 +10,8 @@ using domain::CommandKind;
 using domain::Outcome;
 
 constexpr std::uint64_t kMaxTicks = 100;
-const Mission kMission{{3.0, 4.0}, 0.5, kMaxTicks};
+const Mission kMission{{{{3.0, 4.0}, 0.5}}, kMaxTicks};
+const Mission kTour{{{{1.0, 0.0}, 0.2}, {{2.0, 0.0}, 0.5}, {{3.0, 4.0}, 0.5}}, kMaxTicks};
 
 // From here the target is 5 m away.
 const core::Pose2 kFar{0.0, 0.0, 0.0};
@@ -66,11 +67,51 @@ TEST(Referee, JudgesGivingUpBeforeTheLastTick) {
 TEST(Referee, AnnouncesTheMissionsTarget) {
   domain::Target target;
 
-  Referee(kMission).announce(target);
+  Referee(kMission).announce(kFar, target);
 
   EXPECT_EQ(target.x_m, 3.0);
   EXPECT_EQ(target.y_m, 4.0);
   EXPECT_EQ(target.radius_m, 0.5);
+}
+
+TEST(Referee, LeadsToOneWaypointAfterTheOther) {
+  Referee referee(kTour);
+  domain::Target target;
+
+  EXPECT_EQ(referee.judge(5, {0.8, 0.0, 0.0}, 0, commanded()), Outcome::kRunning);
+  referee.announce(kFar, target);
+  EXPECT_EQ(target.position(), core::Vec2(2.0, 0.0));
+  EXPECT_EQ(target.radius_m, 0.5);
+
+  EXPECT_EQ(referee.judge(6, {2.0, 0.5, 0.0}, 0, commanded()), Outcome::kRunning);
+  referee.announce(kFar, target);
+  EXPECT_EQ(target.position(), core::Vec2(3.0, 4.0));
+
+  EXPECT_EQ(referee.judge(7, kArrived, 0, commanded()), Outcome::kReached);
+}
+
+TEST(Referee, DoesNotEndATourAtItsLastPointBeforeTheOthers) {
+  Referee referee(kTour);
+
+  EXPECT_EQ(referee.judge(5, kArrived, 0, commanded()), Outcome::kRunning);
+  EXPECT_EQ(referee.route().passed(), 0u);
+}
+
+TEST(Referee, PassesSeveralWaypointsAtOnceThatLieInOnePlace) {
+  Referee referee({{{{1.0, 0.0}, 0.2}, {{1.0, 0.1}, 0.2}, {{1.1, 0.0}, 0.2}}, kMaxTicks});
+
+  EXPECT_EQ(referee.judge(5, {1.0, 0.0, 0.0}, 0, commanded()), Outcome::kReached);
+}
+
+TEST(Referee, LetsARobotWithoutAMissionWaitWhateverItSays) {
+  Referee referee({{}, kMaxTicks});
+  domain::Target target;
+  referee.announce({7.0, 8.0, 1.0}, target);
+
+  EXPECT_TRUE(referee.waits());
+  EXPECT_EQ(referee.judge(5, kFar, 0, commanded(CommandKind::kGiveUp)), Outcome::kRunning);
+  EXPECT_EQ(referee.judge(kMaxTicks, kFar, 0, commanded()), Outcome::kTimeout);
+  EXPECT_EQ(target.position(), core::Vec2(7.0, 8.0));
 }
 
 }  // namespace

@@ -106,6 +106,33 @@ TEST_F(PlanStage, GoesByWhatTheRobotHasSeen) {
   EXPECT_LT(target.x_m, 4.0);
 }
 
+TEST_F(PlanStage, LeadsToTheNextWaypointAndOnlyThenAlongTheSubgoals) {
+  const std::string world =
+      "format: clew-world/1\nname: hall\nbounds: [0, 0, 10, 10]\nstart: [1, 5, 0]\n"
+      "subgoals: [[6, 8]]\ntarget: [9, 5]\ntarget_radius: 0.2\nwaypoints: ";
+  config_.parts["behaviour"] = {{"world_subgoals", {{"close_m", 0.2}}}};
+  const auto target_with = [&](const std::string& waypoints) {
+    auto parsed = world::World::parse(world + waypoints, "hall.yaml");
+    setup_.world = std::make_shared<const world::World>(std::move(parsed).value());
+    return target_of_tick_0();
+  };
+
+  // The robot stands at [1, 5].
+  EXPECT_EQ(target_with("[[1, 5.1], [3, 2, 0.5]]").position(), core::Vec2(3.0, 2.0));
+  EXPECT_EQ(target_with("[[1, 5.1], [3, 2, 0.5]]").radius_m, 0.5);
+  EXPECT_EQ(target_with("[[1, 5.1], [1.2, 5]]").position(), core::Vec2(6.0, 8.0));
+}
+
+TEST_F(PlanStage, StaysWhereItIsWithoutAMission) {
+  auto world = world::World::parse(
+      "format: clew-world/1\nname: hall\nbounds: [0, 0, 10, 10]\nstart: [1, 5, 0]\n"
+      "target: [9, 5]\ntarget_radius: 0.2\n",
+      "hall.yaml", world::Goals{});
+  setup_.world = std::make_shared<const world::World>(std::move(world).value());
+
+  EXPECT_EQ(target_of_tick_0().position(), core::Vec2(1.0, 5.0));
+}
+
 TEST_F(PlanStage, LeadsAlongTheSubgoalsOfTheWorld) {
   auto world = world::World::parse(
       "format: clew-world/1\nname: hall\nbounds: [0, 0, 10, 10]\nstart: [1, 5, 0]\n"

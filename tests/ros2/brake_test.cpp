@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/math.hpp"
+#include "robot/robot_link.hpp"
+#include "ros2/robot_inputs.hpp"
 
 namespace clew::robot {
 namespace {
@@ -45,6 +47,58 @@ TEST(Brake, LetsARobotThatIsTooNearAlreadyGoAway) {
   EXPECT_FALSE(bearing_of_contact_rad(wall, kRadius_m, {-0.5, 0.0}, 1.0));
   EXPECT_FALSE(bearing_of_contact_rad(wall, kRadius_m, {0.0, 1.0}, 1.0));
   EXPECT_TRUE(bearing_of_contact_rad(wall, kRadius_m, {0.5, 0.0}, 1.0));
+}
+
+/// A laser at the robot's centre with four beams: behind, right, ahead, left.
+ros2::LaserScan scan_of(float ahead_m, float left_m) {
+  ros2::LaserScan scan;
+  scan.angle_min = static_cast<float>(-core::kPi);
+  scan.angle_increment = static_cast<float>(core::kPi / 2.0);
+  scan.angle_max = static_cast<float>(core::kPi / 2.0);
+  scan.range_max = 4.0F;
+  scan.ranges = {4.5F, 4.5F, ahead_m, left_m};
+  return scan;
+}
+
+TEST(Brake, TakesAnOldScanWhereItWasMeasured) {
+  // Measured 0.3 m further back: the wall that stood 1 m ahead is 0.7 m ahead by now.
+  RobotView view;
+  view.scan = scan_of(1.0F, 4.5F);
+  view.pose_odom_at_scan = core::Pose2{2.0, 1.0, 0.0};
+  const core::Pose2 robot{2.3, 1.0, 0.0};
+
+  const auto seen = ros2::returns_of(view.scan, view.laser_seen_from(robot));
+
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_NEAR(seen[0].x(), 0.7, 1e-6);
+  EXPECT_NEAR(seen[0].y(), 0.0, 1e-6);
+  // 0.6 m on, with a radius of 0.2 m, it would touch; seen from where the scan was, it would not.
+  EXPECT_TRUE(bearing_of_contact_rad(seen, kRadius_m, {0.6, 0.0}, 1.0));
+  EXPECT_FALSE(bearing_of_contact_rad(ros2::returns_of(view.scan, {}), kRadius_m, {0.6, 0.0}, 1.0));
+}
+
+TEST(Brake, TurnsAnOldScanWithTheRobot) {
+  // It has turned by a quarter to the left since: what was on its left is ahead.
+  RobotView view;
+  view.scan = scan_of(4.5F, 0.5F);
+  view.pose_odom_at_scan = core::Pose2{0.0, 0.0, 0.0};
+
+  const auto seen = ros2::returns_of(view.scan, view.laser_seen_from({0.0, 0.0, core::kPi / 2.0}));
+
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_NEAR(seen[0].x(), 0.5, 1e-6);
+  EXPECT_NEAR(seen[0].y(), 0.0, 1e-6);
+}
+
+TEST(Brake, TakesAScanBeforeAllOdometryAsIfItWereNew) {
+  RobotView view;
+  view.scan = scan_of(1.0F, 4.5F);
+  view.pose_robot_laser = {0.1, 0.0, 0.0};
+
+  const auto seen = ros2::returns_of(view.scan, view.laser_seen_from({2.3, 1.0, 0.0}));
+
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_NEAR(seen[0].x(), 1.1, 1e-6);
 }
 
 }  // namespace

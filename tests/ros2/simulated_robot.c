@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #define PI 3.14159265358979323846
-enum { kStep_ms = 5, kOdometryEvery = 4, kScanEvery = 10 };
+enum { kStep_ms = 5, kOdometryEvery = 4, kScanEvery = 10, kMostLag = 16 };
 
 struct wall {
   double x0, y0, x1, y1;
@@ -22,7 +22,10 @@ struct robot {
   int wall_count;
   double told_v, told_w;
   int contacts, in_contact;
-  unsigned commands;
+  unsigned commands, zeros;             /* zeros: of the newest commands, in a row */
+  struct robot_message scans[kMostLag]; /* the newest, as a ring */
+  unsigned scan_count;
+  int scan_lag; /* scans that are measured between one and its publication */
   int scan_on, scan_frozen, odometry_on, loss_percent, input_open;
   long skew_s;
   char line[128];
@@ -105,8 +108,8 @@ static void scan(struct robot* robot) {
 
 static void tell_where(const struct robot* robot) {
   const struct robot_message* m = &robot->message;
-  printf("where %.4f %.4f %.4f %.4f %.4f %d %u\n", m->x, m->y, m->heading, m->v, m->w,
-         robot->contacts, robot->commands);
+  printf("where %.4f %.4f %.4f %.4f %.4f %d %u %u\n", m->x, m->y, m->heading, m->v, m->w,
+         robot->contacts, robot->commands, robot->zeros);
   fflush(stdout);
 }
 
@@ -120,6 +123,8 @@ static void obey(struct robot* robot, const char* line) {
     robot->odometry_on = strcmp(value, "off") != 0;
   } else if (strcmp(word, "skew") == 0 && words == 2) {
     robot->skew_s = atol(value);
+  } else if (strcmp(word, "lag") == 0 && words == 2 && atoi(value) < kMostLag) {
+    robot->scan_lag = atoi(value);
   } else if (strcmp(word, "loss") == 0 && words == 2) {
     robot->loss_percent = atoi(value);
   } else if (strcmp(word, "where") == 0) {
@@ -149,6 +154,7 @@ static void take_commands(struct robot* robot, const struct robot_wire* wire) {
   double v = 0.0, w = 0.0;
   while (wire->take_command(wire->self, &v, &w)) {
     ++robot->commands;
+    robot->zeros = v == 0.0 && w == 0.0 ? robot->zeros + 1 : 0;
     if (v == robot->told_v && w == robot->told_w) continue;
     robot->told_v = v;
     robot->told_w = w;
@@ -165,18 +171,19 @@ static void publish(struct robot* robot, const struct robot_wire* wire, long ste
     wire->publish_odometry(wire->self, &robot->message);
   }
   if (step % kScanEvery != 0 || !robot->scan_on || is_lost(robot)) return;
-  static struct robot_message seen;
-  if (!robot->scan_frozen) {
+  if (!robot->scan_frozen || robot->scan_count == 0) {
     stamp(robot);
     scan(robot);
-    seen = robot->message;
+    robot->scans[robot->scan_count++ % kMostLag] = robot->message;
   }
-  wire->publish_scan(wire->self, &seen);
+  const unsigned newest = robot->scan_count - 1, lag = (unsigned)robot->scan_lag;
+  wire->publish_scan(wire->self, &robot->scans[(newest > lag ? newest - lag : 0) % kMostLag]);
 }
 
 int robot_arguments(int argc, char** argv, int* domain, const char** name_space) {
   if (argc < 6 || argc - 6 > kMostWalls) {
-    fprintf(stderr, "usage: %s DOMAIN NAMESPACE X Y HEADING [X0,Y0,X1,Y1]...\n", argv[0]);
+    fprintf(stderr, "usage: %s DOMAIN NAMESPACE X Y HEADING [X0,Y0,X1,Y1]... [no-mount]\n",
+            argv[0]);
     return 2;
   }
   *domain = atoi(argv[1]);
@@ -199,7 +206,12 @@ int robot_main(int argc, char** argv, const struct robot_wire* wire) {
   robot.message.x = atof(argv[3]);
   robot.message.y = atof(argv[4]);
   robot.message.heading = atof(argv[5]);
+  int has_mount = 1;
   for (int i = 6; i < argc; ++i) {
+    if (strcmp(argv[i], "no-mount") == 0) {
+      has_mount = 0;
+      continue;
+    }
     struct wall* wall = &robot.walls[robot.wall_count++];
     if (sscanf(argv[i], "%lf,%lf,%lf,%lf", &wall->x0, &wall->y0, &wall->x1, &wall->y1) != 4) {
       fprintf(stderr, "simulated robot: no wall: %s\n", argv[i]);
@@ -207,7 +219,7 @@ int robot_main(int argc, char** argv, const struct robot_wire* wire) {
     }
   }
   stamp(&robot);
-  wire->publish_mount(wire->self, &robot.message);
+  if (has_mount) wire->publish_mount(wire->self, &robot.message);
   printf("ready\n");
   fflush(stdout);
   const double begin_s = now_s(CLOCK_MONOTONIC);

@@ -5,13 +5,24 @@
  * nothing more lets it drive on. Plain C, nothing of Clew; what publishes and listens is one DDS or
  * another.
  *
- *     PROGRAM DOMAIN NAMESPACE X Y HEADING [X0,Y0,X1,Y1]...
+ *     PROGRAM DOMAIN NAMESPACE X Y HEADING [X0,Y0,X1,Y1]... [no-mount]
  *
- * Its pose is that of its odometry; the rest are walls. Lines on standard input, until it is
- * closed: scan on|off|frozen     (frozen: the same scan again and again) odom on|off skew SECONDS
- * its clock is wrong by so much loss PERCENT           so many of its samples are lost where is
- * answered with a line as at the end Lines on standard output: ready command V W whenever what it
- * is told changes where X Y HEADING V W CONTACTS COMMANDS
+ * Its pose is that of its odometry; then come walls. With no-mount it never says where its laser
+ * is. Lines on standard input, until it is closed:
+ *
+ *  - `scan on|off|frozen`: frozen is the same scan again and again
+ *  - `lag N`: scans are published N scans late, with the stamp of when they were measured
+ *  - `odom on|off`
+ *  - `skew SECONDS`: its clock is wrong by so much
+ *  - `loss PERCENT`: so many of its samples are lost
+ *  - `where`: is answered with a line as at the end
+ *
+ * Lines on standard output:
+ *
+ *  - `ready`
+ *  - `command V W`: whenever what it is told changes
+ *  - `where X Y HEADING V W CONTACTS COMMANDS ZEROS`: the last counts the newest commands, in a
+ * row, that are to stand still
  */
 #ifndef CLEW_TESTS_SIMULATED_ROBOT_H
 #define CLEW_TESTS_SIMULATED_ROBOT_H

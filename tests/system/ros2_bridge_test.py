@@ -11,6 +11,7 @@ import socket
 import subprocess
 import tempfile
 import threading
+import time
 import unittest
 
 from clew_command import SOURCE, Run, start, wait_until
@@ -255,6 +256,44 @@ class Ros2Bridge(unittest.TestCase):
         replay = Run(["replay", recording, "--json"])
         self.assertEqual(replay.status, 0, replay.err)
 
+    def test_a_path_of_ros_is_a_mission_of_waypoints(self):
+        domain, ros_domain = free_domains(2)
+        recording = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory())) / "run.mcap"
+        run = start(["run", "default", "--world", "open-field", "--pace", "1x", "--domain", domain,
+                     "--json", "--record", recording])
+        bridge = start(["bridge", "ros2", "--domain", domain, "--ros-domain", ros_domain,
+                        "--take-goals"])
+        self.assertIn("ROS domain", bridge.stderr.readline())
+        paths = subprocess.Popen([FAR_SIDE / "cyclone_goal", str(ros_domain), "rt/waypoints", "map",
+                                  "path"], text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        try:
+            self.assertEqual(paths.stdout.readline(), "ready\n")
+            paths.stdin.write("8 1.5 90 1\n")
+            paths.stdin.flush()
+            self.assertIn("goals are taken from the writer", bridge.stderr.readline())
+            self.assertIn("way-point 2 [90, 1] is not within the bounds", bridge.stderr.readline())
+            for line, goal in (("\n", "none"), ("8 1.5 4 1 3 3\n", "8,1.5/4,1/3,3")):
+                paths.stdin.write(line)
+                paths.stdin.flush()
+                self.assertRegex(bridge.stderr.readline(), f"goal={goal} at tick [0-9]+")
+            Run(["pace", domain, "50x"])
+            out, err = run.communicate(timeout=60)
+        finally:
+            paths.stdin.close()
+            paths.wait(20)
+            paths.stdout.close()
+            bridge.communicate(timeout=20)
+            run.kill()
+
+        self.assertEqual(run.returncode, 0, err)
+        self.assertEqual(json.loads(out.splitlines()[-1])["outcome"], "reached")
+        told = Run(["info", recording, "--json"]).report
+        changes = [event["changes"] for event in told["interventions"] if event["changes"]]
+        self.assertEqual(changes, [["goal=none"], ["goal=8,1.5/4,1/3,3"]])
+        self.assertEqual([mark["number"] for mark in told["waypoints"]], [1, 2, 3])
+        replay = Run(["replay", recording, "--json"])
+        self.assertEqual(replay.status, 0, replay.err)
+
     def test_a_run_starts_its_bridge_itself(self):
         (ros_domain,) = free_domains(1)
         far_side = FarSide("cyclone_listener", ros_domain)
@@ -269,12 +308,21 @@ class Ros2Bridge(unittest.TestCase):
         self.assertEqual(composed.status, 2)
         self.assertIn("--ros2 need --layout processes", composed.err)
 
+    def test_a_run_that_does_not_start_takes_its_bridge_along(self):
+        (ros_domain,) = free_domains(1)
+        began = time.monotonic()
+        run = Run(["run", "krishna_kalra", "--world", "u-trap", "--ros2=r1", "--prefix",
+                   "control=/nonexistent/program"], environment={"ROS_DOMAIN_ID": str(ros_domain)})
+        self.assertNotEqual(run.status, 0)
+        self.assertLess(time.monotonic() - began, 10.0)
+
     def test_bad_input_is_named(self):
         for arguments, words in (
                 (["--domain", 3, "--ros-domain", 3], "the run's own"),
                 (["--domain", 3, "--ros-domain", 100],
                  "--ros-domain: domain 100; allowed: 0 to 99"),
                 (["--domain", 1000], "found '1000'; allowed: a domain's number, or a run's name"),
+                (["--domain", "5.0"], "found '5.0'; allowed: a domain's number, or a run's name"),
                 (["--domain=-1"], "found '-1'; allowed: a domain's number, or a run's name"),
                 (["--domain", 3, "--ros-distro", "foxy"], "known: humble, jazzy"),
                 (["--domain", 3, "--namespace", "a-b"], "--namespace: 'a-b' is no name of ROS"),

@@ -38,10 +38,11 @@ drive: {{ros2: {{{settings}}}, behaviour: unicycle, max_speed_mps: 0.8, max_acce
 class Robot:
     """The far side."""
 
-    def __init__(self, program, domain, pose=START, namespace="r1"):
+    def __init__(self, program, domain, pose=START, namespace="r1", more=()):
         walls = [",".join(map(str, wall)) for wall in WALLS]
         self.process = subprocess.Popen(
-            [ROBOTS / program, str(domain), namespace, *map(str, pose), *walls], text=True,
+            [ROBOTS / program, str(domain), namespace, *map(str, pose), *walls, *more],
+            text=True,
             stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         assert self.process.stdout.readline() == "ready\n", "it did not start"
         self.commands = []
@@ -63,7 +64,7 @@ class Robot:
         return bool(self.commands) and any(self.commands[-1]) == moving
 
     def where(self):
-        """Pose, speeds, contacts and number of commands as they are now."""
+        """Pose, speeds, contacts, number of commands, and of zeros at their end, as of now."""
         before = len(self.places)
         self.order("where")
         assert wait_until(lambda: len(self.places) > before)
@@ -77,11 +78,27 @@ class Robot:
         self.process.stdout.close()
 
 
-class Launched:
-    """A run under way, in a session of its own, and what it says meanwhile."""
+def state_of(pid):
+    """The letter of /proc: T is stopped."""
+    return pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0]
 
-    def __init__(self, arguments, **options):
-        self.process = start(arguments, start_new_session=True, **options)
+
+def parts_of(pid):
+    """The components of a run that shares its session, as a shell's jobs do."""
+    def parent_of(process):
+        stat = pathlib.Path(f"/proc/{process}/stat").read_text(encoding="utf-8")
+        return int(stat.rpartition(")")[2].split()[1])
+
+    return {stage: part for stage, part in components_of(os.getsid(pid)).items()
+            if parent_of(part) == pid}
+
+
+class Launched:
+    """A run under way, in a session or only a group of its own, and what it says meanwhile."""
+
+    def __init__(self, arguments, as_job=False, **options):
+        own = {"process_group": 0} if as_job else {"start_new_session": True}
+        self.process = start(arguments, **own, **options)
         self.pid = self.process.pid
         self.lines = []
         self.thread = threading.Thread(target=self.read)
@@ -124,17 +141,17 @@ class Ros2Robot(unittest.TestCase):
         (self.folder / "graph.yaml").write_text(GRAPH.format(settings=text), encoding="utf-8")
         return "graph.yaml"
 
-    def meet(self, program, pose=START):
-        robot = Robot(program, self.ros_domain, pose)
+    def meet(self, program, pose=START, more=()):
+        robot = Robot(program, self.ros_domain, pose, more=more)
         self.addCleanup(robot.close)
         return robot
 
     def environment(self):
         return {**os.environ, "ROS_DOMAIN_ID": str(self.ros_domain)}
 
-    def launch(self, *arguments, **settings):
+    def launch(self, *arguments, as_job=False, **settings):
         run = Launched(["run", self.graph(**settings), "--domain", self.domain, "--json",
-                        *arguments], cwd=self.folder, env=self.environment())
+                        *arguments], as_job, cwd=self.folder, env=self.environment())
         self.addCleanup(run.close)
         return run
 
@@ -250,6 +267,62 @@ class Ros2Robot(unittest.TestCase):
                 run.wait()
                 robot.close()
 
+    def test_a_robot_whose_scans_come_late_touches_nothing(self):
+        robot = self.meet("cyclone_robot")
+        robot.order("lag 5")  # 0.25 s, in which it goes 0.2 m
+
+        self.check_arrives(robot, self.launch(timeout_s=0.6))
+
+    def test_the_place_of_the_laser_must_be_known(self):
+        robot = self.meet("cyclone_robot", more=["no-mount"])
+
+        run = Run(["run", self.graph(), "--domain", self.domain], cwd=self.folder,
+                  environment=self.environment())
+
+        self.assertEqual(run.status, 1, run.out)
+        self.assertIn("lacks where 'r1/laser' is on 'r1/base_link' in /tf_static and /tf (or give "
+                      "laser_x_m, laser_y_m and laser_heading_deg)", run.err)
+        self.assertEqual(robot.commands, [])
+
+        self.check_goes_on(robot, self.launch(laser_x_m=0.05, laser_y_m=0, laser_heading_deg=0))
+
+    def test_the_last_word_is_said_several_times(self):
+        robot = self.meet("cyclone_robot")
+        run = self.launch()
+        self.assertTrue(wait_until(lambda: robot.is_told(moving=True)), run.err)
+
+        os.kill(components_of(run.pid)["drive"], signal.SIGKILL)
+
+        # Drive, which told it to go, says no more; what is heard now are sense's last words.
+        self.assertTrue(wait_until(lambda: robot.where()[7] >= 5), robot.places[-1])
+        self.check_stands(robot)
+        run.wait()
+
+    def test_a_supervisor_that_is_stopped_leaves_the_robot_to_the_watchdog_of_drive(self):
+        for number in (signal.SIGTSTP, signal.SIGSTOP):
+            with self.subTest(signal=number.name):
+                robot = self.meet("cyclone_robot")
+                # A group that no shell looks after would not be stopped by SIGTSTP.
+                run = self.launch(as_job=True)
+                self.assertTrue(wait_until(lambda: robot.is_told(moving=True)), run.err)
+                parts = parts_of(run.pid)
+                self.assertEqual(set(parts), {"sense", "recover", "control", "drive"})
+
+                os.killpg(run.pid, number)  # as Ctrl-Z does
+
+                self.assertTrue(wait_until(lambda: state_of(run.pid) == "T"))
+                self.check_stands(robot)
+                self.assertNotIn("T", {state_of(pid) for pid in parts.values()})
+                # Nobody goes on without it, however long that lasts.
+                commands = len(robot.commands)
+                heard = robot.where()[6]
+                self.assertTrue(wait_until(lambda: robot.where()[6] > heard + 20))
+                self.assertEqual(len(robot.commands), commands)
+
+                os.killpg(run.pid, signal.SIGCONT)
+                self.check_goes_on(robot, run)
+                robot.close()
+
     def test_while_the_run_is_paused_the_robot_stands(self):
         robot = self.meet("cyclone_robot")
         run = self.launch()
@@ -294,6 +367,11 @@ class Ros2Robot(unittest.TestCase):
                       environment=self.environment())
             self.assertEqual(run.status, 2, run.err)
             self.assertIn(words, run.err)
+        bench = Run(["bench", "smoke", "--graph", self.folder / self.graph(), "--out",
+                     self.folder / "bench"], environment=self.environment())
+        self.assertEqual(bench.status, 2, bench.out)
+        self.assertRegex(bench.err, "graph.yaml:[0-9]+:[0-9]+: (sense|drive) has ros2: a robot runs "
+                                    "once, in real time; a bench takes graphs whose robot is simulated")
 
 
 if __name__ == "__main__":

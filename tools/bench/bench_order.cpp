@@ -18,6 +18,7 @@ std::vector<std::string> BenchOrder::words() const {
     }
   }
   if (coverage) words.emplace_back("--coverage");
+  if (!data.empty()) words.insert(words.end(), {"--data", data});
   return words;
 }
 

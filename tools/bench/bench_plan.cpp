@@ -153,6 +153,15 @@ Result<void> add_worlds(const Suite& suite, const runtime::ConfigPath& configs, 
       CLEW_RETURN_IF_ERROR(add_world(plan, {name, trap_worlds::world_name(order), order}));
     }
   }
+  for (const BarnWorld& world : suite.barn) {
+    CLEW_RETURN_IF_ERROR(add_world(plan, {"barn", world.name, {}, world.text, world.path_m}));
+  }
+  if (plan.worlds.empty()) {
+    return Error{
+        "needs the worlds of BARN, which are not part of it: a directory with world_N.world "
+        "and path_N.npy (--data of bench)",
+        plan.suite, 0, 0};
+  }
   return {};
 }
 
@@ -188,6 +197,13 @@ Result<void> check_variant(const Variant& variant, const std::vector<Variation>&
     if (!variant.values.empty()) error.message = variant.label() + ": " + error.message;
     return error;
   }
+  for (const runtime::GraphStage& stage : run->graph.stages) {
+    if (!stage.deployment.ros2) continue;
+    return stage.place.error(
+        stage.info->name +
+        " has ros2: a robot runs once, in real time; a bench takes graphs whose "
+        "robot is simulated");
+  }
   std::string content;
   for (const auto& [name, text] : run->bundle) {
     if (name != "world.yaml") content += name + '\n' + text + '\n';
@@ -218,9 +234,10 @@ Result<void> note_worlds(const Suite& suite, const runtime::ConfigPath& configs,
                             world.order->number + 1, world.order->count);
       continue;
     }
-    const auto file = configs.find("worlds", world.name);
+    const auto file = WorldSource(configs, world).find("worlds", world.name);
     if (!file.ok()) return file.error();
     content = core::hash128(file->text).hex();
+    if (world.barn_path_m > 0.0) content += fmt::format(", path {} m", world.barn_path_m);
     CLEW_RETURN_IF_ERROR(check_is_another(plan, world, content));
   }
   return {};
@@ -250,7 +267,7 @@ std::string Variant::text() const {
 std::string Variant::label() const { return values.empty() ? graph : graph + " [" + text() + ']'; }
 
 WorldSource::WorldSource(const runtime::ConfigSource& configs, const BenchWorld& world)
-    : configs_(configs), name_(world.name) {
+    : configs_(configs), name_(world.name), text_(world.text) {
   if (!world.order) return;
   const auto generated = trap_worlds::generate_world(*world.order);
   text_ = generated.text;
@@ -259,7 +276,7 @@ WorldSource::WorldSource(const runtime::ConfigSource& configs, const BenchWorld&
 
 Result<core::Resource> WorldSource::find(const std::string& folder, const std::string& name) const {
   if (folder == "worlds" && name == name_ && !text_.empty()) {
-    return core::Resource{name + " (generated)", text_};
+    return core::Resource{name + (depth_ranges_ ? " (generated)" : " (imported)"), text_};
   }
   return configs_.find(folder, name);
 }

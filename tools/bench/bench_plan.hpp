@@ -38,11 +38,13 @@ struct Variant {
   std::string label() const;
 };
 
-/// A world of the bench: a file's name, or an order for a generated one.
+/// A world of the bench: a file's name, an order for a generated one, or an imported one's text.
 struct BenchWorld {
   std::string family;
   std::string name;
   std::optional<trap_worlds::WorldOrder> order;
+  std::string text = {};  ///< of a world of BARN
+  double barn_path_m = 0.0;
 };
 
 /// A bench that looks at its results after each batch and ends when they are known well enough.
@@ -83,7 +85,7 @@ class WorldSource : public runtime::ConfigSource {
 
   core::Result<core::Resource> find(const std::string& folder,
                                     const std::string& name) const override;
-  /// The text of a generated world; empty for a file.
+  /// The text of a generated or imported world; empty for a file.
   const std::string& generated_text() const { return text_; }
   /// A generated one's depth; none for a file.
   const std::optional<double>& depth_ranges() const { return depth_ranges_; }

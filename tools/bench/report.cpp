@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "bench/barn.hpp"
 #include "bench/coverage.hpp"
 #include "bench/groups.hpp"
 #include "bench/pairs.hpp"
@@ -80,6 +81,8 @@ Report make_report(const BenchResults& results, std::vector<Picture> pictures) {
                              plan.about.empty() ? "" : " ", plan.worlds.size(), plan.seeds.size(),
                              plan.configuration.at("max_ticks"));
   report.remarks = remarks_on(results);
+  Table barn = barn_table(results);
+  if (!barn.rows.empty()) report.tables.push_back(std::move(barn));
   report.tables.push_back(overall_table(results));
   for (const Grouping by : plan.by) report.tables.push_back(group_table(results, by));
   report.asked_for = report.tables.size();

@@ -28,6 +28,7 @@ nlohmann::ordered_json to_json(const BenchOrder& order) {
   json["suite"] = order.suite;
   json["coverage"] = order.coverage;
   for_each_list(order, [&](const char* name, const auto& list) { json[name] = list; });
+  if (!order.data.empty()) json["data"] = order.data;
   return json;
 }
 
@@ -36,6 +37,7 @@ BenchOrder read_order(const nlohmann::json& json) {
   json.at("suite").get_to(order.suite);
   order.coverage = json.value("coverage", false);
   for_each_list(order, [&](const char* name, auto& list) { json.at(name).get_to(list); });
+  if (json.contains("data")) json.at("data").get_to(order.data);
   return order;
 }
 

@@ -66,6 +66,11 @@ RunResult read(const json& object) {
   run.severity = read_severity(object);
   run.captures = optional_at<std::uint32_t>(object, "captures");
   run.held_at_end = optional_at<bool>(object, "held_at_end").value_or(false);
+  if (object.contains("barn")) {
+    const json& barn = object.at("barn");
+    run.barn = BarnScore{barn.at("arrived").get<bool>(), barn.at("optimal_time_s").get<double>(),
+                         barn.at("score").get<double>(), barn.at("score_2022").get<double>()};
+  }
   for (const json& detector : object.at("detectors")) {
     run.detectors.push_back(read_detector(detector));
   }

@@ -27,6 +27,14 @@ struct CoveredChoice {
   insides::Choice choice;
 };
 
+/// What the challenge of BARN gives a run.
+struct BarnScore {
+  bool arrived = false;  ///< in time
+  double optimal_time_s = 0.0;
+  double score = 0.0;
+  double score_2022 = 0.0;  ///< by the rules of that year
+};
+
 /// What a report needs of a run's line.
 struct RunResult {
   RunKey key;
@@ -43,6 +51,7 @@ struct RunResult {
   std::uint32_t hit_by = 0;
   std::uint32_t safety_stops = 0;
   std::string hash;
+  std::optional<BarnScore> barn;  ///< in its worlds
 
   /// How hard the world is for this robot and sensor.
   struct Severity {

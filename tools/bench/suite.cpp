@@ -199,6 +199,17 @@ Result<void> read_numbers(const YamlNode& root, Suite& suite) {
   return node->kind() == YamlKind::kMap ? read_seed_range(*node, suite) : read_seeds(*node, suite);
 }
 
+/// `data: barn`: worlds that the user has.
+Result<void> read_data(const YamlNode& root, Suite& suite) {
+  const auto node = root.find("data");
+  if (!node) return {};
+  const auto word = node->string();
+  if (!word.ok()) return word.error();
+  if (*word != "barn") return node->error("found " + node->found() + "; allowed: barn");
+  suite.needs_barn = true;
+  return {};
+}
+
 Result<void> read_about(const YamlNode& root, Suite& suite) {
   const auto node = root.find("about");
   if (!node) return {};
@@ -235,7 +246,7 @@ Result<Suite> read_suite(const core::Resource& file, const std::string& name) {
   if (!root.ok()) return root.error();
   CLEW_RETURN_IF_ERROR(core::check_format(*root, kSuiteFormat));
   CLEW_RETURN_IF_ERROR(root->check_keys({"format", "about", "graphs", "set", "vary", "worlds",
-                                         "generated", "seeds", "max_ticks", "by"}));
+                                         "generated", "data", "seeds", "max_ticks", "by"}));
   Suite suite;
   suite.name = name;
   CLEW_RETURN_IF_ERROR(read_about(*root, suite));
@@ -254,9 +265,10 @@ Result<Suite> read_suite(const core::Resource& file, const std::string& name) {
   if (const auto node = root->find("generated")) {
     CLEW_RETURN_IF_ERROR(read_generated(*node, suite.generated));
   }
+  CLEW_RETURN_IF_ERROR(read_data(*root, suite));
   CLEW_RETURN_IF_ERROR(read_numbers(*root, suite));
   if (const auto node = root->find("by")) CLEW_RETURN_IF_ERROR(read_groupings(*node, suite));
-  if (suite.worlds.empty() && suite.generated.count == 0) {
+  if (suite.worlds.empty() && suite.generated.count == 0 && !suite.needs_barn) {
     return root->error("no worlds; expected 'worlds', 'generated' or both");
   }
   return suite;

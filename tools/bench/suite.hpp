@@ -37,6 +37,13 @@ struct GeneratedWorlds {
   std::vector<std::string> families;
 };
 
+/// A world of BARN, which a suite cannot bring along, imported.
+struct BarnWorld {
+  std::string name;     ///< `barn-N`
+  std::string text;     ///< a world file
+  double path_m = 0.0;  ///< length of BARN's own path from start to goal
+};
+
 /// What a suite file says. Names of graphs and worlds are as written.
 struct Suite {
   std::string name;
@@ -47,6 +54,8 @@ struct Suite {
   /// Family and its worlds' names or paths, in order, with the wildcards of a shell.
   std::vector<std::pair<std::string, std::vector<std::string>>> worlds;
   GeneratedWorlds generated;
+  bool needs_barn = false;      ///< `data: barn`
+  std::vector<BarnWorld> barn;  ///< then given besides
   std::vector<std::uint64_t> seeds = {1};
   std::uint64_t max_ticks = 6000;
   /// Tables of the report; empty: by severity, and by family in short.

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "bench/barn.hpp"
 #include "bench/coverage.hpp"
 #include "clew/run_output.hpp"
 #include "recorder/recording_sink.hpp"
@@ -78,6 +79,13 @@ ordered_json severity_json(const world_analysis::Severity* severity, double rang
   json["bug1_bound_m"] = severity ? ordered_json(severity->bug.bug1_m) : nullptr;
   json["bug2_bound_m"] = severity ? ordered_json(severity->bug.bug2_m) : nullptr;
   return json;
+}
+
+ordered_json to_json(const BarnScore& barn) {
+  return {{"arrived", barn.arrived},
+          {"optimal_time_s", barn.optimal_time_s},
+          {"score", barn.score},
+          {"score_2022", barn.score_2022}};
 }
 
 /// Whether the run ended as it should: at the target, or with `unreachable` where it is. None for
@@ -222,6 +230,10 @@ Result<std::optional<std::string>> WorldBench::run(const Variant& variant, std::
   line["held_at_end"] = judge.has_truth() ? ordered_json(judge.is_held()) : ordered_json(nullptr);
   line["detectors"] = to_json(judge);
   if (plan_.coverage) line["coverage"] = to_json(ran->coverage);
+  if (world_.barn_path_m > 0.0) {
+    line["barn"] = to_json(
+        barn_score(as_run["outcome"] == "reached", as_run["sim_time_s"], world_.barn_path_m));
+  }
   return std::optional<std::string>(line.dump());
 }
 

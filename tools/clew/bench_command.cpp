@@ -8,6 +8,7 @@
 #include <functional>
 #include <thread>
 
+#include "bench/barn.hpp"
 #include "bench/bench.hpp"
 #include "bench/merge.hpp"
 #include "clew/bench_sweep.hpp"
@@ -76,13 +77,27 @@ Result<void> group_by(const std::vector<std::string>& names, bench::BenchPlan& p
   return {};
 }
 
+/// The worlds that the suite needs and the user has.
+Result<void> read_data(const bench::BenchOrder& order, bench::Suite& suite) {
+  if (!suite.needs_barn) {
+    if (order.data.empty()) return {};
+    return core::Error{"the suite " + suite.name + " needs none; barn does", "--data", 0, 0};
+  }
+  if (order.data.empty()) return {};  // the plan says what is missing
+  auto worlds = bench::read_barn(order.data);
+  if (!worlds.ok()) return worlds.error();
+  suite.barn = std::move(worlds).value();
+  return {};
+}
+
 Result<bench::BenchPlan> make_plan(
     const bench::BenchOrder& order, const runtime::ConfigPath& configs,
     const std::function<Result<void>(const std::vector<std::string>& graphs)>& load) {
   const auto file = configs.find("suites", order.suite);
   if (!file.ok()) return file.error();
-  const auto suite = bench::read_suite(*file, order.suite);
+  auto suite = bench::read_suite(*file, order.suite);
   if (!suite.ok()) return suite.error();
+  CLEW_RETURN_IF_ERROR(read_data(order, *suite));
   CLEW_RETURN_IF_ERROR(load(order.graphs.empty() ? suite->graphs : order.graphs));
   bench::BenchChanges changes;
   changes.graphs = order.graphs;
@@ -270,6 +285,10 @@ void add_order(CLI::App& app, bench::BenchOrder& order) {
   app.add_flag("--coverage", order.coverage,
                "count how often each rule, table cell, neuron and case decided, and which never "
                "did; each run is recorded in passing and fed to its components again");
+  app.add_option(
+      "--data", order.data,
+      "the directory of a suite's worlds that are not part of it: of barn, world_N.world "
+      "and path_N.npy");
   add_plugins(app, order.plugins);
 }
 
@@ -283,8 +302,8 @@ void add_shards(CLI::App& app, BenchCommandOptions& options) {
                                       "it loads those that --plugin names")
                            ->type_name("DIR");
   for (const char* other :
-       {"suite", "--graph", "--with", "--set", "--vary", "--coverage", "--shard", "--jobs",
-        "--write-worlds", "--on", "--shards", "--dry-run", "--until-width"}) {
+       {"suite", "--graph", "--with", "--set", "--vary", "--coverage", "--data", "--shard",
+        "--jobs", "--write-worlds", "--on", "--shards", "--dry-run", "--until-width"}) {
     merge->excludes(app.get_option(other));
   }
   // Whoever looks at results as they come needs all of them.

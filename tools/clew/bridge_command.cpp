@@ -34,8 +34,9 @@ core::Error named(const char* option, const core::Error& error) {
 
 /// A run that is named by its domain: another one than that of ROS.
 core::Result<void> check_run(const ros2::BridgeOptions& options) {
-  const std::size_t sign = options.run.rfind('-', 0) == 0 ? 1 : 0;
-  const bool is_number = options.run.find_first_not_of("0123456789", sign) == std::string::npos;
+  // Whatever looks like a number was meant as one: 5.0, -3, 1e2.
+  const bool is_number = options.run.find_first_of("0123456789") != std::string::npos &&
+                         options.run.find_first_not_of("0123456789.+-eE") == std::string::npos;
   if (is_number && !bridge::is_domain_number(options.run)) {
     return core::Error{"found '" + options.run + "'; allowed: a domain's number, or a run's name",
                        "--domain", 0, 0};
@@ -151,8 +152,10 @@ void add_bridge(CLI::App& main, int& status) {
   app->add_option("--ros-distro", options->distro, "jazzy or humble")->capture_default_str();
   app->add_option("--middleware", options->middleware, "towards ROS: cyclonedds or fastdds")
       ->capture_default_str();
-  app->add_flag("--take-goals", options->takes_goals,
-                "what is published on goal_pose, by one node at a time, is the run's new goal");
+  app->add_flag(
+      "--take-goals", options->takes_goals,
+      "what is published on goal_pose or, as a path, on waypoints, by one node at a time, is "
+      "the run's new goal");
   app->callback([options, &status] { status = ros2_command(*options); });
 }
 

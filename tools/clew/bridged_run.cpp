@@ -38,6 +38,10 @@ core::Result<BridgedRun> BridgedRun::start(const RunOptions& options, const std:
   return self;
 }
 
+void BridgedRun::stop() {
+  if (process_ && process_->running()) process_->signal(SIGTERM);
+}
+
 BridgedRun::~BridgedRun() {
   if (!process_ || has_ended(*process_, kEndPatience)) return;
   process_->signal(SIGTERM);

@@ -17,6 +17,8 @@ class BridgedRun {
   static core::Result<BridgedRun> start(const RunOptions& options, const std::string& run);
   /// Gives it a moment to say that the run is over; then it is told to end.
   ~BridgedRun();
+  /// Tells it to end: there is no run that it could see the end of.
+  void stop();
   BridgedRun(BridgedRun&&) noexcept = default;
   BridgedRun& operator=(BridgedRun&&) = delete;
 

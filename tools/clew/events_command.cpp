@@ -4,13 +4,16 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/recorded_fields.hpp"
+#include "clew/waypoint_marks.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"
 
@@ -25,12 +28,12 @@ struct EventsOptions {
   bool json = false;
 };
 
-/// The stage that writes events.
-std::string writer_of_events() {
+/// The stage that writes a topic.
+std::string writer_of(domain::Topic topic) {
   for (const runtime::StageInfo& stage : stages::all()) {
     for (const runtime::PortInfo& port : stage.ports) {
       const bool writes = port.direction == runtime::PortInfo::Direction::kOutput;
-      if (writes && port.topic == domain::Topic::kEvent) return stage.name;
+      if (writes && port.topic == topic) return stage.name;
     }
   }
   return {};
@@ -63,11 +66,11 @@ ordered_json number_json(double value) {
 }
 
 std::string to_json(const domain::TickStamp& stamp, const domain::EventEntry& entry,
-                    const std::string& stage) {
+                    const std::string& stage, const char* kind) {
   ordered_json json = {{"tick", stamp.tick},
                        {"time_s", number_json(stamp.sim_time_s)},
                        {"stage", stage},
-                       {"kind", kind_word(entry.kind)},
+                       {"kind", kind},
                        {"rule", entry.rule},
                        {"x_m", number_json(entry.x_m)},
                        {"y_m", number_json(entry.y_m)},
@@ -82,10 +85,11 @@ std::string to_json(const domain::TickStamp& stamp, const domain::EventEntry& en
   return json_line(json);
 }
 
-std::string to_text(const domain::TickStamp& stamp, const domain::EventEntry& entry) {
+std::string to_text(const domain::TickStamp& stamp, const domain::EventEntry& entry,
+                    const char* kind) {
   std::string text = fmt::format(
       "tick {:>6}  {:>8.1f} s  {:<14} {:<22} at ({:.2f}, {:.2f})", stamp.tick, stamp.sim_time_s,
-      kind_word(entry.kind), entry.rule + (entry.shadow ? " (shadow)" : ""), entry.x_m, entry.y_m);
+      kind, entry.rule + (entry.shadow ? " (shadow)" : ""), entry.x_m, entry.y_m);
   if (entry.has_earlier) {
     text += fmt::format(", as at tick {} at ({:.2f}, {:.2f})", entry.earlier_tick,
                         entry.earlier_x_m, entry.earlier_y_m);
@@ -135,28 +139,85 @@ class IncidentPrinter {
   std::size_t next_ = 0;
 };
 
+/// The referee's way-points as entries of its stage.
+domain::EventEntry entry_of(const WaypointMark& mark) {
+  domain::EventEntry entry;
+  entry.rule = "referee";
+  entry.x_m = mark.place.x();
+  entry.y_m = mark.place.y();
+  entry.text = fmt::format("{} of {}", mark.number, mark.of);
+  return entry;
+}
+
+/// Prints all events of the ticks; counts them.
+class EventPrinter {
+ public:
+  EventPrinter(WaypointMarks marks, bool json) : marks_(std::move(marks)), json_(json) {}
+
+  std::size_t count() const { return count_; }
+  bool has_waypoints() const { return marks_.any(); }
+
+  Result<void> print(const bridge::SampleView& sample) {
+    if (sample.topic == domain::Topic::kState) return print_waypoints(sample);
+    domain::Event event;
+    CLEW_RETURN_IF_ERROR(events_.decode_unvalidated(sample.cdr, event));
+    for (const domain::EventEntry& entry : event.entries) {
+      print(event.stamp, entry, stage_, kind_word(entry.kind));
+    }
+    return {};
+  }
+
+ private:
+  Result<void> print_waypoints(const bridge::SampleView& sample) {
+    domain::State state;
+    CLEW_RETURN_IF_ERROR(states_.decode_unvalidated(sample.cdr, state));
+    for (const WaypointMark& mark : marks_.see(state)) {
+      print(state.stamp, entry_of(mark), judge_, "waypoint");
+    }
+    return {};
+  }
+
+  void print(const domain::TickStamp& stamp, const domain::EventEntry& entry,
+             const std::string& stage, const char* kind) {
+    ++count_;
+    fmt::print("{}\n", json_ ? to_json(stamp, entry, stage, kind) : to_text(stamp, entry, kind));
+  }
+
+  WaypointMarks marks_;
+  const bool json_;
+  const std::string stage_ = writer_of(domain::Topic::kEvent);
+  const std::string judge_ = writer_of(domain::Topic::kState);
+  bridge::Codec<domain::Event> events_;
+  bridge::Codec<domain::State> states_;
+  std::size_t count_ = 0;
+};
+
 /// Prints all events and incidents; the number of them.
 Result<std::size_t> print_events(const bridge::RunRecording& recording, bool json) {
   CLEW_RETURN_IF_ERROR(bridge::check_message_types(recording));
-  const std::string stage = writer_of_events();
-  auto samples = recording.samples({{domain::Topic::kEvent}});
-  bridge::Codec<domain::Event> codec;
-  domain::Event event;
+  auto marks = WaypointMarks::create(recording);
+  if (!marks.ok()) {
+    fmt::print(stderr, "clew: {}: its way-points cannot be told: {}\n", recording.path(),
+               marks.error().text());
+  }
   IncidentPrinter incidents(recording, json);
   std::size_t count = 0;
+  EventPrinter printer(marks.ok() ? std::move(marks).value() : WaypointMarks(), json);
+  std::set<domain::Topic> topics = {domain::Topic::kEvent};
+  if (printer.has_waypoints()) topics.insert(domain::Topic::kState);
+  auto samples = recording.samples({topics});
   while (true) {
     const auto sample = samples.next();
     if (!sample.ok()) return sample.error();
-    if (!*sample) return count + incidents.print_until(std::numeric_limits<std::uint64_t>::max());
-    count += incidents.print_until((*sample)->tick);
-    const auto decoded = codec.decode_unvalidated((*sample)->cdr, event);
-    if (!decoded.ok()) {
-      return core::Error{fmt::format("tick {}: {}", (*sample)->tick, decoded.error().message),
-                         recording.path(), 0, 0};
+    if (!*sample) {
+      count += incidents.print_until(std::numeric_limits<std::uint64_t>::max());
+      return count + printer.count();
     }
-    for (const domain::EventEntry& entry : event.entries) {
-      ++count;
-      fmt::print("{}\n", json ? to_json(event.stamp, entry, stage) : to_text(event.stamp, entry));
+    count += incidents.print_until((*sample)->tick);
+    const auto printed = printer.print(**sample);
+    if (!printed.ok()) {
+      return core::Error{fmt::format("tick {}: {}", (*sample)->tick, printed.error().message),
+                         recording.path(), 0, 0};
     }
   }
 }
@@ -183,7 +244,8 @@ int events_command(const EventsOptions& options) {
 void add_events(CLI::App& main, int& status) {
   const auto options = std::make_shared<EventsOptions>();
   CLI::App* app = main.add_subcommand(
-      "events", "Print what happened in a recording: traps, escapes, and what befell the run");
+      "events",
+      "Print what happened in a recording: traps, escapes, way-points, and what befell the run");
   app->add_option("recording", options->recording, "of a run")->required();
   app->add_flag("--json", options->json, "print one JSON object an event");
   app->callback([options, &status] { status = events_command(*options); });

@@ -15,6 +15,7 @@
 #include "clew/plugin_options.hpp"
 #include "clew/signature_facts.hpp"
 #include "clew/stage_text.hpp"
+#include "clew/waypoint_marks.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"
@@ -54,6 +55,7 @@ struct RecordingFacts {
   bool types_match = false;
   std::string no_plan;  ///< why this version cannot make the run's components; empty if it can
   std::optional<std::uint64_t> branch_tick;
+  std::vector<WaypointMark> waypoints;  ///< that were reached
   SignatureFacts signature;
 };
 
@@ -171,6 +173,10 @@ void print(const RunRecording& recording, const RecordingFacts& facts) {
         "changed    at tick {}: {}\n", change.tick,
         change.order.empty() ? fmt::format("{}", fmt::join(change.changes, ", ")) : change.order);
   }
+  for (const WaypointMark& mark : facts.waypoints) {
+    fmt::print("way-point  {} of {} reached at tick {}, at ({:.2f}, {:.2f})\n", mark.number,
+               mark.of, mark.tick, mark.place.x(), mark.place.y());
+  }
   if (facts.branch_tick) {
     fmt::print("branched   at tick {}; the ticks before are those of another run\n",
                *facts.branch_tick);
@@ -226,6 +232,18 @@ ordered_json topics_json(const RecordingFacts& facts) {
   return topics;
 }
 
+ordered_json waypoints_json(const std::vector<WaypointMark>& marks) {
+  ordered_json waypoints = ordered_json::array();
+  for (const WaypointMark& mark : marks) {
+    waypoints.push_back({{"tick", mark.tick},
+                         {"number", mark.number},
+                         {"of", mark.of},
+                         {"x_m", mark.place.x()},
+                         {"y_m", mark.place.y()}});
+  }
+  return waypoints;
+}
+
 ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts) {
   const auto& description = recording.description();
   ordered_json json;
@@ -251,6 +269,7 @@ ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts)
         {{"tick", change.tick}, {"changes", change.changes}, {"order", change.order}});
   }
   json["incidents"] = count_incidents(recording);
+  json["waypoints"] = waypoints_json(facts.waypoints);
   json["black_box"] = nullptr;
   if (const auto& box = description.black_box) {
     json["black_box"] = {{"first_tick", box->tick}, {"why", box->why}};
@@ -298,6 +317,11 @@ int info_command(const InfoOptions& options) {
   if (facts.types_match) {
     const auto plan = runtime::prepare_run(recording->description().bundle, stages::all());
     if (!plan.ok()) facts.no_plan = plan.error().text();
+    if (plan.ok()) {
+      auto marks = waypoint_marks(*recording);
+      if (!marks.ok()) return complain(marks.error());
+      facts.waypoints = std::move(marks).value();
+    }
   }
   if (options.json) {
     fmt::print("{}\n", json_line(to_json(*recording, facts)));

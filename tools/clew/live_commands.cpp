@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "clew/exit_status.hpp"
 #include "clew/run_layout.hpp"
 #include "line/command_desk.hpp"
+#include "runtime/goals.hpp"
 
 namespace clew::tools {
 namespace {
@@ -22,9 +24,8 @@ struct LiveOptions {
   std::string run;
   std::vector<std::string> with;
   std::vector<std::string> set;
-  double x_m = 0.0;
-  double y_m = 0.0;
-  std::optional<double> radius_m;
+  std::vector<std::string> places;
+  bool cancel = false;
   std::optional<std::uint64_t> at;
   std::uint64_t ticks = 1;
   std::string pace;
@@ -53,10 +54,26 @@ int swap_command(const LiveOptions& options) {
   return tell(options, command, "changes");
 }
 
+/// Places as typed: way-points `X,Y[,RADIUS]`, or the numbers of one place.
+core::Result<world::Goals> read_places(const std::vector<std::string>& places) {
+  const bool has_comma = std::any_of(places.begin(), places.end(), [](const std::string& place) {
+    return place.find(',') != std::string::npos;
+  });
+  return runtime::parse_goals(fmt::format("{}", fmt::join(places, has_comma ? "/" : ",")));
+}
+
 int goal_command(const LiveOptions& options) {
-  std::string goal = fmt::format("goal={},{}", options.x_m, options.y_m);
-  if (options.radius_m) goal += fmt::format(",{}", *options.radius_m);
-  return tell(options, {RunCommand::Kind::kChange, {goal}, options.at}, "new goal");
+  if (options.cancel == !options.places.empty()) {
+    return complain({"where to? X Y [RADIUS], way-points X,Y[,RADIUS]..., or --cancel", {}, 0, 0});
+  }
+  const auto goals =
+      options.cancel ? core::Result<world::Goals>(world::Goals{}) : read_places(options.places);
+  if (!goals.ok()) return complain(goals.error());
+  const std::string what = options.cancel       ? "no goal, the robot waits,"
+                           : goals->size() == 1 ? "new goal"
+                                                : fmt::format("{} way-points", goals->size());
+  return tell(options, {RunCommand::Kind::kChange, {runtime::goals_change(*goals)}, options.at},
+              what);
 }
 
 int pace_command(const LiveOptions& options) {
@@ -111,9 +128,10 @@ void add_live(CLI::App& main, int& status) {
 
   const auto goal = std::make_shared<LiveOptions>();
   app = add_command(main, "goal", "Send the robot of a run that goes on somewhere else", goal);
-  app->add_option("x", goal->x_m, "m")->required();
-  app->add_option("y", goal->y_m, "m")->required();
-  app->add_option("radius", goal->radius_m, "m (the world's)");
+  app->add_option("place", goal->places,
+                  "X Y [RADIUS] in m (the world's radius), or way-points in their order, each "
+                  "X,Y[,RADIUS]; the run ends at the last");
+  app->add_flag("--cancel", goal->cancel, "the robot waits where it is until it gets another goal");
   add_tick(*app, *goal);
   app->callback([goal, &status] { status = goal_command(*goal); });
 

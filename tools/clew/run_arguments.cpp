@@ -34,10 +34,10 @@ void add_ways(CLI::App& app, RunOptions& options) {
   app.add_option("--name", options.name, "what 'clew swap', 'clew goal' and others call the run")
       ->check(given_name())
       ->group("How it runs");
-  app.add_option(
-         "--at", options.at,
-         "TICK:STAGE.PART=NAME, TICK:STAGE.PARAM=VALUE or TICK:goal=X,Y[,RADIUS]: change the "
-         "run from that tick on; may be repeated")
+  app.add_option("--at", options.at,
+                 "TICK:STAGE.PART=NAME, TICK:STAGE.PARAM=VALUE or TICK:goal=X,Y[,RADIUS][/X,Y...]: "
+                 "change the "
+                 "run from that tick on; may be repeated")
       ->allow_extra_args(false)
       ->group("How it runs");
   app.add_option("--external", options.external, "wait for a STAGE that you start yourself")

@@ -333,6 +333,7 @@ int run_command(const RunOptions& options) {
   if (!options.profile.empty()) profile.emplace(bridge::profile_of(job->plan));
   auto report = run_job(*job, *layout, composed, control, profile ? &*profile : nullptr);
   clear_display();
+  if (!report.ok() || !report->statistics.truth) bridged->stop();
   if (!report.ok()) return complain(report.error());
   judge_recording(*layout, *report);
   if (!report->aborted.empty()) std::fprintf(stderr, "clew: %s\n", report->aborted.c_str());

@@ -47,6 +47,10 @@ std::string text_of(const MovingObstacle& moving) {
                      moving.loop);
 }
 
+std::string text_of(const world::Waypoint& waypoint) {
+  return fmt::format("[{}, {}, {}]", waypoint.place.x(), waypoint.place.y(), waypoint.radius_m);
+}
+
 template <typename Item>
 std::string list_text(const char* key, const std::vector<Item>& items) {
   if (items.empty()) return {};
@@ -63,7 +67,7 @@ std::string world_text(const world::WorldFile& world) {
   text += "bounds: " + text_of(World::Segment{world.bounds_min, world.bounds_max}) + '\n';
   text += list_text("walls", world.walls) + list_text("polygons", world.polygons) +
           list_text("circles", world.circles) + list_text("moving", world.moving) +
-          list_text("subgoals", world.subgoals);
+          list_text("subgoals", world.subgoals) + list_text("waypoints", world.waypoints);
   text += fmt::format("start: [{}, {}, {}]\n", world.start.x_m, world.start.y_m,
                       world.start.heading_rad);
   text += "target: " + text_of(world.target) + '\n';
@@ -91,7 +95,7 @@ core::Result<void> settle_claims(world::WorldFile& world, double robot_radius_m)
     case world_analysis::Solvable::kYes:
       world.solvable = true;
   }
-  if (!world.moving.empty()) return {};
+  if (!world.moving.empty() || !world.waypoints.empty()) return {};
   const auto path = world_analysis::shortest_path(grid, robot_radius_m);
   if (path && path->length_m > 0.0) world.shortest_path_m = path->length_m;
   return {};

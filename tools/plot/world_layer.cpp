@@ -82,7 +82,19 @@ void draw_moving(SvgWriter& svg, const MapView& view, const world::MovingObstacl
              {kObstacleGrey, kMovingGrey, 1.5, "", 0.8});
 }
 
+/// The way-points before the target, joined to it in their order.
+void draw_waypoints(SvgWriter& svg, const MapView& view, const world::World& world) {
+  if (world.waypoints().size() < 2) return;
+  std::vector<Point> way;
+  for (const world::Waypoint& waypoint : world.waypoints()) {
+    way.push_back(view.at(waypoint.place));
+    svg.circle(way.back(), view.px(waypoint.radius_m), {"none", kGreen, 1.5});
+  }
+  svg.polyline(way, {"none", kGreen, 1.0, "3 4"});
+}
+
 void draw_target(SvgWriter& svg, const MapView& view, const world::World& world) {
+  draw_waypoints(svg, view, world);
   const Point centre = view.at(world.target());
   const double radius_px = view.px(world.target_radius_m());
   const double arm_px = 5.0;

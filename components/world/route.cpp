@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/route.hpp"
+
+#include <utility>
+
+#include "core/check.hpp"
+
+namespace clew::world {
+namespace {
+
+bool is_at(const core::Pose2& robot, const Waypoint& waypoint) {
+  return core::distance_m(robot, waypoint.place) <= waypoint.radius_m;
+}
+
+core::Hash128 digest_of(const std::vector<Waypoint>& waypoints) {
+  core::StateWriter bytes;
+  for (const Waypoint& waypoint : waypoints) bytes(waypoint.place, waypoint.radius_m);
+  return core::hash128(bytes.bytes());
+}
+
+}  // namespace
+
+Route::Route(std::vector<Waypoint> waypoints)
+    : waypoints_(std::move(waypoints)), digest_(digest_of(waypoints_)) {}
+
+void Route::pass(const core::Pose2& robot) {
+  while (next_ + 1 < waypoints_.size() && is_at(robot, waypoints_[next_])) ++next_;
+}
+
+bool Route::ends_at(const core::Pose2& robot) const {
+  return next_ + 1 == waypoints_.size() && is_at(robot, waypoints_.back());
+}
+
+const Waypoint& Route::next() const {
+  CLEW_CHECK(next_ < waypoints_.size(), "an empty route leads nowhere");
+  return waypoints_[next_];
+}
+
+void Route::save(core::StateWriter& writer) const { writer(digest_, next_); }
+
+void Route::load(core::StateReader& reader) {
+  core::Hash128 digest;
+  std::uint32_t next = 0;
+  reader(digest, next);
+  const bool is_ours = digest == digest_;
+  const bool valid = !is_ours || next == 0 || next < waypoints_.size();
+  if (!reader.check(valid, "'next' is no way-point of the mission")) return;
+  next_ = is_ours ? next : 0;
+}
+
+}  // namespace clew::world
