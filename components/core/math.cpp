@@ -50,6 +50,13 @@ double cos_near_zero(double x, double low) {
   return head + (((1.0 - head) - half_z) + (z * z * p - x * low));
 }
 
+// std::floor, without the call that it is where the processor need not have an instruction for it.
+double floor_of(double x) {
+  if (!(std::fabs(x) < 0x1p52)) return x;  // whole already
+  const auto whole = static_cast<double>(static_cast<std::int64_t>(x));
+  return whole > x ? whole - 1.0 : whole;
+}
+
 struct Reduced {
   int quadrant;  // 0..3
   double x;      // in [-pi/4, pi/4]
@@ -60,14 +67,14 @@ Reduced reduce_to_quadrant(double x) {
   if (!(std::fabs(x) <= std::numeric_limits<double>::max())) {
     return {0, std::numeric_limits<double>::quiet_NaN(), 0.0};
   }
-  const double n = std::floor(x * (2.0 / kPi) + 0.5);
+  const double n = floor_of(x * (2.0 / kPi) + 0.5);
   const double first = x - n * kHalfPiHigh;
   const double middle = n * kHalfPiMiddle;
   const double second = first - middle;
   const double rounded = (first - second) - middle;
   const double tail = n * kHalfPiLow - rounded;
   const double reduced = second - tail;
-  const double quadrant = n - 4.0 * std::floor(n * 0.25);
+  const double quadrant = n - 4.0 * floor_of(n * 0.25);
   return {static_cast<int>(quadrant), reduced, (second - reduced) - tail};
 }
 

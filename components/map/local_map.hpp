@@ -58,7 +58,10 @@ class LocalMap {
   bool is_near(Mark mark, const Vec2& from, const Vec2& to, double distance_m, Ends ends) const;
 
   void save(core::StateWriter& writer) const { writer(seen_.state()); }
-  void load(core::StateReader& reader) { reader(seen_.state()); }
+  void load(core::StateReader& reader) {
+    reader(seen_.state());
+    if (!reader.check(is_valid(seen_.state()), "a cell of the map has two marks")) forget();
+  }
 
  private:
   static constexpr double kClearMargin_m = 0.01;  // free parts end so far before what returned

@@ -36,26 +36,54 @@ std::uint64_t cells_between(double cell_m, double from_m, double to_m) {
 
 }  // namespace
 
+void SeenMap::Tile::mark_free(std::size_t row, std::uint64_t bits) {
+  if ((bits & ~rows[index(Mark::kFree)][row]) == 0) return;
+  rows[index(Mark::kFree)][row] |= bits;
+  rows[index(Mark::kHit)][row] &= ~bits;
+  rows[index(Mark::kSuspected)][row] &= ~bits;
+}
+
+void SeenMap::Tile::mark_obstacle(Mark mark, std::size_t row, std::size_t column) {
+  if (is(mark, row, column)) return;
+  if (mark == Mark::kSuspected && is(Mark::kHit, row, column)) return;
+  const std::uint64_t bit = std::uint64_t{1} << column;
+  for (auto& of_mark : rows) of_mark[row] &= ~bit;
+  rows[index(mark)][row] |= bit;
+}
+
+bool is_valid(const SeenMap::State& state) {
+  const auto has_one_mark_each = [](const auto& entry) {
+    const auto& [free, hit, suspected] = entry.second.rows;
+    std::uint64_t twice = 0;
+    for (std::size_t row = 0; row < free.size(); ++row) {
+      twice |= (free[row] & hit[row]) | (free[row] & suspected[row]) | (hit[row] & suspected[row]);
+    }
+    return twice == 0;
+  };
+  return std::all_of(state.tiles.begin(), state.tiles.end(), has_one_mark_each);
+}
+
 std::int32_t SeenMap::tile_number(double coordinate_m) const {
   return static_cast<std::int32_t>(std::floor(within_reach(coordinate_m / tile_m())));
 }
 
+std::int64_t SeenMap::cell_number(double coordinate_m) const {
+  const double cells = kTileCells * within_reach(coordinate_m / cell_m_ / double{kTileCells});
+  const auto whole = static_cast<std::int64_t>(cells);
+  return static_cast<double>(whole) > cells ? whole - 1 : whole;  // rounded down
+}
+
 SeenMap::Place SeenMap::place_of(const Vec2& point) const {
-  const double cells = kTileCells;
-  const auto column =
-      static_cast<std::int64_t>(std::floor(cells * within_reach(point.x() / cell_m_ / cells)));
-  const auto row =
-      static_cast<std::int64_t>(std::floor(cells * within_reach(point.y() / cell_m_ / cells)));
+  const std::int64_t column = cell_number(point.x());
+  const std::int64_t row = cell_number(point.y());
   const auto tile = [](std::int64_t cell) {
-    return static_cast<std::int32_t>(
-        std::floor(static_cast<double>(cell) / static_cast<double>(kTileCells)));
+    return static_cast<std::int32_t>((cell < 0 ? cell - (kTileCells - 1) : cell) / kTileCells);
   };
   const TileKey key{tile(column), tile(row)};
   return {key, static_cast<std::size_t>(column - std::int64_t{key.first} * kTileCells),
           static_cast<std::size_t>(row - std::int64_t{key.second} * kTileCells)};
 }
 
-/// The tile, made if there is room; else null.
 SeenMap::Tile* SeenMap::tile_at(const TileKey& key) {
   const auto found = state_.tiles.find(key);
   if (found != state_.tiles.end()) return &found->second;
@@ -63,17 +91,23 @@ SeenMap::Tile* SeenMap::tile_at(const TileKey& key) {
   return &state_.tiles[key];
 }
 
-/// Takes the obstacles that are not gone out of what is to be marked in a row.
-void SeenMap::keep_obstacles(const TileKey& key, const Tile& tile, std::size_t row,
-                             const IsGone& is_gone, std::uint64_t& bits) const {
+const SeenMap::Tile* SeenMap::find_tile(const TileKey& key) const {
+  const auto found = state_.tiles.find(key);
+  return found == state_.tiles.end() ? nullptr : &found->second;
+}
+
+/// Takes the obstacles that are not gone out of what is to be marked.
+void SeenMap::mark_free(const TileKey& key, Tile& tile, std::size_t row, std::uint64_t bits,
+                        const IsGone& is_gone) const {
   const Vec2 corner(key.first * tile_m(), key.second * tile_m());
   std::uint64_t obstacles =
       bits & (tile.rows[index(Mark::kHit)][row] | tile.rows[index(Mark::kSuspected)][row]);
-  for (; obstacles != 0; obstacles &= obstacles - 1) {
+  for (; is_gone && obstacles != 0; obstacles &= obstacles - 1) {
     const int column = __builtin_ctzll(obstacles);
     const Vec2 middle = corner + cell_m_ * Vec2(column + 0.5, static_cast<double>(row) + 0.5);
     if (!is_gone(middle)) bits &= ~(std::uint64_t{1} << column);
   }
+  tile.mark_free(row, bits);
 }
 
 void SeenMap::mark_free(const Sector& sector, const IsGone& is_gone) {
@@ -97,14 +131,10 @@ void SeenMap::mark_free(const Sector& sector, const IsGone& is_gone) {
       const double left_m = x * tile_m();
       for (std::size_t row = first_row; row < end; ++row) {
         // A convex set holds a cell if it holds the cell's lower and upper side.
-        std::uint64_t bits =
+        const std::uint64_t bits =
             cells_between(cell_m_, std::max(cuts[row].from, cuts[row + 1].from) - left_m,
                           std::min(cuts[row].to, cuts[row + 1].to) - left_m);
-        if (bits == 0) continue;
-        if (is_gone) keep_obstacles({x, y}, *tile, row, is_gone, bits);
-        tile->rows[index(Mark::kFree)][row] |= bits;
-        tile->rows[index(Mark::kHit)][row] &= ~bits;
-        tile->rows[index(Mark::kSuspected)][row] &= ~bits;
+        if (bits != 0) mark_free({x, y}, *tile, row, bits, is_gone);
       }
     }
   }
@@ -113,11 +143,7 @@ void SeenMap::mark_free(const Sector& sector, const IsGone& is_gone) {
 void SeenMap::mark_obstacle(const Vec2& point, Mark mark) {
   const Place place = place_of(point);
   Tile* tile = tile_at(place.tile);
-  if (tile == nullptr) return;
-  const std::uint64_t bit = std::uint64_t{1} << place.column;
-  if (mark == Mark::kSuspected && (tile->rows[index(Mark::kHit)][place.row] & bit) != 0) return;
-  for (auto& rows : tile->rows) rows[place.row] &= ~bit;
-  tile->rows[index(mark)][place.row] |= bit;
+  if (tile != nullptr) tile->mark_obstacle(mark, place.row, place.column);
 }
 
 double SeenMap::distance_m(const TileKey& key, const Vec2& place) const {
@@ -128,9 +154,8 @@ double SeenMap::distance_m(const TileKey& key, const Vec2& place) const {
 
 bool SeenMap::is(Mark mark, const Vec2& point) const {
   const Place place = place_of(point);
-  const auto found = state_.tiles.find(place.tile);
-  if (found == state_.tiles.end()) return false;
-  return (found->second.rows[index(mark)][place.row] >> place.column & 1) != 0;
+  const Tile* tile = find_tile(place.tile);
+  return tile != nullptr && tile->is(mark, place.row, place.column);
 }
 
 }  // namespace clew::map

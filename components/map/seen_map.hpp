@@ -37,8 +37,17 @@ class SeenMap {
   static constexpr std::int32_t kTileCells = 64;
 
   struct Tile {
-    /// By mark, then by row from below; bit i is column i from the left.
+    /// By mark, then by row from below; bit i is column i from the left. A cell has one mark at
+    /// most.
     std::array<std::array<std::uint64_t, kTileCells>, kMarks> rows{};
+
+    bool is(Mark mark, std::size_t row, std::size_t column) const {
+      return (rows[static_cast<std::size_t>(mark)][row] >> column & 1) != 0;
+    }
+    /// Marks the cells of a row whose bits are set.
+    void mark_free(std::size_t row, std::uint64_t bits);
+    /// Does nothing where an obstacle is known already and this one is suspected.
+    void mark_obstacle(Mark mark, std::size_t row, std::size_t column);
   };
   using TileKey = std::pair<std::int32_t, std::int32_t>;  ///< column and row of a tile
   using IsGone = std::function<bool(const Vec2& place)>;  ///< empty: all are
@@ -55,11 +64,22 @@ class SeenMap {
   /// Marks the cells that lie wholly within the sector as free; of those that are an obstacle, only
   /// where `is_gone(middle of the cell)` is true.
   void mark_free(const Sector& sector, const IsGone& is_gone = {});
+  /// The same with cells of a row of one of the map's tiles; bit i is column i from the left.
+  void mark_free(const TileKey& key, Tile& tile, std::size_t row, std::uint64_t bits,
+                 const IsGone& is_gone) const;
   /// Marks the cell of a place as an obstacle, or as a suspected one.
   void mark_hit(const Vec2& place) { mark_obstacle(place, Mark::kHit); }
   /// Does nothing where an obstacle is known already.
   void mark_suspected(const Vec2& place) { mark_obstacle(place, Mark::kSuspected); }
 
+  /// The tile, made if there is room; else null. It stays where it is as long as the map lives and
+  /// its state is not replaced.
+  Tile* tile_at(const TileKey& key);
+  /// The tile, or null.
+  const Tile* find_tile(const TileKey& key) const;
+
+  /// The column of an x, or the row of a y, counted from the origin.
+  std::int64_t cell_number(double coordinate_m) const;
   /// Whether the cell of a place has a mark.
   bool is(Mark mark, const Vec2& place) const;
 
@@ -91,13 +111,10 @@ class SeenMap {
   };
   Place place_of(const Vec2& point) const;
   std::int32_t tile_number(double coordinate_m) const;
-  Tile* tile_at(const TileKey& key);
   template <typename Predicate>
   bool find_in(const TileKey& key, const Tile& tile, Mark mark, const Vec2& least, const Vec2& most,
                Predicate&& is_it) const;
   void mark_obstacle(const Vec2& place, Mark mark);
-  void keep_obstacles(const TileKey& key, const Tile& tile, std::size_t row, const IsGone& is_gone,
-                      std::uint64_t& bits) const;
 
   double cell_m_;
   std::size_t capacity_;
@@ -112,6 +129,9 @@ template <typename Visitor>
 void visit_fields(Visitor& visit, SeenMap::State& s) {
   visit(s.tiles);
 }
+
+/// Whether no cell has two marks: states come from files, too.
+bool is_valid(const SeenMap::State& state);
 
 template <typename Visit>
 void SeenMap::for_each(Mark mark, const Vec2& least, const Vec2& most, Visit&& visit) const {

@@ -87,5 +87,23 @@ TEST(LocalMap, IsTheSameAfterLoading) {
   EXPECT_TRUE(restored.seen().is(Mark::kHit, {1.5, 0.0}));
 }
 
+TEST(LocalMap, RefusesAStateInWhichACellHasTwoMarks) {
+  SeenMap::State state = map_of_a_hit().seen().state();
+  SeenMap::Tile& tile = state.tiles.begin()->second;
+  tile.rows[static_cast<std::size_t>(Mark::kFree)][5] = 0b1000;
+  tile.rows[static_cast<std::size_t>(Mark::kSuspected)][5] = 0b1100;
+  core::StateWriter writer;
+  writer(state);
+  LocalMap restored({}, kRadius_m);
+  core::StateReader reader(writer.bytes());
+
+  restored.load(reader);
+
+  EXPECT_FALSE(reader.complete());
+  EXPECT_NE(reader.fault().find("a cell of the map has two marks"), std::string::npos)
+      << reader.fault();
+  EXPECT_TRUE(restored.seen().state().tiles.empty());
+}
+
 }  // namespace
 }  // namespace clew::map

@@ -76,6 +76,7 @@ void CutProof::save(core::StateWriter& writer) const {
 void CutProof::load(core::StateReader& reader) {
   seen_.reset();
   reader(state_, loaded_);
+  if (!reader.check(is_valid(loaded_), "a cell of the map has two marks")) loaded_ = {};
   path_.load(reader);
 }
 
