@@ -137,11 +137,11 @@ Result<Assignment> take_assignment(Link& link, const std::string& name) {
   if (!frame.ok()) return frame.error();
   if (frame->type == FrameType::kNotice) {
     const auto text = frame->as<Text>();
-    return Error{text ? text->text : "the supervisor refused", {}, 0, 0};
+    return Error{text ? text->text : "the supervisor refused"};
   }
   auto assignment = frame->as<Assignment>();
   if (frame->type != FrameType::kAssignment || !assignment) {
-    return Error{"the supervisor speaks another version of clew", {}, 0, 0};
+    return Error{"the supervisor speaks another version of clew"};
   }
   return *std::move(assignment);
 }
@@ -151,10 +151,7 @@ Result<void> take_realtime_priority(int priority) {
   const sched_param parameters{priority};
   if (priority == 0 || ::sched_setscheduler(0, SCHED_FIFO, &parameters) == 0) return {};
   return Error{fmt::format("real-time priority {}: {}; see 'ulimit -r' for what is allowed",
-                           priority, std::strerror(errno)),
-               {},
-               0,
-               0};
+                           priority, std::strerror(errno))};
 }
 
 struct Prepared {
@@ -215,7 +212,7 @@ runtime::MakeNode node_maker(Link& link, const RobotMaker& robots) {
 Result<runtime::Node> make_node_of(const runtime::MakeNode& make, const runtime::RunPlan& plan,
                                    const std::string& stage) {
   const runtime::GraphStage* graph_stage = plan.graph.find(stage);
-  if (graph_stage == nullptr) return Error{"the run's graph has no stage " + stage, {}, 0, 0};
+  if (graph_stage == nullptr) return Error{"the run's graph has no stage " + stage};
   return make(plan, *graph_stage);
 }
 
@@ -225,7 +222,7 @@ Result<Prepared> prepare(const runtime::MakeNode& make, const Assignment& assign
   if (plugins != assignment.bundle.end()) {
     CLEW_RETURN_IF_ERROR(load_plugin_lines(plugins->second));
   }
-  if (assignment.stages.empty()) return Error{"the run has assigned no stage", {}, 0, 0};
+  if (assignment.stages.empty()) return Error{"the run has assigned no stage"};
   const std::string reader = most_demanding(assignment.stages, stages);
   auto plan = runtime::read_prepared_run(assignment.bundle, stages, reader);
   if (!plan.ok()) return plan.error();
@@ -263,7 +260,7 @@ NodeHost::Handlers handlers_for(Link& link) {
 Result<std::unique_ptr<Participant>> join(const Assignment& assignment, const std::string& name,
                                           StartBarrier& barrier) {
   const auto vendor = vendor_from_name(assignment.middleware);
-  if (!vendor) return Error{"unknown middleware '" + assignment.middleware + "'", {}, 0, 0};
+  if (!vendor) return Error{"unknown middleware '" + assignment.middleware + "'"};
   auto participant = create_unsettled_participant(
       *vendor, {assignment.domain, name, assignment.lease_s, {}, false, assignment.security},
       barrier);

@@ -37,7 +37,7 @@ core::Result<void> InputAccount::restore(const Checkpoint& checkpoint) {
   const std::lock_guard<std::mutex> lock(mutex_);
   core::StateReader reader(checkpoint.account);
   reader(account_);
-  if (!reader.complete()) return core::Error{"the checkpoint's account is not one", {}, 0, 0};
+  if (!reader.complete()) return core::Error{"the checkpoint's account is not one"};
   buffer_.restart_at(checkpoint.tick);
   return {};
 }

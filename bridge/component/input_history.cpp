@@ -27,7 +27,7 @@ struct Part {
 };
 
 Error failed(const char* what) {
-  return {std::string(what) + ": " + std::strerror(errno), "the history of inputs", 0, 0};
+  return {std::string(what) + ": " + std::strerror(errno), "the history of inputs"};
 }
 
 off_t place_of(std::uint64_t tick) {
@@ -93,7 +93,7 @@ Result<runtime::TopicSet> InputHistory::get(std::uint64_t tick, domain::Messages
   const off_t place = place_of(tick);
   const ssize_t got = ::pread(descriptor_, &head, sizeof head, place);
   if (got != sizeof head || head.tick != tick || head.bytes == 0 || head.bytes > kBytesPerTick) {
-    return Error{"the inputs of tick " + std::to_string(tick) + " are not kept any more", {}, 0, 0};
+    return Error{"the inputs of tick " + std::to_string(tick) + " are not kept any more"};
   }
   std::string bytes(head.bytes, '\0');
   if (::pread(descriptor_, bytes.data(), bytes.size(), place + static_cast<off_t>(sizeof head)) !=

@@ -72,24 +72,21 @@ Result<void> JsonLines::read_answer(const std::string& line, std::uint64_t tick,
   const ordered_json json = ordered_json::parse(line, nullptr, /*allow_exceptions=*/false);
   if (!json.is_object()) {
     return Error{fmt::format("its line '{}{}' is no object of JSON", line.substr(0, 60),
-                             line.size() > 60 ? "..." : ""),
-                 {},
-                 0,
-                 0};
+                             line.size() > 60 ? "..." : "")};
   }
   std::vector<std::string> known = {kTick};
   for (const Topic topic : ports_.output_order) known.emplace_back(domain::topic_name(topic));
   for (const auto& entry : json.items()) {
     if (std::find(known.begin(), known.end(), entry.key()) != known.end()) continue;
-    return Error{core::unknown_name("key of its line", entry.key(), known), {}, 0, 0};
+    return Error{core::unknown_name("key of its line", entry.key(), known)};
   }
   if (json.contains(kTick) && json[kTick] != tick) {
-    return Error{fmt::format("its line is of tick {}", json[kTick].dump()), {}, 0, 0};
+    return Error{fmt::format("its line is of tick {}", json[kTick].dump())};
   }
   Result<void> read;
   for (const Topic topic : ports_.output_order) {
     const std::string name(domain::topic_name(topic));
-    if (!json.contains(name)) return Error{"its line lacks '" + name + "'", {}, 0, 0};
+    if (!json.contains(name)) return Error{"its line lacks '" + name + "'"};
     domain::visit_topic(topic, [&](auto constant) {
       using Message = typename decltype(constant)::Message;
       Message& message = outputs.get<Message>();

@@ -79,10 +79,7 @@ bool wait_for(int descriptor, short events, Clock::time_point deadline) {
 }
 
 Error no_answer() {
-  return {"it has not answered in time (a line must be written at once: is its output flushed?)",
-          {},
-          0,
-          0};
+  return {"it has not answered in time (a line must be written at once: is its output flushed?)"};
 }
 
 }  // namespace
@@ -91,7 +88,7 @@ Result<LineProgram> LineProgram::start(std::vector<std::string> arguments,
                                        const std::map<std::string, std::string>& environment) {
   const std::string name = arguments.front();
   const auto refuse = [&](int why) {
-    return Error{fmt::format("cannot be started: {}", std::strerror(why)), name, 0, 0};
+    return Error{fmt::format("cannot be started: {}", std::strerror(why)), name};
   };
   Pipes pipes;
   if (::pipe2(pipes.input.data(), O_CLOEXEC) != 0) return refuse(errno);
@@ -142,10 +139,7 @@ Result<void> LineProgram::check_silent() {
   if (!open.ok()) return open.error();
   if (!received_.empty()) {
     return Error{fmt::format("it wrote '{}' without being asked: one line is allowed for each",
-                             received_.substr(0, std::min<std::size_t>(received_.find('\n'), 40))),
-                 {},
-                 0,
-                 0};
+                             received_.substr(0, std::min<std::size_t>(received_.find('\n'), 40)))};
   }
   return {};
 }
@@ -174,7 +168,7 @@ Result<std::string> LineProgram::take_line(Time deadline) {
       return line;
     }
     if (received_.size() > kLongestLine) {
-      return Error{fmt::format("its line is longer than {} bytes", kLongestLine), {}, 0, 0};
+      return Error{fmt::format("its line is longer than {} bytes", kLongestLine)};
     }
     if (!wait_for(output_, POLLIN, deadline)) return no_answer();
     const auto open = receive();
@@ -191,7 +185,7 @@ Result<bool> LineProgram::receive() {
     if (got > 0) received_.append(bytes.data(), static_cast<std::size_t>(got));
     if (got == 0) return false;
     if (got < 0 && errno == EAGAIN) return true;
-    if (got < 0 && errno != EINTR) return Error{std::strerror(errno), "its output", 0, 0};
+    if (got < 0 && errno != EINTR) return Error{std::strerror(errno), "its output"};
     if (received_.size() > kLongestLine) return true;
   }
 }
@@ -205,16 +199,13 @@ Error LineProgram::ended() {
       process_id_ = 0;
       if (WIFSIGNALED(status)) {
         return {fmt::format("it was killed by signal {} ({})", WTERMSIG(status),
-                            ::strsignal(WTERMSIG(status))),
-                {},
-                0,
-                0};
+                            ::strsignal(WTERMSIG(status)))};
       }
-      return {fmt::format("it exited with status {}", WEXITSTATUS(status)), {}, 0, 0};
+      return {fmt::format("it exited with status {}", WEXITSTATUS(status))};
     }
     ::poll(nullptr, 0, 1);
   }
-  return {"it has closed its standard input or output", {}, 0, 0};
+  return {"it has closed its standard input or output"};
 }
 
 }  // namespace clew::bridge

@@ -93,7 +93,7 @@ core::Result<void> NodeHost::restore(const Checkpoint& checkpoint) {
   CLEW_RETURN_IF_ERROR(feed_past(checkpoint));
   core::StateReader reader(checkpoint.account);
   reader(account_);
-  if (!reader.complete()) return core::Error{"the checkpoint's account is not one", {}, 0, 0};
+  if (!reader.complete()) return core::Error{"the checkpoint's account is not one"};
   buffer_.restart_at(checkpoint.tick);
   allowed_until_ = std::max(allowed_until_, checkpoint.tick + 1);
   return {};
@@ -103,17 +103,18 @@ core::Result<void> NodeHost::restore(const Checkpoint& checkpoint) {
 // one has kept.
 core::Result<void> NodeHost::feed_past(const Checkpoint& checkpoint) {
   domain::Messages messages;
-  return node_.feed_past(
-      checkpoint.tick, checkpoint.successors,
-      [&](runtime::Successor& successor) -> core::Result<void> {
-        for (std::uint64_t tick = successor.fed_from; tick < checkpoint.tick; ++tick) {
-          if (!history_) return core::Error{"no inputs are kept to feed a successor", {}, 0, 0};
-          const auto present = history_->get(tick, messages);
-          if (!present.ok()) return present.error();
-          runtime::NodeSuccession::feed(successor, tick, *present, messages);
-        }
-        return {};
-      });
+  return node_.feed_past(checkpoint.tick, checkpoint.successors,
+                         [&](runtime::Successor& successor) -> core::Result<void> {
+                           for (std::uint64_t tick = successor.fed_from; tick < checkpoint.tick;
+                                ++tick) {
+                             if (!history_)
+                               return core::Error{"no inputs are kept to feed a successor"};
+                             const auto present = history_->get(tick, messages);
+                             if (!present.ok()) return present.error();
+                             runtime::NodeSuccession::feed(successor, tick, *present, messages);
+                           }
+                           return {};
+                         });
 }
 
 void NodeHost::expect_successor(std::uint64_t tick) {
@@ -150,7 +151,7 @@ core::Result<void> NodeHost::take_successor(runtime::Successor successor) {
       }
     }
     for (; fed < end; ++fed) {
-      if (!history_) return core::Error{"no inputs are kept to feed a successor", {}, 0, 0};
+      if (!history_) return core::Error{"no inputs are kept to feed a successor"};
       const auto present = history_->get(fed, messages);
       if (!present.ok()) return present.error();
       runtime::NodeSuccession::feed(successor, fed, *present, messages);

@@ -18,7 +18,7 @@ core::Result<std::map<std::string, Checkpoint>> unpack_checkpoints(const Checkpo
   std::map<std::string, Checkpoint> by_stage;
   core::StateReader reader(packed.node);
   reader(by_stage);
-  if (!reader.complete()) return core::Error{"the checkpoint of the group is not one", {}, 0, 0};
+  if (!reader.complete()) return core::Error{"the checkpoint of the group is not one"};
   return by_stage;
 }
 
@@ -88,7 +88,7 @@ core::Result<std::vector<Checkpoint>> ProcessHost::unpack(const Checkpoint& chec
   for (const std::string& name : names_) {
     const auto found = by_stage->find(name);
     if (found == by_stage->end()) {
-      return core::Error{"the checkpoint of the group has none of " + name, {}, 0, 0};
+      return core::Error{"the checkpoint of the group has none of " + name};
     }
     in_order.push_back(found->second);
   }

@@ -36,14 +36,11 @@ Result<std::vector<Place>> find_places(const BridgeFile& file) {
   std::vector<Place> places;
   for (const JoinedDomain& joined : file.domains) {
     const auto domain = bridge::domain_of_run(joined.run);
-    if (!domain.ok()) return Error{joined.name + ": " + domain.error().message, {}, 0, 0};
+    if (!domain.ok()) return Error{joined.name + ": " + domain.error().message};
     for (const Place& other : places) {
       if (other.domain != *domain || other.on_network != joined.on_network) continue;
       return Error{
-          fmt::format("'{}' and '{}' are the same domain, {}", other.name, joined.name, *domain),
-          {},
-          0,
-          0};
+          fmt::format("'{}' and '{}' are the same domain, {}", other.name, joined.name, *domain)};
     }
     const std::string where = joined.on_network ? "network" : host_id();
     places.push_back(

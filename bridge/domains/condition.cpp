@@ -65,7 +65,7 @@ Result<Condition> Condition::parse(const std::string& text) {
   std::string more;
   words >> field >> name >> condition.value >> more;
   if (condition.value.empty() || !more.empty()) {
-    return Error{"expected FIELD OPERATOR VALUE, found '" + text + "'", {}, 0, 0};
+    return Error{"expected FIELD OPERATOR VALUE, found '" + text + "'"};
   }
   auto path = FieldPath::parse(field);
   if (!path.ok()) return path.error();
@@ -75,13 +75,11 @@ Result<Condition> Condition::parse(const std::string& text) {
     condition.compare = known.value;
     return condition;
   }
-  return Error{"'" + name + "' is no operator; allowed: == != < <= > >=", {}, 0, 0};
+  return Error{"'" + name + "' is no operator; allowed: == != < <= > >="};
 }
 
 Result<void> Condition::check(const std::string& type) const {
-  const auto refuse = [&](const std::string& why) {
-    return Error{"'" + text + "': " + why, {}, 0, 0};
-  };
+  const auto refuse = [&](const std::string& why) { return Error{"'" + text + "': " + why}; };
   if (!knows_fields_of(type)) {
     return refuse("the fields of " + type +
                   " are unknown; known are Clew's types and those that bridge/ros2 speaks");

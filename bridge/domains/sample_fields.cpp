@@ -145,7 +145,7 @@ Result<FieldPath> FieldPath::parse(const std::string& text) {
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find('.', begin), text.size());
     if (!read_member(std::string_view(text).substr(begin, end - begin), path)) {
-      return Error{"'" + text + "' names no field; expected a path such as ranges_m[3]", {}, 0, 0};
+      return Error{"'" + text + "' names no field; expected a path such as ranges_m[3]"};
     }
     begin = end + 1;
   }
@@ -166,8 +166,7 @@ std::optional<FieldValue> kind_of_field(const std::string& type, const FieldPath
 
 Result<std::optional<FieldValue>> read_field(const std::string& type, std::string_view cdr,
                                              const FieldPath& path) {
-  Result<std::optional<FieldValue>> found =
-      Error{"the fields of " + type + " are unknown", {}, 0, 0};
+  Result<std::optional<FieldValue>> found = Error{"the fields of " + type + " are unknown"};
   use_type(type, [&](auto& message, const auto& decode) {
     const Result<void> decoded = decode(cdr, message);
     if (decoded.ok()) {

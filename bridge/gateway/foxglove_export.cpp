@@ -77,7 +77,7 @@ class FoxgloveExport {
 Result<void> export_foxglove(const RunRecording& recording, const std::string& path,
                              bool overwrite) {
   auto scene = FoxgloveScene::create(recording.description());
-  if (!scene.ok()) return core::Error{scene.error().text(), recording.path(), 0, 0};
+  if (!scene.ok()) return core::Error{scene.error().text(), recording.path()};
   mcap::WriterOptions options;
   options.library = "clew";
   options.compression = mcap::Compression::kZstd;

@@ -137,7 +137,7 @@ core::Result<FoxgloveScene> FoxgloveScene::create(const RunDescription& descript
   const auto world = description.bundle.find("world.yaml");
   const auto robot = description.bundle.find("robot.yaml");
   if (world == description.bundle.end() || robot == description.bundle.end()) {
-    return core::Error{"does not hold the run's world.yaml and robot.yaml", {}, 0, 0};
+    return core::Error{"does not hold the run's world.yaml and robot.yaml"};
   }
   auto read = world::World::parse(world->second, "world.yaml");
   if (!read.ok()) return read.error();

@@ -26,7 +26,7 @@ class Folder {
     std::error_code code;
     std::string path = (std::filesystem::temp_directory_path(code) / "clew-held-XXXXXX").string();
     if (code || ::mkdtemp(path.data()) == nullptr) {
-      return Error{std::string("cannot be made: ") + std::strerror(errno), path, 0, 0};
+      return Error{std::string("cannot be made: ") + std::strerror(errno), path};
     }
     return Folder(std::move(path));
   }
@@ -46,19 +46,16 @@ class Folder {
 
 Result<void> check_held(const LiveStream& stream, std::uint64_t last_tick) {
   const auto newest = stream.newest();
-  if (!newest) return Error{"the run has not begun", {}, 0, 0};
+  if (!newest) return Error{"the run has not begun"};
   if (newest->number < last_tick) {
-    return Error{"the run is at tick " + std::to_string(newest->number), {}, 0, 0};
+    return Error{"the run is at tick " + std::to_string(newest->number)};
   }
   for (std::uint64_t tick = 0; tick <= last_tick; ++tick) {
     const auto held = stream.tick_from(tick);
     if (held && held->number == tick) continue;
     return Error{"tick " + std::to_string(tick) +
-                     " is not held here, and what components remember follows from all ticks; ask "
-                     "clew explain once the run is recorded",
-                 {},
-                 0,
-                 0};
+                 " is not held here, and what components remember follows from all ticks; ask "
+                 "clew explain once the run is recorded"};
   }
   return {};
 }
@@ -92,7 +89,7 @@ Result<HeldRecording> HeldRecording::write(const LiveStream& stream, std::uint64
   const std::string path = folder->path() + "/held.mcap";
   CLEW_RETURN_IF_ERROR(record(stream, last_tick, path));
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return Error{std::strerror(errno), path, 0, 0};
+  if (descriptor < 0) return Error{std::strerror(errno), path};
   return HeldRecording(descriptor);
 }
 

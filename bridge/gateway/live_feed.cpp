@@ -37,7 +37,7 @@ core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(const std::vector<std::s
                                                         const std::string& run) {
   int sockets[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) {
-    return core::Error{std::strerror(errno), "--view", 0, 0};
+    return core::Error{std::strerror(errno), "--view"};
   }
   auto link = std::make_unique<Link>(sockets[0]);
   ::fcntl(sockets[1], F_SETFD, 0);  // the child's end goes with it
@@ -62,15 +62,15 @@ core::Result<std::unique_ptr<LiveFeed>> LiveFeed::start(const std::vector<std::s
 
 core::Result<void> LiveFeed::take_address(const Frame& frame) {
   const auto text = frame.as<Text>();
-  if (!text) return core::Error{kNotStarted, "--view", 0, 0};
-  if (frame.type == FrameType::kFatal) return core::Error{text->text, "--view", 0, 0};
+  if (!text) return core::Error{kNotStarted, "--view"};
+  if (frame.type == FrameType::kFatal) return core::Error{text->text, "--view"};
   address_ = text->text;
   return {};
 }
 
 core::Result<void> LiveFeed::wait_for_address() {
   const auto frame = link_->wait_for_frame(started_at_ + kStartPatience);
-  if (!frame.ok()) return core::Error{kNotStarted, "--view", 0, 0};
+  if (!frame.ok()) return core::Error{kNotStarted, "--view"};
   return take_address(*frame);
 }
 
@@ -80,7 +80,7 @@ core::Result<void> LiveFeed::poll() {
   const bool open = link_->receive();
   if (const auto frame = link_->next()) return take_address(*frame);
   if (open && Clock::now() < started_at_ + kStartPatience) return {};
-  return core::Error{kNotStarted, "--view", 0, 0};
+  return core::Error{kNotStarted, "--view"};
 }
 
 bool LiveFeed::goes_on() {

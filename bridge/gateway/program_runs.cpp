@@ -73,7 +73,7 @@ ProgramRuns::~ProgramRuns() {
 
 core::Result<void> ProgramRuns::start(const std::vector<std::string>& words, Time now, Done done) {
   if (running_.size() >= kMostAtOnce) {
-    return core::Error{"four runs are under way; wait for one of them", {}, 0, 0};
+    return core::Error{"four runs are under way; wait for one of them"};
   }
   Running running{0, ::memfd_create("clew-out", MFD_CLOEXEC),
                   ::memfd_create("clew-err", MFD_CLOEXEC), now + patience_, std::move(done)};
@@ -81,8 +81,7 @@ core::Result<void> ProgramRuns::start(const std::vector<std::string>& words, Tim
   if (error != 0) {
     ::close(running.out);
     ::close(running.err);
-    return core::Error{"cannot be started: " + std::string(std::strerror(error)), words.front(), 0,
-                       0};
+    return core::Error{"cannot be started: " + std::string(std::strerror(error)), words.front()};
   }
   running_.push_back(std::move(running));
   return {};

@@ -15,7 +15,7 @@ namespace {
 /// Half of what a run takes, so that terminals have their say, too.
 constexpr std::size_t kMostOrders = kMostCommanders / 2;
 
-core::Error no_answer(const char* why) { return {why, {}, 0, 0}; }
+core::Error no_answer(const char* why) { return {why}; }
 
 }  // namespace
 

@@ -66,7 +66,7 @@ std::optional<ByteRange> read_range(std::string_view header, std::uint64_t size)
 
 core::Result<ServedFile> ServedFile::open(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return core::Error{std::strerror(errno), path, 0, 0};
+  if (descriptor < 0) return core::Error{std::strerror(errno), path};
   return ServedFile(descriptor, std::filesystem::path(path).filename().string());
 }
 

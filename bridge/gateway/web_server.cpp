@@ -288,8 +288,7 @@ class WebServer::Implementation {
     if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
     if (error) {
       return core::Error{
-          fmt::format("port {} of 127.0.0.1 cannot be taken: {}", port, error.message()), "--port",
-          0, 0};
+          fmt::format("port {} of 127.0.0.1 cannot be taken: {}", port, error.message()), "--port"};
     }
     shared_.access.set_port(acceptor_.local_endpoint().port());
     accept();

@@ -67,9 +67,9 @@ void post_command(Link& link, const RunCommand& command) {
 core::Result<CommandAnswer> answer_of(const Frame& frame) {
   const auto answer = frame.as<CommandAnswer>();
   if (frame.type != FrameType::kAnswer || !answer) {
-    return core::Error{"the run takes no commands", {}, 0, 0};
+    return core::Error{"the run takes no commands"};
   }
-  if (!answer->done) return core::Error{answer->text, {}, 0, 0};
+  if (!answer->done) return core::Error{answer->text};
   return *answer;
 }
 

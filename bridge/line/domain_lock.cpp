@@ -48,15 +48,15 @@ core::Result<DomainLock> DomainLock::take(std::optional<int> domain) {
   if (domain) {
     CLEW_RETURN_IF_ERROR(check_domain(*domain));
     if (const auto socket = LinkListener::bind(*domain)) return DomainLock(*domain, *socket);
-    return core::Error{"domain " + std::to_string(*domain) + " is held by another run", {}, 0, 0};
+    return core::Error{"domain " + std::to_string(*domain) + " is held by another run"};
   }
   const std::set<int> used = domains_in_use();
   for (int candidate = kFirstDomain; candidate <= kMaxDomain; ++candidate) {
     if (used.count(candidate) != 0) continue;
     if (const auto socket = LinkListener::bind(candidate)) return DomainLock(candidate, *socket);
   }
-  return core::Error{
-      "no DDS domain from 1 to " + std::to_string(kMaxDomain) + " is free on this host", {}, 0, 0};
+  return core::Error{"no DDS domain from 1 to " + std::to_string(kMaxDomain) +
+                     " is free on this host"};
 }
 
 DomainLock::DomainLock(DomainLock&& other) noexcept
@@ -75,10 +75,10 @@ core::Result<RunName> RunName::take(const std::string& name) {
   if (name.empty() || name.size() > kMostNameBytes || !plain || number) {
     return core::Error{"found '" + name + "'; allowed: letters, digits, '-', '_' and '.', up to " +
                            std::to_string(kMostNameBytes) + " of them, and not digits alone",
-                       "--name", 0, 0};
+                       "--name"};
   }
   if (const auto socket = LinkListener::bind(name)) return RunName(*socket);
-  return core::Error{"another run is called '" + name + "'", "--name", 0, 0};
+  return core::Error{"another run is called '" + name + "'", "--name"};
 }
 
 RunName::RunName(RunName&& other) noexcept : socket_(std::exchange(other.socket_, -1)) {}

@@ -95,14 +95,14 @@ pid_t parent_of(pid_t process) {
   return parent;
 }
 
-core::Error refused(std::string why) { return {std::move(why), {}, 0, 0}; }
+core::Error refused(std::string why) { return {std::move(why)}; }
 
 /// Connects, trying until `deadline`; `what` is held by the run: `domain 3`.
 core::Result<int> connect_to(const Address& address, const std::string& what, Link::Time deadline,
                              const std::string& nobody) {
   while (true) {
     const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    if (socket < 0) return core::Error{std::strerror(errno), "supervisor's socket", 0, 0};
+    if (socket < 0) return core::Error{std::strerror(errno), "supervisor's socket"};
     if (::connect(socket, generic(address), address.size) == 0) {
       if (is_trusted_peer(socket)) return socket;
       ::close(socket);
@@ -238,9 +238,9 @@ core::Result<Frame> Link::wait_for_frame(Time deadline) {
     if (auto frame = next()) return *std::move(frame);
     pollfd descriptor{socket_, poll_events(), 0};
     if (!poll_until(descriptor, deadline)) {
-      return core::Error{"the supervisor does not answer", {}, 0, 0};
+      return core::Error{"the supervisor does not answer"};
     }
-    if (!flush() || !receive()) return core::Error{"the supervisor has gone", {}, 0, 0};
+    if (!flush() || !receive()) return core::Error{"the supervisor has gone"};
   }
 }
 

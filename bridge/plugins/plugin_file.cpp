@@ -34,15 +34,15 @@ constexpr unsigned kMachine = EM_AARCH64;
 Result<std::string> read_bytes(const std::string& path) {
   std::error_code code;
   if (!fs::is_regular_file(path, code)) {
-    return Error{code ? "cannot be read: " + code.message() : "is no regular file", path, 0, 0};
+    return Error{code ? "cannot be read: " + code.message() : "is no regular file", path};
   }
   if (fs::file_size(path, code) > kMaxFileBytes) {
-    return Error{"is larger than 256 MiB", path, 0, 0};
+    return Error{"is larger than 256 MiB", path};
   }
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream bytes;
   bytes << stream.rdbuf();
-  if (!stream) return Error{"cannot be read", path, 0, 0};
+  if (!stream) return Error{"cannot be read", path};
   return bytes.str();
 }
 
@@ -68,7 +68,7 @@ std::optional<plugin::Descriptor> find_note(const Elf_Data& notes) {
 }
 
 Result<plugin::Descriptor> read_descriptor(const std::string& path, std::string& bytes) {
-  const auto refuse = [&path](const std::string& why) { return Error{why, path, 0, 0}; };
+  const auto refuse = [&path](const std::string& why) { return Error{why, path}; };
   elf_version(EV_CURRENT);
   const std::unique_ptr<Elf, int (*)(Elf*)> elf(elf_memory(bytes.data(), bytes.size()), elf_end);
   GElf_Ehdr header{};
@@ -118,7 +118,7 @@ Result<PluginFile> read_plugin_file(const std::string& path) {
   if (!bytes.ok()) return bytes.error();
   std::error_code code;
   const fs::path absolute = fs::canonical(path, code);
-  if (code) return Error{"cannot be read: " + code.message(), path, 0, 0};
+  if (code) return Error{"cannot be read: " + code.message(), path};
   PluginFile file{absolute.string(), core::hash128(*bytes).hex(), {}};
   const auto descriptor = read_descriptor(path, *bytes);
   if (!descriptor.ok()) return descriptor.error();
@@ -126,7 +126,7 @@ Result<PluginFile> read_plugin_file(const std::string& path) {
   const auto& d = file.descriptor;
   if (d.abi == plugin::kAbi && !(is_word(d.name) && is_word(d.version) && is_word(d.fingerprint) &&
                                  is_word(d.clew_version))) {
-    return Error{"has a broken descriptor: a name, a version or a fingerprint is none", path, 0, 0};
+    return Error{"has a broken descriptor: a name, a version or a fingerprint is none", path};
   }
   return file;
 }
@@ -137,7 +137,7 @@ Result<void> check_fits(const PluginFile& file) {
     return Error{"is a plug-in of interface " + std::to_string(d.abi) +
                      "; this clew has interface " + std::to_string(plugin::kAbi) +
                      "; build it again",
-                 file.path, 0, 0};
+                 file.path};
   }
   const std::string fingerprint = d.fingerprint.data();
   if (fingerprint != CLEW_PLUGIN_FINGERPRINT) {
@@ -145,13 +145,13 @@ Result<void> check_fits(const PluginFile& file) {
                      std::string(d.clew_version.data()) + ", fingerprint " + fingerprint +
                      "; this is " CLEW_PLUGIN_CLEW_VERSION ", fingerprint " CLEW_PLUGIN_FINGERPRINT
                      "); build it again",
-                 file.path, 0, 0};
+                 file.path};
   }
   if (d.layout == plugin::layout()) return {};
   return Error{
       "was built by a compiler, or with options, that lay out types in another way; build "
       "it with the compiler and the standard library of this clew",
-      file.path, 0, 0};
+      file.path};
 }
 
 }  // namespace clew::bridge

@@ -26,7 +26,7 @@ Result<void*> open(const PluginFile& file) {
   if (entry == nullptr) {
     const char* const why = ::dlerror();
     return Error{std::string("cannot be loaded: ") + (why == nullptr ? "unknown reason" : why),
-                 file.path, 0, 0};
+                 file.path};
   }
   return entry;
 }
@@ -34,8 +34,8 @@ Result<void*> open(const PluginFile& file) {
 Result<void> load(const PluginFile& file) {
   if (const runtime::PluginInfo* loaded = runtime::find_plugin(file.name())) {
     if (loaded->digest == file.digest) return {};
-    return Error{"plug-in '" + file.name() + "' is loaded already, from " + loaded->file, file.path,
-                 0, 0};
+    return Error{"plug-in '" + file.name() + "' is loaded already, from " + loaded->file,
+                 file.path};
   }
   CLEW_RETURN_IF_ERROR(check_fits(file));
   const auto entry = open(file);
@@ -43,8 +43,8 @@ Result<void> load(const PluginFile& file) {
   stages::Additions additions;
   reinterpret_cast<AddFunction*> (*entry)(&additions);
   auto behaviours = stages::add(std::move(additions));
-  if (!behaviours.ok()) return Error{behaviours.error().message, file.path, 0, 0};
-  if (behaviours->empty()) return Error{"adds no behaviour", file.path, 0, 0};
+  if (!behaviours.ok()) return Error{behaviours.error().message, file.path};
+  if (behaviours->empty()) return Error{"adds no behaviour", file.path};
   runtime::note_plugin(
       {file.name(), file.version(), file.path, file.digest, std::move(behaviours).value()});
   return {};
@@ -65,10 +65,7 @@ Result<std::string> find_plugin_file(const std::string& name,
     searched += (searched.empty() ? "" : ", ") + root;
   }
   return Error{"there is no plug-in '" + name + "': no plugins/" + file + " or " + file + " in " +
-                   searched + " (CLEW_PATH adds directories; a path needs a slash)",
-               {},
-               0,
-               0};
+               searched + " (CLEW_PATH adds directories; a path needs a slash)"};
 }
 
 Result<void> load_plugin(const std::string& path) {
@@ -81,7 +78,7 @@ Result<void> load_plugins(const std::vector<std::string>& names, const core::Res
   const std::vector<std::string> roots = runtime::config_roots();
   for (const std::string& name : names) {
     const auto path = find_plugin_file(name, roots);
-    if (!path.ok()) return Error{path.error().message, "--plugin", 0, 0};
+    if (!path.ok()) return Error{path.error().message, "--plugin"};
     CLEW_RETURN_IF_ERROR(load_plugin(*path));
   }
   if (graph == nullptr) return {};
@@ -110,11 +107,11 @@ Result<void> load_plugin_lines(const std::string& lines) {
   std::istringstream stream(lines);
   for (std::string line; std::getline(stream, line);) {
     const std::size_t space = line.find(' ');
-    if (space == std::string::npos) return Error{"the run names no plug-in", {}, 0, 0};
+    if (space == std::string::npos) return Error{"the run names no plug-in"};
     const auto file = read_plugin_file(line.substr(space + 1));
     if (!file.ok()) return file.error();
     if (file->digest != line.substr(0, space)) {
-      return Error{"has changed since the run began", file->path, 0, 0};
+      return Error{"has changed since the run began", file->path};
     }
     CLEW_RETURN_IF_ERROR(load(*file));
   }

@@ -101,13 +101,13 @@ Result<RecorderAssignment> take_assignment(Link& link) {
   if (!frame.ok()) return frame.error();
   auto assignment = frame->as<RecorderAssignment>();
   if (frame->type == FrameType::kRecord && assignment) return *std::move(assignment);
-  return Error{"the run has no place for a recorder", {}, 0, 0};
+  return Error{"the run has no place for a recorder"};
 }
 
 Result<std::unique_ptr<RunSink>> sink_for(const RecorderAssignment& assignment) {
   const std::string& path = assignment.order.path;
   if (assignment.again && mcap::OutputFile::temporary_name(path) == path) {
-    return Error{"what the recorder wrote there before it died cannot be read back", path, 0, 0};
+    return Error{"what the recorder wrote there before it died cannot be read back", path};
   }
   return open_sink(assignment.order, assignment.least_ticks);
 }

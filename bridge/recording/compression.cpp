@@ -13,7 +13,7 @@ namespace clew::bridge::mcap {
 namespace {
 
 core::Error broken(std::string_view what, const std::string& why) {
-  return {std::string(what) + " data cannot be unpacked: " + why, {}, 0, 0};
+  return {std::string(what) + " data cannot be unpacked: " + why};
 }
 
 core::Error wrong_size(std::string_view what, std::size_t expected_bytes) {

@@ -21,7 +21,7 @@ core::Result<std::shared_ptr<const InputFile>> InputFile::open(const std::string
   // A pipe that nobody writes would keep open waiting for ever.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) {
-    return core::Error{std::string("cannot be read: ") + std::strerror(errno), path, 0, 0};
+    return core::Error{std::string("cannot be read: ") + std::strerror(errno), path};
   }
   struct stat status {};
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
@@ -29,7 +29,7 @@ core::Result<std::shared_ptr<const InputFile>> InputFile::open(const std::string
     return core::Error{
         "is no regular file: a recording is read from a file, not from a pipe, a device or a "
         "directory",
-        path, 0, 0};
+        path};
   }
   return std::shared_ptr<const InputFile>(
       new InputFile(path, descriptor, static_cast<std::uint64_t>(status.st_size)));

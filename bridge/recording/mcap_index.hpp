@@ -24,7 +24,7 @@ struct ReadLimits {
 };
 
 /// What is wrong with a record; who reads the file adds its name.
-inline core::Error damage(std::string what) { return {std::move(what), {}, 0, 0}; }
+inline core::Error damage(std::string what) { return {std::move(what)}; }
 
 /// A part of the data section that holds messages: one chunk, or a run of records outside chunks.
 struct Segment {

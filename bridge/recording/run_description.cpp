@@ -61,7 +61,7 @@ std::string digest(const mcap::StringMap& entries) {
 }
 
 core::Error refused(const mcap::Metadata& metadata, const std::string& why) {
-  return {"its metadata record '" + metadata.name + "' " + why, {}, 0, 0};
+  return {"its metadata record '" + metadata.name + "' " + why};
 }
 
 core::Result<void> check_digest(const mcap::Metadata& metadata) {

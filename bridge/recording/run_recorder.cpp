@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kChunkSpanNs = 1'000'000'000;
 
 core::Error refused(domain::Topic topic, const std::string& why) {
-  return {"topic " + std::string(domain::topic_name(topic)) + ": " + why, {}, 0, 0};
+  return {"topic " + std::string(domain::topic_name(topic)) + ": " + why};
 }
 
 std::string library_of(const RunDescription& description) {
@@ -70,7 +70,7 @@ core::Result<RunRecorder> RunRecorder::go_on(const std::string& path,
   if (kept_ticks < least_ticks) {
     return core::Error{"holds " + std::to_string(kept_ticks) + " ticks of the " +
                            std::to_string(least_ticks) + " that were written to it",
-                       there, 0, 0};
+                       there};
   }
   return recorder;
 }

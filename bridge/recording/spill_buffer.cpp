@@ -44,7 +44,7 @@ SpillBuffer::~SpillBuffer() {
 }
 
 core::Error SpillBuffer::error(const std::string& what) const {
-  return {"its index " + what + ": " + std::strerror(errno), neighbour_, 0, 0};
+  return {"its index " + what + ": " + std::strerror(errno), neighbour_};
 }
 
 core::Result<void> SpillBuffer::append(std::string_view bytes) {

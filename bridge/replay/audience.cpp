@@ -45,7 +45,7 @@ core::Result<void> Audience::start_readers(const std::vector<std::string>& comma
                                            const WireSettings& settings) {
   if (commands.empty()) return {};
   environment_.emplace(settings.domain, kLease_s, settings.run_id);
-  if (!environment_->failure().empty()) return core::Error{environment_->failure(), {}, 0, 0};
+  if (!environment_->failure().empty()) return core::Error{environment_->failure()};
   for (const std::string& text : commands) {
     ChildCommand command;
     command.arguments = {"/bin/sh", "-c", text};

@@ -33,9 +33,9 @@ Result<std::optional<BlackBoxStart>> black_box_for(const RunRecording& recording
   std::optional<BlackBoxStart> box = recording.description().black_box;
   if (!box) return box;
   const auto file = runtime::BundleSource(recording.description().bundle).find("graphs", "graph");
-  if (!file) return core::Error{file.error().text(), recording.path(), 0, 0};
+  if (!file) return core::Error{file.error().text(), recording.path()};
   const auto graph = runtime::load_graph(*file, "graph", {}, stages::all());
-  if (!graph) return core::Error{graph.error().text(), recording.path(), 0, 0};
+  if (!graph) return core::Error{graph.error().text(), recording.path()};
   for (auto state = box->states.begin(); state != box->states.end();) {
     const std::string& stage = state->first;
     const bool same = behaviours_of(graph->find(stage)) == behaviours_of(plan.graph.find(stage));
@@ -54,7 +54,7 @@ Result<void> begin_in_black_box(const RunRecording& recording, const runtime::Ru
   if (found != (*box)->states.end()) state = found->second;
   const auto begun = fed.begin_at((*box)->tick, state);
   if (begun) return {};
-  return core::Error{begun.error().text(), recording.path(), 0, 0};
+  return core::Error{begun.error().text(), recording.path()};
 }
 
 Result<void> refuse_black_box(const RunRecording& recording, const std::string& what) {
@@ -62,7 +62,7 @@ Result<void> refuse_black_box(const RunRecording& recording, const std::string& 
   if (first == 0) return {};
   return core::Error{
       fmt::format("is a black box, which begins at tick {} of its run: {}", first, what),
-      recording.path(), 0, 0};
+      recording.path()};
 }
 
 }  // namespace clew::bridge

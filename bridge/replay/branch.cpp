@@ -20,7 +20,7 @@ using core::Result;
 Result<void> check(const RunRecording& recording, const runtime::RunPlan& plan,
                    std::uint64_t tick) {
   const auto refuse = [&](std::string what) {
-    return core::Error{std::move(what), recording.path(), 0, 0};
+    return core::Error{std::move(what), recording.path()};
   };
   const double recorded_s = recording.description().tick_s;
   if (plan.graph.tick_s != recorded_s) {
@@ -53,7 +53,7 @@ template <typename Added>
 Result<void> feed_until(const RunRecording& recording, std::uint64_t tick, RecordedPast& past,
                         const Added& added) {
   const auto refuse = [&](std::string what) {
-    return core::Error{std::move(what), recording.path(), 0, 0};
+    return core::Error{std::move(what), recording.path()};
   };
   if (tick > 0) {
     TickReader reader(recording, past.topics(), tick - 1);

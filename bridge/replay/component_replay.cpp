@@ -71,15 +71,12 @@ Result<runtime::Node> node_of(const runtime::RunPlan& plan, const std::string& s
   const auto found = find_stage(plan, stage);
   if (!found) return found.error();
   if ((*found)->deployment.ros2) {
-    return core::Error{stage + " was a robot of ROS 2: what it told is in the recording", {}, 0, 0};
+    return core::Error{stage + " was a robot of ROS 2: what it told is in the recording"};
   }
   if (!(*found)->deployment.exec.empty()) {
     return core::Error{stage +
-                           " is a third-party component: --publish feeds it what was recorded and "
-                           "compares what it writes, --start starts it for that",
-                       {},
-                       0,
-                       0};
+                       " is a third-party component: --publish feeds it what was recorded and "
+                       "compares what it writes, --start starts it for that"};
   }
   return runtime::make_node(plan, **found);
 }
@@ -88,7 +85,7 @@ core::Error no_tick(const RunRecording& recording, std::uint64_t tick,
                     const std::optional<std::uint64_t>& last) {
   return {fmt::format("has no tick {}; {}", tick,
                       last ? fmt::format("its last one is {}", *last) : "it has none"),
-          recording.path(), 0, 0};
+          recording.path()};
 }
 
 /// The component of a stage, to be fed from the recording.
@@ -118,7 +115,7 @@ Result<const runtime::GraphStage*> find_stage(const runtime::RunPlan& plan,
   if (const runtime::GraphStage* found = plan.graph.find(stage)) return found;
   std::vector<std::string> known;
   for (const auto& candidate : plan.graph.stages) known.push_back(candidate.info->name);
-  return core::Error{core::unknown_name("stage of this recording", stage, known), {}, 0, 0};
+  return core::Error{core::unknown_name("stage of this recording", stage, known)};
 }
 
 Result<void> check_recorded(const RunRecording& recording, const std::string& stage,
@@ -128,15 +125,14 @@ Result<void> check_recorded(const RunRecording& recording, const std::string& st
     if (recording.description().schemas.count(topic) != 0) continue;
     return core::Error{fmt::format("has no topic '{}', without which {} cannot be replayed",
                                    domain::topic_name(topic), stage),
-                       recording.path(), 0, 0};
+                       recording.path()};
   }
   return {};
 }
 
 Result<void> check_range(const ReplayRange& range) {
   if (range.first_tick <= range.last_tick) return {};
-  return core::Error{
-      fmt::format("no tick is from {} to {}", range.first_tick, range.last_tick), {}, 0, 0};
+  return core::Error{fmt::format("no tick is from {} to {}", range.first_tick, range.last_tick)};
 }
 
 Result<void> check_last_tick(const RunRecording& recording, std::uint64_t last_tick) {
@@ -179,7 +175,7 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
     if (*recorded == nullptr) break;
     if (paced) std::this_thread::sleep_until(clock.due(fed_ticks));
     const auto stepped = fed.step(**recorded);
-    if (!stepped) return core::Error{stepped.error().message, recording.path(), 0, 0};
+    if (!stepped) return core::Error{stepped.error().message, recording.path()};
     if (!*stepped) break;
     if (fed.stepped() && (*recorded)->tick() >= range.first_tick) {
       comparison.compare(fed, **recorded);
@@ -188,7 +184,7 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
   if (report.ticks == 0) {
     return core::Error{
         fmt::format("has no tick from {} on; it has {}", range.first_tick, fed_ticks),
-        recording.path(), 0, 0};
+        recording.path()};
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - started_at;
   report.ticks_per_s = static_cast<double>(fed_ticks) / took.count();
@@ -209,7 +205,7 @@ Result<void> feed(const RunRecording& recording, const std::string& stage, FedNo
     if (!recorded) return recorded.error();
     if (*recorded == nullptr) return {};
     const auto stepped = fed.step(**recorded);
-    if (!stepped) return core::Error{stepped.error().message, recording.path(), 0, 0};
+    if (!stepped) return core::Error{stepped.error().message, recording.path()};
     if (!*stepped) return {};
     on_step((*recorded)->tick());
   }

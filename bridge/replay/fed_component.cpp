@@ -56,7 +56,7 @@ Result<void> FedComponent::open(Participant& participant, StartBarrier& barrier)
 }
 
 Result<void> FedComponent::start(bool by_us, const std::string& prefix) {
-  if (!environment_.failure().empty()) return Error{environment_.failure(), {}, 0, 0};
+  if (!environment_.failure().empty()) return Error{environment_.failure()};
   if (!by_us) {
     log_(how_to_start(plan_, stage_, settings_.program, settings_.domain, environment_));
     return {};
@@ -64,7 +64,7 @@ Result<void> FedComponent::start(bool by_us, const std::string& prefix) {
   ProcessLayout layout = layout_of(settings_);
   if (!prefix.empty()) layout.prefix[stage()] = prefix;
   auto child = ChildProcess::start(command_of(member_, plan_, layout, environment_));
-  if (!child.ok()) return Error{stage() + ": " + child.error().text(), {}, 0, 0};
+  if (!child.ok()) return Error{stage() + ": " + child.error().text()};
   member_.child = std::move(child).value();
   return {};
 }
@@ -96,10 +96,10 @@ Assignment FedComponent::assignment() const {
 
 Result<void> FedComponent::welcome(std::unique_ptr<Link>& link, const Hello& hello) {
   if (member_.link != nullptr || member_.left_at || member_.third_party || hello.stage != stage()) {
-    return Error{"this replay has no place for a component " + hello.stage, {}, 0, 0};
+    return Error{"this replay has no place for a component " + hello.stage};
   }
   if (hello.idl_fingerprint != idl_fingerprint()) {
-    return Error{"it was built from other IDL files than this replay", {}, 0, 0};
+    return Error{"it was built from other IDL files than this replay"};
   }
   link->post(FrameType::kAssignment, assignment());
   member_.link = std::move(link);
@@ -116,7 +116,7 @@ Result<void> FedComponent::handle(const Frame& frame, Time now) {
   member_.note(frame, now);
   if (frame.type == FrameType::kNotice || frame.type == FrameType::kFatal) {
     const auto text = frame.as<Text>();
-    if (text && frame.type == FrameType::kFatal) return Error{text->text, {}, 0, 0};
+    if (text && frame.type == FrameType::kFatal) return Error{text->text};
     if (text) log_(text->text);
   } else if (frame.type == FrameType::kIncident) {
     if (const auto told = frame.as<domain::Incident>()) log_(told->text);
@@ -127,14 +127,11 @@ Result<void> FedComponent::handle(const Frame& frame, Time now) {
 // The line broke: the process has died, or is dying; its end says more than the line's.
 Error FedComponent::lost() const {
   const bool told = member_.child && !member_.child->running();
-  return {fmt::format("{} {} at tick {}", stage(),
-                      told ? fmt::format("(process {}) {}", member_.child->process_id(),
-                                         member_.child->end())
-                           : "has left",
-                      next_compared()),
-          {},
-          0,
-          0};
+  return {fmt::format(
+      "{} {} at tick {}", stage(),
+      told ? fmt::format("(process {}) {}", member_.child->process_id(), member_.child->end())
+           : "has left",
+      next_compared())};
 }
 
 Result<void> FedComponent::serve(Time now) {
@@ -162,18 +159,12 @@ void FedComponent::go() {
 Result<void> FedComponent::feed(const RecordedTick& recorded) {
   if (recorded.tick() != next_tick_) {
     return Error{fmt::format("has no sample of tick {} for {}; the next is of tick {}", next_tick_,
-                             stage(), recorded.tick()),
-                 {},
-                 0,
-                 0};
+                             stage(), recorded.tick())};
   }
   for (Topic topic : domain::kAllTopics) {
     if (!ports().all_inputs()[index_of(topic)] || recorded.has(topic)) continue;
     return Error{fmt::format("has no sample of '{}' of tick {}, which {} needs",
-                             domain::topic_name(topic), recorded.tick(), stage()),
-                 {},
-                 0,
-                 0};
+                             domain::topic_name(topic), recorded.tick(), stage())};
   }
   ++next_tick_;
   comparison_.expect(recorded);

@@ -6,7 +6,7 @@ namespace {
 
 using domain::Topic;
 
-core::Error refused(const std::string& what) { return {what, {}, 0, 0}; }
+core::Error refused(const std::string& what) { return {what}; }
 
 std::string sample_of(Topic topic, std::uint64_t tick) {
   return "sample of '" + std::string(domain::topic_name(topic)) + "' of tick " +

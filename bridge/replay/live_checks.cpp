@@ -26,7 +26,7 @@ Result<void> check_drive(const RunRecording& recording, std::uint64_t last_tick)
     return Error{fmt::format("branched off at tick {}, where drive took over another run's state: "
                              "replay drive without --publish",
                              (*branch)->tick),
-                 recording.path(), 0, 0};
+                 recording.path()};
   }
   runtime::TopicSet topics;
   topics.set(index_of(Topic::kState));
@@ -38,13 +38,13 @@ Result<void> check_drive(const RunRecording& recording, std::uint64_t last_tick)
     if (!tick) return tick.error();
     if (*tick == nullptr) return {};
     if (const auto decoded = codec.decode((*tick)->cdr(Topic::kState), state); !decoded) {
-      return Error{decoded.error().message, recording.path(), 0, 0};
+      return Error{decoded.error().message, recording.path()};
     }
     if (!state.command_late) continue;
     return Error{fmt::format("the command of tick {} was late, in real time: replay drive without "
                              "--publish",
                              (*tick)->tick()),
-                 recording.path(), 0, 0};
+                 recording.path()};
   }
 }
 
@@ -57,7 +57,7 @@ Result<Topic> recorded_topic(const RunRecording& recording, const std::string& n
     if (domain::topic_name(topic) == plain) return topic;
     known.emplace_back(domain::topic_name(topic));
   }
-  return Error{core::unknown_name("topic of this recording", plain, known), recording.path(), 0, 0};
+  return Error{core::unknown_name("topic of this recording", plain, known), recording.path()};
 }
 
 Result<void> check_fed(const RunRecording& recording, const runtime::GraphStage& stage,
@@ -66,14 +66,11 @@ Result<void> check_fed(const RunRecording& recording, const runtime::GraphStage&
   for (Topic topic : domain::kAllTopics) {
     const auto index = index_of(topic);
     if (stage.ports.outputs[index] && topics[index]) {
-      return Error{fmt::format("{} writes '{}' itself", name, domain::topic_name(topic)), {}, 0, 0};
+      return Error{fmt::format("{} writes '{}' itself", name, domain::topic_name(topic))};
     }
     if (stage.ports.all_inputs()[index] && !topics[index]) {
       return Error{
-          fmt::format("'{}', which {} needs, is not published", domain::topic_name(topic), name),
-          {},
-          0,
-          0};
+          fmt::format("'{}', which {} needs, is not published", domain::topic_name(topic), name)};
     }
   }
   CLEW_RETURN_IF_ERROR(
@@ -90,7 +87,7 @@ Result<void> check_live(const RunRecording& recording, const runtime::RunPlan& p
   }
   if (options.component.empty()) {
     if (options.topics.any()) return {};
-    return Error{"nothing to publish: name topics, or a stage with --component", {}, 0, 0};
+    return Error{"nothing to publish: name topics, or a stage with --component"};
   }
   const auto stage = find_stage(plan, options.component);
   if (!stage) return stage.error();
@@ -101,7 +98,7 @@ Result<void> check_live(const RunRecording& recording, const runtime::RunPlan& p
 }
 
 Error no_tick_from(const RunRecording& recording, std::uint64_t first_tick) {
-  return {fmt::format("has no tick from {} on", first_tick), recording.path(), 0, 0};
+  return {fmt::format("has no tick from {} on", first_tick), recording.path()};
 }
 
 }  // namespace clew::bridge

@@ -95,7 +95,7 @@ Result<void> LiveComparison::compare() {
   std::vector<Sample> arrivals;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!refused_.empty()) return core::Error{refused_, {}, 0, 0};
+    if (!refused_.empty()) return core::Error{refused_};
     arrivals.swap(arrivals_);
   }
   for (Sample& arrival : arrivals) {
@@ -103,11 +103,8 @@ Result<void> LiveComparison::compare() {
     if (arrival.tick < first) continue;
     if (arrival.tick - first >= expected_.size()) {
       return core::Error{report_.component + " wrote '" +
-                             std::string(domain::topic_name(arrival.topic)) + "' of tick " +
-                             std::to_string(arrival.tick) + " before it had its inputs",
-                         {},
-                         0,
-                         0};
+                         std::string(domain::topic_name(arrival.topic)) + "' of tick " +
+                         std::to_string(arrival.tick) + " before it had its inputs"};
     }
     ExpectedTick& expected = expected_[arrival.tick - first];
     expected.arrived.set(index_of(arrival.topic));

@@ -45,7 +45,7 @@ LiveReplay::LiveReplay(const RunRecording& recording, const runtime::RunPlan& re
 
 Result<void> LiveReplay::open() {
   const auto vendor = vendor_from_name(options_.middleware);
-  if (!vendor) return Error{"unknown middleware " + options_.middleware, {}, 0, 0};
+  if (!vendor) return Error{"unknown middleware " + options_.middleware};
   audience_.barrier().demand_seals(settings_.run_key);
   auto participant = create_participant(
       *vendor, {domain_lock_.domain(), kReplayName, settings_.lease_s}, audience_.barrier());
@@ -107,7 +107,7 @@ void LiveReplay::welcome(std::unique_ptr<Link> link, const Hello& hello) {
   if (admitted.ok() && !component_) {
     admitted = phase_ == Phase::kWaiting
                    ? check_fed(recording_, **stage, publisher_->topics(), options_.range.last_tick)
-                   : Error{"the replay has begun", {}, 0, 0};
+                   : Error{"the replay has begun"};
     if (admitted.ok()) admitted = adopt(**stage);
   }
   if (admitted.ok()) admitted = component_->welcome(link, hello);
@@ -229,7 +229,7 @@ bool LiveReplay::begin_next() {
   if (component_) {
     const auto fed = component_->feed(*next_);
     if (!fed.ok()) {
-      stop(Error{fed.error().message, recording_.path(), 0, 0}.text());
+      stop(Error{fed.error().message, recording_.path()}.text());
       return false;
     }
   }

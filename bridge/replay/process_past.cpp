@@ -40,11 +40,8 @@ core::Result<std::vector<runtime::Node>> make_own_nodes(const runtime::RunPlan& 
     const bool is_robot = stage.ports.delayed_inputs.any();
     if (stage.deployment.stateless && !is_robot) continue;
     return core::Error{stage.info->name + (stage.deployment.ros2 ? " has ros2" : " has exec") +
-                           ", and no recording has its state" +
-                           (is_robot ? "" : "; allowed: one that is 'restart: stateless'"),
-                       {},
-                       0,
-                       0};
+                       ", and no recording has its state" +
+                       (is_robot ? "" : "; allowed: one that is 'restart: stateless'")};
   }
   return runtime::make_nodes(ours);
 }

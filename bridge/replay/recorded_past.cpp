@@ -43,7 +43,7 @@ runtime::TopicSet RecordedPast::topics() const {
 
 Result<void> RecordedPast::add(const RecordedTick& recorded) {
   if (recorded.present() != topics()) {
-    return core::Error{fmt::format("lacks a sample of tick {}", recorded.tick()), {}, 0, 0};
+    return core::Error{fmt::format("lacks a sample of tick {}", recorded.tick())};
   }
   for (FedNode& fed : fed_) CLEW_RETURN_IF_ERROR(fed.step(recorded));
   for (Topic topic : domain::kAllTopics) {
@@ -59,12 +59,10 @@ Result<void> RecordedPast::check_outputs(const RecordedTick& recorded) {
         return std::get<constant.kIndex>(codecs_).encode(std::get<constant.kIndex>(fed.messages()));
       });
       if (written == recorded.cdr(topic)) continue;
-      return core::Error{fmt::format("{} of this version does not write the '{}' that is recorded "
-                                     "at tick {}",
-                                     fed.node().name(), domain::topic_name(topic), recorded.tick()),
-                         {},
-                         0,
-                         0};
+      return core::Error{
+          fmt::format("{} of this version does not write the '{}' that is recorded "
+                      "at tick {}",
+                      fed.node().name(), domain::topic_name(topic), recorded.tick())};
     }
   }
   return {};
@@ -98,8 +96,7 @@ Result<void> RecordedPast::account(Topic topic, const RecordedTick& recorded) {
     return result;
   });
   if (decoded) return {};
-  return core::Error{
-      fmt::format("tick {}: {}", recorded.tick(), decoded.error().message), {}, 0, 0};
+  return core::Error{fmt::format("tick {}: {}", recorded.tick(), decoded.error().message)};
 }
 
 Result<FedNode> recorded_robot(const RunRecording& recording, const runtime::RunPlan& recorded) {

@@ -68,7 +68,7 @@ Result<void> check_message_types(const RunRecording& recording) {
   return core::Error{fmt::format("was recorded with other message types (IDL {}) than this version "
                                  "has (IDL {})",
                                  recorded.empty() ? "unknown" : recorded, idl_fingerprint()),
-                     recording.path(), 0, 0};
+                     recording.path()};
 }
 
 Result<runtime::RunPlan> recorded_plan(const RunRecording& recording,

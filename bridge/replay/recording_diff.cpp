@@ -30,7 +30,7 @@ class OrderedSamples {
     return core::Error{fmt::format("its samples are not in the order of tick and topic at tick {} "
                                    "of {}",
                                    sample_->tick, domain::topic_name(sample_->topic)),
-                       path_, 0, 0};
+                       path_};
   }
   const std::optional<SampleView>& sample() const { return sample_; }
 

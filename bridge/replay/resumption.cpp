@@ -43,10 +43,7 @@ Result<void> check_rest(TickReader& reader, TopicSet missing, std::uint64_t tick
     for (Topic topic : domain::kAllTopics) {
       if (!goes_on[index_of(topic)]) continue;
       return Error{fmt::format("lacks '{}' of tick {}, and has later ones: it cannot be continued",
-                               domain::topic_name(topic), tick),
-                   {},
-                   0,
-                   0};
+                               domain::topic_name(topic), tick)};
     }
   }
 }
@@ -56,10 +53,7 @@ Result<void> check_in_time(const RecordedPast& past, std::uint64_t tick) {
   return Error{
       fmt::format("was recorded in real time, and the command of tick {} was late: what the "
                   "wall clock decides cannot be continued",
-                  tick - 1),
-      {},
-      0,
-      0};
+                  tick - 1)};
 }
 
 /// Feeds what is whole; returns the number of ticks.
@@ -73,7 +67,7 @@ Result<std::uint64_t> feed(const RunRecording& recording, std::uint64_t checked_
     if (*found == nullptr) return tick;
     const RecordedTick& recorded = **found;
     if (recorded.tick() != tick) {
-      return Error{fmt::format("has no tick {}: it cannot be continued", tick), {}, 0, 0};
+      return Error{fmt::format("has no tick {}: it cannot be continued", tick)};
     }
     if (recorded.present() != topics) {
       CLEW_RETURN_IF_ERROR(check_rest(reader, topics & ~recorded.present(), tick));
@@ -91,7 +85,7 @@ Result<std::uint64_t> feed(const RunRecording& recording, std::uint64_t checked_
 Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan& plan) {
   const auto started_at = std::chrono::steady_clock::now();
   const auto in_recording = [&](const Error& error) {
-    return Error{error.text(), recording.path(), 0, 0};
+    return Error{error.text(), recording.path()};
   };
   CLEW_RETURN_IF_ERROR(refuse_black_box(recording, "it cannot be continued"));
   const auto branch = branch_of(recording);

@@ -46,7 +46,7 @@ core::Error TickReader::not_in_order() const {
   return {"its samples are not in the order of tick and topic at tick " +
               std::to_string(ahead_->tick) + " of " +
               std::string(domain::topic_name(ahead_->topic)),
-          recording_.path(), 0, 0};
+          recording_.path()};
 }
 
 core::Result<const RecordedTick*> TickReader::next() {

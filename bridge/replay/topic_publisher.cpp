@@ -43,7 +43,7 @@ core::Result<bool> TopicPublisher::write(const RecordedTick& recorded) {
     const WriteStatus status = writers_[index]->write(recorded.cdr(topic));
     if (status == WriteStatus::kWouldBlock) return false;
     if (status == WriteStatus::kFailed) {
-      return core::Error{"cannot write '" + std::string(domain::topic_name(topic)) + "'", {}, 0, 0};
+      return core::Error{"cannot write '" + std::string(domain::topic_name(topic)) + "'"};
     }
     written_.set(index);
     ++samples_[topic];

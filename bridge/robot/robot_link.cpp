@@ -220,10 +220,7 @@ core::Result<void> RobotLink::wait_until_there(Time deadline) const {
   if (lacks.empty()) return {};
   return core::Error{
       fmt::format("the robot is not there: ROS domain {} on {} lacks {}", settings_.network.domain,
-                  settings_.network.on_network ? "the network" : "127.0.0.1", lacks),
-      {},
-      0,
-      0};
+                  settings_.network.on_network ? "the network" : "127.0.0.1", lacks)};
 }
 
 std::optional<core::Pose2> RobotLink::pose_at(double stamp_s) const {

@@ -56,7 +56,7 @@ class Texts {
     refuse(fmt::format("{} is '{}'; allowed: {}", key, found, allowed));
   }
   void refuse(std::string why) {
-    if (!error_) error_ = Error{std::move(why), {}, 0, 0};
+    if (!error_) error_ = Error{std::move(why)};
   }
   const std::optional<Error>& error() const { return error_; }
 
@@ -125,7 +125,7 @@ Result<Settings> read_settings(const std::map<std::string, std::string>& given,
   for (const auto& [key, value] : given) {
     const auto& known = setting_names();
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    return Error{core::unknown_name("key of ros2", key, known), {}, 0, 0};
+    return Error{core::unknown_name("key of ros2", key, known)};
   }
   Texts texts(given);
   Settings settings;

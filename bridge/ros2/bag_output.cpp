@@ -52,10 +52,10 @@ core::Result<std::unique_ptr<BagOutput>> BagOutput::create(const std::string& di
                                                            bool force) {
   std::error_code error;
   if (fs::exists(directory, error) && !force) {
-    return core::Error{"exists; --force replaces the bag in it", directory, 0, 0};
+    return core::Error{"exists; --force replaces the bag in it", directory};
   }
   fs::create_directories(directory, error);
-  if (error) return core::Error{error.message(), directory, 0, 0};
+  if (error) return core::Error{error.message(), directory};
   const std::string file = bag_name(directory) + "_0.mcap";
   auto writer =
       bridge::mcap::McapWriter::create((fs::path(directory) / file).string(), force,

@@ -8,7 +8,7 @@ namespace clew::ros2 {
 namespace {
 
 core::Error wrong_value(const char* variable, const std::string& value, const char* allowed) {
-  return {"found '" + value + "'; allowed: " + allowed, variable, 0, 0};
+  return {"found '" + value + "'; allowed: " + allowed, variable};
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ std::string variable_of_process(const char* name) {
 core::Result<Distro> distro_from_name(const std::string& name) {
   if (name == "jazzy") return Distro::kJazzy;
   if (name == "humble") return Distro::kHumble;
-  return core::Error{"no distribution '" + name + "'; known: humble, jazzy", {}, 0, 0};
+  return core::Error{"no distribution '" + name + "'; known: humble, jazzy"};
 }
 
 core::Result<RosNetwork> read_ros_network(const Variables& variable) {

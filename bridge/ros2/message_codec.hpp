@@ -69,7 +69,7 @@ template <typename Message>
 core::Result<void> decode(std::string_view cdr, Message& message) {
   constexpr std::size_t kMostPadding = 3;
   const auto refuse = [](const std::string& why) {
-    return core::Error{std::string(kTypeName<Message>) + ": " + why, {}, 0, 0};
+    return core::Error{std::string(kTypeName<Message>) + ": " + why};
   };
   message = {};
   if (cdr.size() < bridge::kCdrHeaderSize || cdr[0] != bridge::kCdrHeader[0] ||

@@ -8,7 +8,7 @@ namespace clew::ros2 {
 namespace {
 
 core::Error name_error(const std::string& name, const std::string& why) {
-  return {"'" + name + "' is no name of ROS: " + why, {}, 0, 0};
+  return {"'" + name + "' is no name of ROS: " + why};
 }
 
 }  // namespace
@@ -44,8 +44,7 @@ core::Result<void> check_namespace(const std::string& name) {
 core::Result<RemapRule> parse_remap_rule(const std::string& text) {
   const std::size_t sign = text.find(":=");
   if (sign == std::string::npos) {
-    return core::Error{
-        "'" + text + "' is no rule; expected FROM:=TO, as scan:=front/scan", {}, 0, 0};
+    return core::Error{"'" + text + "' is no rule; expected FROM:=TO, as scan:=front/scan"};
   }
   RemapRule rule{text.substr(0, sign), text.substr(sign + 2)};
   CLEW_RETURN_IF_ERROR(check_topic_name(rule.from));

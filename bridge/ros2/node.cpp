@@ -80,7 +80,7 @@ core::Result<void> Node::announce_entities() {
   }
   std::vector<char> buffer;
   if (discovery_->write(encode(entities, buffer)) == bridge::WriteStatus::kTaken) return {};
-  return core::Error{"writing ros_discovery_info failed", {}, 0, 0};
+  return core::Error{"writing ros_discovery_info failed"};
 }
 
 core::Result<void> Node::announce() {

@@ -12,7 +12,7 @@
 namespace clew::ros2 {
 namespace {
 
-core::Error refuse(const std::string& why) { return {why, {}, 0, 0}; }
+core::Error refuse(const std::string& why) { return {why}; }
 
 /// Whether the laser measured something there: REP 117 and the limits of the message.
 bool is_return(float range, const LaserScan& scan) {

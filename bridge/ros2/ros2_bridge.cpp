@@ -118,12 +118,10 @@ core::Result<int> run_ros2_bridge(const BridgeOptions& options,
 
   const int domain = (*watch)->run().domain;
   if (domain == options.network.domain) {
-    return core::Error{fmt::format("domain {} is the run's own: ROS needs another one; give "
-                                   "--ros-domain or ROS_DOMAIN_ID",
-                                   domain),
-                       {},
-                       0,
-                       0};
+    return core::Error{
+        fmt::format("domain {} is the run's own: ROS needs another one; give "
+                    "--ros-domain or ROS_DOMAIN_ID",
+                    domain)};
   }
   NodeConfig config;
   config.vendor = options.vendor;

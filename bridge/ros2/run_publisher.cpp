@@ -252,13 +252,13 @@ void RunPublisher::add_report(double idle_s, std::uint64_t dropped) {
 core::Result<core::Vec2> RunPublisher::place_in_world(const PoseStamped& place) const {
   const core::Vec2 at(place.pose.position.x, place.pose.position.y);
   if (!std::isfinite(at.x()) || !std::isfinite(at.y())) {
-    return core::Error{"a place that is none", {}, 0, 0};
+    return core::Error{"a place that is none"};
   }
   const std::string& frame = place.header.frame_id;
   if (frame == frames_.map) return at;
   if (frame != frames_.odom || !has(domain::Topic::kState) || !has(domain::Topic::kOdometry)) {
     return core::Error{
-        fmt::format("frame '{}'; allowed: {}, {}", frame, frames_.map, frames_.odom), {}, 0, 0};
+        fmt::format("frame '{}'; allowed: {}, {}", frame, frames_.map, frames_.odom)};
   }
   const core::Pose2 odom = odom_in_map(std::get<domain::State>(messages_).pose_world_robot,
                                        std::get<domain::Odometry>(messages_).pose_odom_robot);

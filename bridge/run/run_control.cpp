@@ -22,7 +22,7 @@ void RunControl::take_over(std::vector<Intervention> interventions, runtime::Pla
 }
 
 std::optional<Result<std::string>> RunControl::open_page() {
-  if (page_ == nullptr) return core::Error{"this run cannot be shown", {}, 0, 0};
+  if (page_ == nullptr) return core::Error{"this run cannot be shown"};
   return page_->open(called_);
 }
 
@@ -45,7 +45,7 @@ Result<void> RunControl::plan(std::vector<Intervention> interventions) {
     const std::uint64_t tick = merged.tick;
     const auto added = add(std::move(merged));
     if (added.ok()) continue;
-    return core::Error{added.error().text(), "--at " + std::to_string(tick), 0, 0};
+    return core::Error{added.error().text(), "--at " + std::to_string(tick)};
   }
   return {};
 }
@@ -53,18 +53,12 @@ Result<void> RunControl::plan(std::vector<Intervention> interventions) {
 Result<Intervention> RunControl::change(std::vector<std::string> changes, std::uint64_t tick) {
   if (tick < next_free_tick()) {
     return core::Error{"the run changes at tick " + std::to_string(interventions_.back().tick) +
-                           " already: the next change is possible at tick " +
-                           std::to_string(next_free_tick()),
-                       {},
-                       0,
-                       0};
+                       " already: the next change is possible at tick " +
+                       std::to_string(next_free_tick())};
   }
   if (tick > first_.graph.max_ticks) {
     return core::Error{"tick " + std::to_string(tick) + " never comes: the run ends at tick " +
-                           std::to_string(first_.graph.max_ticks) + ", its max_ticks",
-                       {},
-                       0,
-                       0};
+                       std::to_string(first_.graph.max_ticks) + ", its max_ticks"};
   }
   Intervention intervention = runtime::planned_at(tick, std::move(changes));
   intervention.fed_from = std::max(intervention.fed_from, first_tick_);

@@ -71,7 +71,7 @@ core::Result<ChildProcess> ChildProcess::start(const ChildCommand& command) {
       const std::string here = std::filesystem::current_path(code).string();
       text += " (a path from the working directory, " + here + ')';
     }
-    return core::Error{text, arguments.front(), 0, 0};
+    return core::Error{text, arguments.front()};
   };
   int error_pipe[2];
   if (::pipe2(error_pipe, O_CLOEXEC) != 0) return refuse(errno);

@@ -150,7 +150,7 @@ core::Result<void> ComposedControl::feed(runtime::NodeSuccession& node,
   for (std::uint64_t tick = successor.fed_from; tick < next_tick && !successor.keeps_state;
        ++tick) {
     const auto history = histories_.find(node.name());
-    if (history == histories_.end()) return core::Error{"no inputs are kept", {}, 0, 0};
+    if (history == histories_.end()) return core::Error{"no inputs are kept"};
     const auto present = history->second.get(tick, messages);
     if (!present.ok()) return present.error();
     runtime::NodeSuccession::feed(successor, tick, *present, messages);

@@ -212,10 +212,10 @@ void Launcher::spool() {
 core::Result<void> Launcher::start(Member& member) const {
   const ThirdPartyEnvironment& environment = environment_of(member);
   if (member.third_party && !environment.failure().empty()) {
-    return core::Error{member.stage + ": " + environment.failure(), {}, 0, 0};
+    return core::Error{member.stage + ": " + environment.failure()};
   }
   auto child = start_(command_of(member, plan_, layout_, environment));
-  if (!child.ok()) return core::Error{member.stage + ": " + child.error().text(), {}, 0, 0};
+  if (!child.ok()) return core::Error{member.stage + ": " + child.error().text()};
   member.child = std::move(child).value();
   member.down = false;
   member.left_at.reset();
@@ -238,12 +238,9 @@ core::Result<Member*> Launcher::admit(const Hello& hello, std::vector<Member>& m
   if (member == nullptr || member->third_party || member->link || member->left_at) return nullptr;
   if (hello.idl_fingerprint == idl_fingerprint()) return member;
   return core::Error{hello.stage + " (process " + std::to_string(hello.process_id) +
-                         ") was built from other IDL files: its fingerprint is " +
-                         hello.idl_fingerprint + ", that of the run is " +
-                         std::string(idl_fingerprint()),
-                     {},
-                     0,
-                     0};
+                     ") was built from other IDL files: its fingerprint is " +
+                     hello.idl_fingerprint + ", that of the run is " +
+                     std::string(idl_fingerprint())};
 }
 
 Assignment Launcher::assignment_for(const std::vector<std::string>& stages,

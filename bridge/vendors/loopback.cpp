@@ -26,7 +26,7 @@ core::Result<void> check_loopback() {
   const std::string why =
       "no interface that is up has 127.0.0.1, over which components talk; 'clew doctor' says what "
       "to do, and --layout composed needs none";
-  return core::Error{why, {}, 0, 0};
+  return core::Error{why};
 }
 
 }  // namespace clew::bridge

@@ -38,11 +38,8 @@ core::Result<int> domain_of_run(const std::string& run) {
   Link line(*socket);
   const auto what = ask_what_runs(line, steady_clock::now() + kAssignmentTimeout);
   if (what.ok()) return what->domain;
-  return core::Error{
-      "run '" + run + "' tells no domain: " + what.error().message + " (a composed run has none)",
-      {},
-      0,
-      0};
+  return core::Error{"run '" + run + "' tells no domain: " + what.error().message +
+                     " (a composed run has none)"};
 }
 
 core::Result<std::unique_ptr<DomainWatch>> DomainWatch::join(int domain) {

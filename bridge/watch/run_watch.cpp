@@ -23,8 +23,7 @@ core::Result<Assignment> ask_what_runs(Link& line, std::chrono::steady_clock::ti
     return *std::move(assignment);
   }
   const auto why = frame->as<Text>();
-  return core::Error{
-      why && !why->text.empty() ? why->text : "the run lets nobody look on", {}, 0, 0};
+  return core::Error{why && !why->text.empty() ? why->text : "the run lets nobody look on"};
 }
 
 core::Result<std::unique_ptr<RunWatch>> RunWatch::join(const std::string& run, Time deadline) {

@@ -22,7 +22,7 @@ constexpr std::size_t kLongestQuote = 40;
 core::Error wrong(const std::string& path, const ordered_json& found, const std::string& allowed) {
   std::string text = found.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
   if (text.size() > kLongestQuote) text = text.substr(0, kLongestQuote) + "...";
-  return {fmt::format("{} is {}; allowed: {}", path, text, allowed), {}, 0, 0};
+  return {fmt::format("{} is {}; allowed: {}", path, text, allowed)};
 }
 
 template <typename Value>
@@ -57,8 +57,7 @@ Result<void> read_enumerator(const ordered_json& json, const std::string& path, 
   if (!json.is_string()) return wrong(path, json, fmt::format("{}", fmt::join(known, ", ")));
   const auto found = std::find(known.begin(), known.end(), json.get<std::string>());
   if (found == known.end()) {
-    return core::Error{
-        core::unknown_name("value of " + path, json.get<std::string>(), known), {}, 0, 0};
+    return core::Error{core::unknown_name("value of " + path, json.get<std::string>(), known)};
   }
   value = static_cast<Enum>(found - known.begin());
   return {};
@@ -82,7 +81,7 @@ Result<void> read_struct(const ordered_json& json, const std::string& path, Stru
                              value);
   for (const auto& entry : json.items()) {
     if (std::find(known.begin(), known.end(), entry.key()) != known.end()) continue;
-    return core::Error{core::unknown_name("field of " + path, entry.key(), known), {}, 0, 0};
+    return core::Error{core::unknown_name("field of " + path, entry.key(), known)};
   }
   Result<void> all;
   domain::visit_named_fields(

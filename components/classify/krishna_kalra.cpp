@@ -17,7 +17,7 @@ core::Result<std::unique_ptr<KrishnaKalra>> KrishnaKalra::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
   CLEW_RETURN_IF_ERROR(scan::SevenCones::check(setup.scan, "classify krishna_kalra"));
   if (parameters.nearness.near_full_ratio >= parameters.nearness.near_none_ratio) {
-    return core::Error{"near_none_ratio must be more than near_full_ratio", {}, 0, 0};
+    return core::Error{"near_none_ratio must be more than near_full_ratio"};
   }
   std::optional<Som> som;
   if (contains(parameters.networks, "som")) {

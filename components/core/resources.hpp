@@ -25,7 +25,7 @@ class Resources {
   }
   Result<Resource> find(const std::string& folder, const std::string& name) const {
     const auto found = files_.find(folder + '/' + name);
-    if (found == files_.end()) return Error{"no data file '" + folder + '/' + name + "'", {}, 0, 0};
+    if (found == files_.end()) return Error{"no data file '" + folder + '/' + name + "'"};
     return found->second;
   }
   const std::map<std::string, Resource>& all() const { return files_; }

@@ -14,7 +14,7 @@ namespace clew::core {
 /// allowed. Lines and columns count from 1; 0 means that there is none.
 struct Error {
   std::string message;
-  std::string file;
+  std::string file = {};
   int line = 0;
   int column = 0;
 

@@ -9,7 +9,7 @@ namespace {
 /// The linker's own words begin with the name of the file.
 Error linker_error() {
   const char* const why = ::dlerror();
-  return {std::string("cannot be loaded: ") + (why == nullptr ? "unknown reason" : why), {}, 0, 0};
+  return {std::string("cannot be loaded: ") + (why == nullptr ? "unknown reason" : why)};
 }
 
 }  // namespace

@@ -206,7 +206,7 @@ Result<YamlNode> YamlNode::parse(std::string_view yaml, const std::string& file)
   } catch (const YAML::Exception& e) {
     const bool is_refusal = dynamic_cast<const Refusal*>(&e) != nullptr;
     const std::string message = is_refusal ? e.msg : "broken YAML: " + e.msg;
-    if (is_option(file)) return Error{message, file, 0, 0};
+    if (is_option(file)) return Error{message, file};
     // A null mark, -1, gives 0: no place.
     return Error{message, file, e.mark.line + 1, e.mark.column + 1};
   }

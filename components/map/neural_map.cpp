@@ -42,11 +42,8 @@ core::Result<NeuralMap> NeuralMap::create(const Parameters& parameters) {
   const double limit = 1.0 / eigenvalue_bound(parameters.lattice);
   if (!(parameters.gain >= kLeastGain && parameters.gain < limit)) {
     return core::Error{"gain is " + std::to_string(parameters.gain) + "; allowed: from " +
-                           std::to_string(kLeastGain) + ", and below " + std::to_string(limit) +
-                           ", where the neural map on this lattice would not come to rest",
-                       {},
-                       0,
-                       0};
+                       std::to_string(kLeastGain) + ", and below " + std::to_string(limit) +
+                       ", where the neural map on this lattice would not come to rest"};
   }
   return NeuralMap(parameters);
 }

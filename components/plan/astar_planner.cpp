@@ -26,8 +26,7 @@ constexpr double kShares[] = {1.0, 0.75, 0.5, 0.25};
 core::Result<std::unique_ptr<AStarPlanner>> AStarPlanner::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
   if (parameters.least_look_ahead_m > parameters.most_look_ahead_m) {
-    return core::Error{
-        "plan.astar: least_look_ahead_m must not be greater than most_look_ahead_m", {}, 0, 0};
+    return core::Error{"plan.astar: least_look_ahead_m must not be greater than most_look_ahead_m"};
   }
   return std::make_unique<AStarPlanner>(parameters, setup.tick_s);
 }

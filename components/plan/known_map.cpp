@@ -53,10 +53,7 @@ Result<std::unique_ptr<WorldMap>> WorldMap::create(std::shared_ptr<const world::
     return core::Error{
         fmt::format("plan.cell_m {} m makes {:.0f} cells of a world of {} m x {} m; allowed: at "
                     "most {}, as with {:.2g} m",
-                    cell_m, columns * rows, size.x(), size.y(), map::kMaxMapCells, enough_m),
-        {},
-        0,
-        0};
+                    cell_m, columns * rows, size.x(), size.y(), map::kMaxMapCells, enough_m)};
   }
   const map::Grid grid{world->bounds_min(), cell_m, static_cast<std::int32_t>(columns),
                        static_cast<std::int32_t>(rows)};
@@ -102,7 +99,7 @@ Result<void> FileMap::check_covers(const std::string& what, const core::Vec2& pl
       fmt::format("the map covers x from {} to {} m and y from {} to {} m, and the {} is at ({}, "
                   "{}): outside",
                   grid.corner.x(), end.x(), grid.corner.y(), end.y(), what, place.x(), place.y()),
-      file_, 0, 0};
+      file_};
 }
 
 }  // namespace clew::plan

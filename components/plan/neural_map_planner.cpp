@@ -50,7 +50,7 @@ core::Result<std::unique_ptr<NeuralMapPlanner>> NeuralMapPlanner::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
   auto landscape = map::NeuralMap::create({parameters.lattice, parameters.gain});
   if (!landscape.ok()) {
-    return core::Error{"plan.neural_map: " + landscape.error().message, {}, 0, 0};
+    return core::Error{"plan.neural_map: " + landscape.error().message};
   }
   return std::unique_ptr<NeuralMapPlanner>(
       new NeuralMapPlanner(parameters, std::move(landscape).value(), setup));

@@ -56,7 +56,7 @@ core::Result<std::unique_ptr<MapSource>> make_map(const MapParameters& p,
     return std::unique_ptr<MapSource>(std::make_unique<SeenSource>(seen, needs));
   }
   if (p.map_file.empty()) {
-    return core::Error{"plan.map is file, and plan.map_file names none", {}, 0, 0};
+    return core::Error{"plan.map is file, and plan.map_file names none"};
   }
   auto map = FileMap::create(setup.behaviour.resources, p.map_file, needs);
   if (!map.ok()) return map.error();

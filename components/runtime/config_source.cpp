@@ -47,7 +47,7 @@ std::string kind_of(const std::string& folder) {
 
 core::Result<core::Resource> read_file(const std::string& path) {
   const auto refuse = [&](const std::string& why) {
-    return core::Error{"cannot be read: " + why + from_where(path), path, 0, 0};
+    return core::Error{"cannot be read: " + why + from_where(path), path};
   };
   std::error_code code;
   if (!fs::is_regular_file(path, code)) {
@@ -65,7 +65,7 @@ core::Result<core::Resource> read_file(const std::string& path) {
     return core::Error{
         "is a recording; 'clew info', 'clew replay' and 'clew plot' read it, and 'clew run "
         "--resume' goes on with one that was cut off",
-        path, 0, 0};
+        path};
   }
   return file;
 }
@@ -152,16 +152,13 @@ core::Result<core::Resource> ConfigPath::find(const std::string& folder,
   const std::string where =
       " (in " + searched + "; CLEW_PATH adds directories)" + hint_at_file(name);
   if (known.size() <= kMostListed) {
-    return core::Error{core::unknown_name(kind_of(folder), name, known) + where, {}, 0, 0};
+    return core::Error{core::unknown_name(kind_of(folder), name, known) + where};
   }
   const std::string nearest = core::nearest_name(name, known);
   return core::Error{"unknown " + kind_of(folder) + " '" + name + "'" +
-                         (nearest.empty() ? "" : " (did you mean '" + nearest + "'?)") +
-                         "; 'clew list " + folder + "' tells all " + std::to_string(known.size()) +
-                         where,
-                     {},
-                     0,
-                     0};
+                     (nearest.empty() ? "" : " (did you mean '" + nearest + "'?)") +
+                     "; 'clew list " + folder + "' tells all " + std::to_string(known.size()) +
+                     where};
 }
 
 std::vector<std::string> ConfigPath::names(const std::string& folder) const {
@@ -179,7 +176,7 @@ core::Result<core::Resource> BundleSource::find(const std::string& folder,
   if (folder == "worlds") key = "world.yaml";
   if (folder == "robots") key = "robot.yaml";
   const auto found = bundle_.find(key);
-  if (found == bundle_.end()) return core::Error{"the bundle has no " + key, {}, 0, 0};
+  if (found == bundle_.end()) return core::Error{"the bundle has no " + key};
   core::Resource file{key, found->second};
   const auto image = bundle_.find(folder + '/' + name + kImageExtension);
   if (image != bundle_.end()) file.image = image->second;

@@ -104,9 +104,9 @@ Result<Goals> parse_goals(const std::string& text) {
       const std::string where = goals.empty() && end == text.size()
                                     ? "'goal=" + text + "'"
                                     : fmt::format("way-point {}, '{}'", goals.size() + 1, place);
-      return Error{where + ": " + goal.error().message, {}, 0, 0};
+      return Error{where + ": " + goal.error().message};
     }
-    if (goals.size() == world::kMostGoals) return Error{too_many(goals.size() + 1), {}, 0, 0};
+    if (goals.size() == world::kMostGoals) return Error{too_many(goals.size() + 1)};
     goals.push_back(*goal);
     begin = end + 1;
   }

@@ -22,7 +22,7 @@ struct Assignment {
 Result<Assignment> split(const std::string& option, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
-    return Error{"expected a name, '=' and a value; found '" + text + "'", option, 0, 0};
+    return Error{"expected a name, '=' and a value; found '" + text + "'", option};
   }
   const std::string left = text.substr(0, equals);
   const std::string label = option + ' ' + left;
@@ -30,14 +30,14 @@ Result<Assignment> split(const std::string& option, const std::string& text) {
   std::istringstream stream(left);
   for (std::string word; std::getline(stream, word, '.');) path.push_back(word);
   const std::string right = text.substr(equals + 1);
-  if (right.empty()) return Error{"no value after '='", label, 0, 0};
+  if (right.empty()) return Error{"no value after '='", label};
   auto value = YamlNode::parse(right, label);
   if (!value.ok()) return value.error();
   return Assignment{label, std::move(path), *value};
 }
 
 Error given_twice(const Assignment& assignment) {
-  return Error{"is given twice; once is allowed", assignment.option, 0, 0};
+  return Error{"is given twice; once is allowed", assignment.option};
 }
 
 Result<RawStage*> find_stage(RawGraph& graph, const Assignment& assignment) {
@@ -47,7 +47,7 @@ Result<RawStage*> find_stage(RawGraph& graph, const Assignment& assignment) {
     known.push_back(stage.info->name);
   }
   return Error{core::unknown_name("stage of this graph", assignment.path.front(), known),
-               assignment.option, 0, 0};
+               assignment.option};
 }
 
 bool declares(const std::vector<core::ParameterInfo>& infos, const std::string& name) {
@@ -81,7 +81,7 @@ void drop_parameters_of(RawStage& stage, const std::string& old_name) {
 Error unknown_part(const StageInfo& stage, const std::string& name, const Assignment& assignment) {
   std::vector<std::string> known;
   for (const PartInfo& part : stage.parts) known.push_back(part.name);
-  return Error{core::unknown_name("part of " + stage.name, name, known), assignment.option, 0, 0};
+  return Error{core::unknown_name("part of " + stage.name, name, known), assignment.option};
 }
 
 // The names of `--with STAGE.PART=NAME[,NAME...]`.
@@ -92,8 +92,7 @@ Result<std::vector<RawChoice>> read_names(const StageInfo& stage, const PartInfo
   for (std::string name; std::getline(stream, name, ',');) {
     for (const RawChoice& other : choices) {
       if (other.name == name) {
-        return Error{"'" + name + "' stands twice in the list of " + part.name, assignment.option,
-                     0, 0};
+        return Error{"'" + name + "' stands twice in the list of " + part.name, assignment.option};
       }
     }
     choices.push_back({name, assignment.value, {}});
@@ -101,7 +100,7 @@ Result<std::vector<RawChoice>> read_names(const StageInfo& stage, const PartInfo
   if (part.is_list || choices.size() == 1) return choices;
   return Error{
       stage.name + '.' + part.name + " takes one name, found " + std::to_string(choices.size()),
-      assignment.option, 0, 0};
+      assignment.option};
 }
 
 Result<void> apply_with(const std::string& text, RawGraph& graph) {
@@ -112,8 +111,7 @@ Result<void> apply_with(const std::string& text, RawGraph& graph) {
   const StageInfo& info = *(*stage)->info;
   const std::vector<std::string>& path = assignment->path;
   if (path.size() > 2) {
-    return Error{"expected STAGE[.PART]=NAME[,NAME...], found '" + text + "'", assignment->option,
-                 0, 0};
+    return Error{"expected STAGE[.PART]=NAME[,NAME...], found '" + text + "'", assignment->option};
   }
   const std::string part_name = path.size() > 1 ? path[1] : std::string(kBehaviourPart);
   const PartInfo* part = find_part(info, part_name);
@@ -164,14 +162,14 @@ Result<RawChoice*> find_choice(RawStage& stage, const Assignment& assignment) {
   }
   if (fitting.size() == 1) return fitting.front();
   if (named) {
-    return Error{core::unknown_name("chosen " + part, assignment.path[2], known), assignment.option,
-                 0, 0};
+    return Error{core::unknown_name("chosen " + part, assignment.path[2], known),
+                 assignment.option};
   }
   if (fitting.empty() && choices.size() == 1) return &choices.front();
   return Error{std::to_string(fitting.size()) + " of the chosen " + part + " have a parameter '" +
                    parameter + "'; name one as " + stage.info->name + '.' + part + ".NAME." +
                    parameter,
-               assignment.option, 0, 0};
+               assignment.option};
 }
 
 /// The chosen behaviours' parameters of a stage's parts, as --set names them:
@@ -214,7 +212,7 @@ Result<void> check_known(const RawStage& stage, const Assignment& assignment) {
     if (word.compare(0, name.size() + 1, name + '_') != 0 && word != nearest) continue;
     return Error{"unknown parameter of " + stage.info->name + " '" + name + "' (did you mean '" +
                      path + "'?); 'clew list " + stage.info->name + "' tells all",
-                 assignment.option, 0, 0};
+                 assignment.option};
   }
   return {};
 }
@@ -227,7 +225,7 @@ Result<void> apply_set(const std::string& text, RawGraph& graph) {
   const std::vector<std::string>& path = assignment->path;
   if (path.size() < 2 || path.size() > 4) {
     return Error{"expected STAGE[.PART][.NAME].PARAM=VALUE, found '" + text + "'",
-                 assignment->option, 0, 0};
+                 assignment->option};
   }
   const StageInfo& info = *(*stage)->info;
   if (path.size() == 3 && path[1] == "process") {
@@ -239,7 +237,7 @@ Result<void> apply_set(const std::string& text, RawGraph& graph) {
       return Error{
           "'" + path[1] + "' is no parameter" +
               (is_part ? "; choose it by --with " + path[0] + '.' + path[1] + "=NAME" : ""),
-          assignment->option, 0, 0};
+          assignment->option};
     }
     CLEW_RETURN_IF_ERROR(check_known(**stage, *assignment));
     return assign(*assignment, (*stage)->parameters);
@@ -256,7 +254,7 @@ Result<void> check_count(const char* option, const std::optional<std::uint64_t>&
   constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   if (!count || *count <= kMost) return {};
   return Error{"found " + std::to_string(*count) + "; allowed: 0 to " + std::to_string(kMost),
-               option, 0, 0};
+               option};
 }
 
 }  // namespace

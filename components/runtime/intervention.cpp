@@ -18,7 +18,7 @@ namespace {
 using core::Error;
 using core::Result;
 
-Error refused(std::string why) { return {std::move(why), {}, 0, 0}; }
+Error refused(std::string why) { return {std::move(why)}; }
 
 bool is_goal(const std::string& change) { return change.rfind(kGoalChange, 0) == 0; }
 
@@ -184,11 +184,11 @@ Result<Intervention> read_intervention(const std::string& text, const std::strin
   if (error != std::errc() || stop == end || *stop != ':' || stop + 1 == end) {
     return Error{"found '" + text +
                      "'; expected TICK:STAGE.PART=NAME, TICK:STAGE.PARAM=VALUE or TICK:goal=X,Y",
-                 option, 0, 0};
+                 option};
   }
   if (tick == 0) {
     return Error{"tick 0 is where the run begins: change the graph itself, with --with or --set",
-                 option, 0, 0};
+                 option};
   }
   return planned_at(tick, {std::string(stop + 1, end)});
 }

@@ -67,11 +67,8 @@ core::Result<void> Node::load(const std::string& bytes) {
   reader(next_sequence_);
   component_->load(reader);
   if (!reader.complete()) {
-    return core::Error{
-        "the saved state of " + name_ + " is not one of this component: " + reader.fault(),
-        {},
-        0,
-        0};
+    return core::Error{"the saved state of " + name_ +
+                       " is not one of this component: " + reader.fault()};
   }
   return {};
 }

@@ -37,7 +37,7 @@ class Registry {
   core::Result<void> add(Registration<Behaviour> added) {
     for (const auto& registration : registrations_) {
       if (registration.info.name == added.info.name) {
-        return core::Error{"there is a behaviour '" + added.info.name + "' already", {}, 0, 0};
+        return core::Error{"there is a behaviour '" + added.info.name + "' already"};
       }
     }
     registrations_.push_back(std::move(added));

@@ -31,7 +31,7 @@ core::Result<void> check_arrangement(const domain::Scan& scan, const domain::Sca
   near("range_max_m", scan.range_max_m, declared.range_max_m, kRangeTolerance_m);
   const auto result = check.result();
   if (result.ok()) return result;
-  return core::Error{result.error().message + ", as sense " + declared.sensor + " has", {}, 0, 0};
+  return core::Error{result.error().message + ", as sense " + declared.sensor + " has"};
 }
 
 }  // namespace clew::scan

@@ -71,16 +71,12 @@ core::Result<void> check_needs(const ScanNeeds& needs, const domain::ScanLayout&
   const bool fits = layout.beam_count >= needs.least_beams && are_close(needs, layout) &&
                     reach_far_enough(needs, layout);
   if (fits) return {};
-  return core::Error{
-      fmt::format("{} needs {}; '{}' gives {} beams of {:.4g} degrees, {:.4g} degrees apart from "
-                  "{:.4g} on",
-                  behaviour, text_of(needs), layout.sensor, layout.beam_count,
-                  core::degrees(layout.beam_width_rad),
-                  core::degrees(std::fabs(layout.bearing_step_rad)),
-                  core::degrees(layout.bearing_first_rad)),
-      {},
-      0,
-      0};
+  return core::Error{fmt::format(
+      "{} needs {}; '{}' gives {} beams of {:.4g} degrees, {:.4g} degrees apart from "
+      "{:.4g} on",
+      behaviour, text_of(needs), layout.sensor, layout.beam_count,
+      core::degrees(layout.beam_width_rad), core::degrees(std::fabs(layout.bearing_step_rad)),
+      core::degrees(layout.bearing_first_rad))};
 }
 
 }  // namespace clew::scan

@@ -32,12 +32,9 @@ core::Result<void> SevenCones::check(const domain::ScanLayout& layout,
     if (seen) continue;
     const auto at_deg = std::lround(core::degrees(sector_rad(sector)));
     return core::Error{behaviour +
-                           " needs a beam in each of seven sectors of 15 deg, from 45 deg " +
-                           "to -45 deg; '" + layout.sensor + "' has none in the one at " +
-                           std::to_string(at_deg) + " deg",
-                       {},
-                       0,
-                       0};
+                       " needs a beam in each of seven sectors of 15 deg, from 45 deg " +
+                       "to -45 deg; '" + layout.sensor + "' has none in the one at " +
+                       std::to_string(at_deg) + " deg"};
   }
   return {};
 }

@@ -51,7 +51,7 @@ core::Result<void> add_each(std::vector<runtime::Registration<Behaviour>> regist
   for (auto& registration : registrations) {
     const runtime::VariantInfo info = registration.info;
     const auto taken = registry.add(std::move(registration));
-    if (!taken.ok()) return core::Error{stage + ": " + taken.error().message, {}, 0, 0};
+    if (!taken.ok()) return core::Error{stage + ": " + taken.error().message};
     for (const std::string& part : parts) list(info, stage, part, added);
   }
   return {};

@@ -308,7 +308,7 @@ core::Result<void> set_goals(const Goals& goals, WorldFile& world) {
     if (goal.radius_m && !(*goal.radius_m > 0.0)) {
       why_not = fmt::format("the {}'s radius is {} m; it must be positive", name, *goal.radius_m);
     }
-    if (!why_not.empty()) return core::Error{std::move(why_not), {}, 0, 0};
+    if (!why_not.empty()) return core::Error{std::move(why_not)};
     world.waypoints.push_back({goal.place, goal.radius_m.value_or(world.target_radius_m)});
   }
   world.has_mission = !goals.empty();

@@ -22,8 +22,8 @@ Result<void> check_even(int number) {
 TEST(Error, NamesThePlaceAsFarAsItIsKnown) {
   EXPECT_EQ((Error{"wrong", "a.yaml", 3, 5}).text(), "a.yaml:3:5: wrong");
   EXPECT_EQ((Error{"wrong", "a.yaml", 3, 0}).text(), "a.yaml:3: wrong");
-  EXPECT_EQ((Error{"wrong", "a.yaml", 0, 0}).text(), "a.yaml: wrong");
-  EXPECT_EQ((Error{"wrong", "", 0, 0}).text(), "wrong");
+  EXPECT_EQ((Error{"wrong", "a.yaml"}).text(), "a.yaml: wrong");
+  EXPECT_EQ((Error{"wrong", ""}).text(), "wrong");
 }
 
 TEST(Result, HoldsAValue) {

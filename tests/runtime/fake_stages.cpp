@@ -26,9 +26,9 @@ class Counter : public Component {
 
 core::Result<std::unique_ptr<Component>> make_counter(const StageConfig& config,
                                                       const RunSetup& setup) {
-  if (setup.seed == 13) return core::Error{config.stage + " does not like 13", {}, 0, 0};
+  if (setup.seed == 13) return core::Error{config.stage + " does not like 13"};
   if ((setup.world != nullptr) != knows_world(config.stage)) {
-    return core::Error{config.stage + " is told too much of the world, or too little", {}, 0, 0};
+    return core::Error{config.stage + " is told too much of the world, or too little"};
   }
   for (const auto& [name, file] : setup.behaviour.resources.all()) {
     if (config.stage == "classify" && file.text == "wrong")

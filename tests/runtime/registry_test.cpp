@@ -19,7 +19,7 @@ class Polite : public Greeter {
   };
   static core::Result<std::unique_ptr<Polite>> create(const Parameters& parameters,
                                                       const domain::BehaviourSetup& setup) {
-    if (setup.robot.name.empty()) return core::Error{"needs a name to greet", {}, 0, 0};
+    if (setup.robot.name.empty()) return core::Error{"needs a name to greet"};
     auto greeter = std::make_unique<Polite>();
     greeter->text_ = setup.robot.name + ", " + std::to_string(parameters.bows) + " bows";
     return greeter;

@@ -30,7 +30,7 @@ class FakeQueue : public JobQueue {
   }
   core::Result<std::map<std::size_t, TaskState>> tasks(const std::string& job) override {
     asked.push_back(job);
-    if (failures > 0 && failures-- > 0) return core::Error{"does not answer", "fake", 0, 0};
+    if (failures > 0 && failures-- > 0) return core::Error{"does not answer", "fake"};
     return in_queue;
   }
   core::Result<void> cancel(const std::string& job) override {

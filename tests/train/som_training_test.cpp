@@ -121,7 +121,7 @@ TEST(SomTraining, DependsOnTheSeed) {
 
 TEST(SomTraining, TellsWhyAWorldCannotBeRun) {
   const RunPast none = [](const std::string& world, double) {
-    return core::Result<ClassesSeen>(core::Error{"no world " + world, {}, 0, 0});
+    return core::Result<ClassesSeen>(core::Error{"no world " + world});
   };
 
   const auto text = train_som(small_recipe(), none, "train");

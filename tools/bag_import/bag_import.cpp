@@ -86,7 +86,7 @@ class BagRun {
         std::max(track_.times_s.front(), ros2::to_seconds(bag_.scans.front().header.stamp));
     const double end_s =
         std::min(track_.times_s.back(), ros2::to_seconds(bag_.scans.back().header.stamp));
-    if (end_s < begin_s) return Error{"its scans and its odometry do not overlap", {}, 0, 0};
+    if (end_s < begin_s) return Error{"its scans and its odometry do not overlap"};
     const auto last =
         static_cast<std::uint64_t>(std::floor((end_s - begin_s) / plan_.graph.tick_s + 1e-9));
     for (std::uint64_t tick = 0; tick <= last; ++tick) {
@@ -212,7 +212,7 @@ Result<ImportedBag> import_bag(const BagImport& order,
     return in_bag(order, ticks.error());
   }
   const bridge::RecordingAccount account = (*sink)->close({});
-  if (!account.failure.empty()) return Error{account.failure, order.output, 0, 0};
+  if (!account.failure.empty()) return Error{account.failure, order.output};
   return ImportedBag{*ticks, static_cast<double>(*ticks - 1) * plan->graph.tick_s,
                      bag->laser_is_known};
 }

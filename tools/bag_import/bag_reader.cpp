@@ -32,11 +32,11 @@ Result<std::vector<std::string>> files_of(const std::string& path) {
     if (kind == ".mcap") files.push_back(entry.path().string());
     has_database = has_database || kind == ".db3";
   }
-  if (error) return Error{error.message(), path, 0, 0};
+  if (error) return Error{error.message(), path};
   if (files.empty()) {
     return Error{has_database ? "is a bag of SQLite; 'ros2 bag convert' makes one of MCAP"
                               : "has no .mcap file",
-                 path, 0, 0};
+                 path};
   }
   // x_2 before x_10.
   std::sort(files.begin(), files.end(), [](const std::string& a, const std::string& b) {
@@ -58,11 +58,11 @@ Result<std::string> choose(const std::set<std::string>& there, const std::string
   for (const std::string& name : there) listed += (listed.empty() ? "" : ", ") + name;
   if (wanted.empty() && there.size() == 1) return *there.begin();
   if (there.count(wanted) > 0) return wanted;
-  if (there.empty()) return Error{fmt::format("has no topic of {}", type), path, 0, 0};
+  if (there.empty()) return Error{fmt::format("has no topic of {}", type), path};
   return Error{wanted.empty()
                    ? fmt::format("has several topics of {}: {}; name one", type, listed)
                    : fmt::format("has no topic '{}' of {}; it has {}", wanted, type, listed),
-               path, 0, 0};
+               path};
 }
 
 Result<Channels> channels_of(const mcap::McapReader& reader, const BagTopics& topics,
@@ -111,7 +111,7 @@ class BagReader {
       if (!message.ok()) return message.error();
       if (!*message) return {};
       const auto taken = take(**message, *channels);
-      if (!taken.ok()) return Error{taken.error().message, path, 0, 0};
+      if (!taken.ok()) return Error{taken.error().message, path};
     }
   }
 
@@ -167,8 +167,7 @@ Result<RobotBag> read_bag(const std::string& path, const BagTopics& topics) {
   for (const std::string& file : *files) CLEW_RETURN_IF_ERROR(reader.read(file, topics));
   if (bag.scans.empty() || bag.odometry.empty()) {
     return Error{
-        fmt::format("has {} scans and {} odometries", bag.scans.size(), bag.odometry.size()), path,
-        0, 0};
+        fmt::format("has {} scans and {} odometries", bag.scans.size(), bag.odometry.size()), path};
   }
   sort_by_stamp(bag.scans);
   sort_by_stamp(bag.odometry);

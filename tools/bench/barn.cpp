@@ -48,9 +48,9 @@ Result<std::map<unsigned, fs::path>> worlds_in(const std::string& directory) {
   for (const auto& entry : fs::directory_iterator(directory, error)) {
     if (const auto number = number_of(entry.path())) worlds[*number] = entry.path();
   }
-  if (error) return Error{"cannot be read: " + error.message(), directory, 0, 0};
+  if (error) return Error{"cannot be read: " + error.message(), directory};
   if (worlds.empty()) {
-    return Error{"has no world of BARN; expected world_N.world and path_N.npy", directory, 0, 0};
+    return Error{"has no world of BARN; expected world_N.world and path_N.npy", directory};
   }
   return worlds;
 }
@@ -64,7 +64,7 @@ Result<fs::path> path_of(const fs::path& world, unsigned number) {
   }
   return Error{
       fmt::format("has no {} beside it nor in {}: the score needs its length", name, kPathFolder),
-      world.string(), 0, 0};
+      world.string()};
 }
 
 Result<BarnWorld> read_world(const fs::path& path, unsigned number) {

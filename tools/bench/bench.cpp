@@ -42,7 +42,7 @@ class Books {
     auto result = read_run_result(line);
     if (!result.ok()) return result.error();
     const auto index = order_.index_of(result->key);
-    if (!index) return Error{run_text(result->key) + " is no run of this bench", {}, 0, 0};
+    if (!index) return Error{run_text(result->key) + " is no run of this bench"};
     if (!is_done_[*index]) ++done_;
     is_done_[*index] = true;
     if (keep_) kept_.insert_or_assign(*index, std::move(result).value());

@@ -119,7 +119,7 @@ std::vector<Variation> all_variations(const Suite& suite, const BenchChanges& ch
 Result<void> add_world(BenchPlan& plan, BenchWorld world) {
   for (const BenchWorld& other : plan.worlds) {
     if (other.name == world.name) {
-      return Error{"world '" + world.name + "' stands twice in the suite", plan.suite, 0, 0};
+      return Error{"world '" + world.name + "' stands twice in the suite", plan.suite};
     }
   }
   plan.worlds.push_back(std::move(world));
@@ -129,7 +129,7 @@ Result<void> add_world(BenchPlan& plan, BenchWorld world) {
 Result<void> add_files(const std::string& family, const std::string& pattern,
                        const runtime::ConfigPath& configs, BenchPlan& plan) {
   const auto names = world_names(pattern, configs);
-  if (!names.ok()) return Error{names.error().message, plan.suite, 0, 0};
+  if (!names.ok()) return Error{names.error().message, plan.suite};
   for (const std::string& name : *names) CLEW_RETURN_IF_ERROR(add_world(plan, {family, name, {}}));
   return {};
 }
@@ -160,7 +160,7 @@ Result<void> add_worlds(const Suite& suite, const runtime::ConfigPath& configs, 
     return Error{
         "needs the worlds of BARN, which are not part of it: a directory with world_N.world "
         "and path_N.npy (--data of bench)",
-        plan.suite, 0, 0};
+        plan.suite};
   }
   return {};
 }
@@ -221,7 +221,7 @@ Result<void> check_is_another(const BenchPlan& plan, const BenchWorld& world,
     if (!same || other.name == world.name) continue;
     return Error{
         fmt::format("'{}' and '{}' are the same world: once is allowed", other.name, world.name),
-        plan.suite, 0, 0};
+        plan.suite};
   }
   return {};
 }
@@ -297,7 +297,7 @@ Result<BenchPlan> plan_bench(const Suite& suite, const BenchChanges& changes,
   const WorldSource source(configs, plan.worlds.front());
   for (const Variant& variant : plan.variants) {
     if (plan.configuration.count("graph " + variant.label()) > 0) {
-      return Error{"'" + variant.label() + "' is asked for twice", plan.suite, 0, 0};
+      return Error{"'" + variant.label() + "' is asked for twice", plan.suite};
     }
     CLEW_RETURN_IF_ERROR(check_variant(variant, variations, source, stages, plan));
   }

@@ -30,7 +30,7 @@ struct FreeCompressor {
 };
 
 Error cannot_read(const std::string& path) {
-  return {std::string("cannot be read: ") + std::strerror(errno), path, 0, 0};
+  return {std::string("cannot be read: ") + std::strerror(errno), path};
 }
 
 /// Compresses what there is of the input; `mode` ZSTD_e_end ends the frame.
@@ -39,7 +39,7 @@ Result<void> feed(ZSTD_CCtx* context, ZSTD_inBuffer input, ZSTD_EndDirective mod
   while (true) {
     ZSTD_outBuffer output{buffer.data(), buffer.size(), 0};
     const std::size_t left = ZSTD_compressStream2(context, &output, &input, mode);
-    if (ZSTD_isError(left)) return Error{ZSTD_getErrorName(left), {}, 0, 0};
+    if (ZSTD_isError(left)) return Error{ZSTD_getErrorName(left)};
     CLEW_RETURN_IF_ERROR(to.write(std::string(buffer.data(), output.pos)));
     const bool is_done = mode == ZSTD_e_end ? left == 0 : input.pos == input.size;
     if (is_done) return {};
@@ -106,7 +106,7 @@ Result<void> compress_file(const std::string& path) {
   CLEW_RETURN_IF_ERROR(feed(context.get(), {nullptr, 0, 0}, ZSTD_e_end, out, *to));
   CLEW_RETURN_IF_ERROR(to->finish());
   if (std::remove(path.c_str()) == 0) return {};
-  return Error{std::string("cannot be removed: ") + std::strerror(errno), path, 0, 0};
+  return Error{std::string("cannot be removed: ") + std::strerror(errno), path};
 }
 
 Result<void> expand_file(const std::string& path) {
@@ -120,10 +120,10 @@ Result<void> expand_file(const std::string& path) {
        (got = from.sgetn(buffer.data(), static_cast<std::streamsize>(buffer.size()))) > 0;) {
     CLEW_RETURN_IF_ERROR(to->write(std::string(buffer.data(), static_cast<std::size_t>(got))));
   }
-  if (!from.damage().empty()) return Error{"is damaged: " + from.damage(), compressed, 0, 0};
+  if (!from.damage().empty()) return Error{"is damaged: " + from.damage(), compressed};
   CLEW_RETURN_IF_ERROR(to->finish());
   if (std::remove(compressed.c_str()) == 0) return {};
-  return Error{std::string("cannot be removed: ") + std::strerror(errno), compressed, 0, 0};
+  return Error{std::string("cannot be removed: ") + std::strerror(errno), compressed};
 }
 
 }  // namespace clew::bench

@@ -52,7 +52,7 @@ Result<void> copy_lines(const std::string& path, const std::vector<PlacedLine>& 
   for (const PlacedLine& line : lines) {
     std::string text;
     if (!file.seekg(static_cast<std::streamoff>(line.offset)) || !std::getline(file, text)) {
-      return Error{std::string("cannot be read: ") + std::strerror(errno), path, 0, 0};
+      return Error{std::string("cannot be read: ") + std::strerror(errno), path};
     }
     CLEW_RETURN_IF_ERROR(to.write(text + '\n'));
   }
@@ -76,7 +76,7 @@ LineReader::LineReader(std::string path) : path_(std::move(path)) {
 Result<LineReader> LineReader::open(const std::string& path) {
   LineReader reader(path);
   if (*reader.stream_) return reader;
-  return Error{std::string("cannot be read: ") + std::strerror(errno), path, 0, 0};
+  return Error{std::string("cannot be read: ") + std::strerror(errno), path};
 }
 
 const std::string* LineReader::next() {
@@ -89,10 +89,10 @@ const std::string* LineReader::next() {
 
 Result<void> LineReader::is_whole() const {
   if (compressed_ && !compressed_->damage().empty()) {
-    return Error{"is damaged: " + compressed_->damage(), path_ + kCompressedEnding, 0, 0};
+    return Error{"is damaged: " + compressed_->damage(), path_ + kCompressedEnding};
   }
   if (!stream_->bad()) return {};
-  return Error{std::string("cannot be read: ") + std::strerror(errno), path_, 0, 0};
+  return Error{std::string("cannot be read: ") + std::strerror(errno), path_};
 }
 
 Result<void> sort_lines(const std::string& path, int header_lines, const PlaceOfLine& place) {
@@ -128,11 +128,11 @@ Result<void> sort_lines(const std::string& path, int header_lines, const PlaceOf
 Result<LineFile> LineFile::open(const std::string& path, double patience_s) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor < 0) {
-    return Error{std::string("cannot be written: ") + std::strerror(errno), path, 0, 0};
+    return Error{std::string("cannot be written: ") + std::strerror(errno), path};
   }
   LineFile file(path, descriptor);
   if (!hold(descriptor, patience_s)) {
-    return Error{"is being written by another bench", path, 0, 0};
+    return Error{"is being written by another bench", path};
   }
   CLEW_RETURN_IF_ERROR(file.cut_torn_line());
   return file;
@@ -170,7 +170,7 @@ Result<void> LineFile::cut_torn_line() {
 }
 
 Error LineFile::failed(const std::string& what) const {
-  return {what + ": " + std::strerror(errno), path_, 0, 0};
+  return {what + ": " + std::strerror(errno), path_};
 }
 
 Result<NewFile> NewFile::open(const std::string& path) {
@@ -196,7 +196,7 @@ Result<void> NewFile::finish() {
 }
 
 Error NewFile::failed() const {
-  return {std::string("cannot be written: ") + std::strerror(errno), path_, 0, 0};
+  return {std::string("cannot be written: ") + std::strerror(errno), path_};
 }
 
 }  // namespace clew::bench

@@ -31,7 +31,7 @@ Result<ShardDirectory> read_shard_directory(const std::string& directory) {
   if (!header.ok()) return header.error();
   const auto entry = header->configuration.find(kShardKey);
   if (entry == header->configuration.end()) {
-    return Error{"is no shard: it was made without --shard", directory, 0, 0};
+    return Error{"is no shard: it was made without --shard", directory};
   }
   const auto shard = read_shard(entry->second);
   if (!shard.ok()) return Error{shard.error().message, path, 1, 0};
@@ -44,12 +44,12 @@ Result<void> check_fit(const ShardDirectory& first, const ShardDirectory& other)
   if (first.shard.count != other.shard.count) {
     return Error{fmt::format("is shard {}, but {} is shard {}: all must be of one N",
                              other.shard.text(), first.path, first.shard.text()),
-                 other.path, 0, 0};
+                 other.path};
   }
   const std::string differs = difference(first.header.configuration, other.header.configuration);
   if (differs.empty()) return {};
   return Error{fmt::format("is a shard of another bench than {}: {}, there", first.path, differs),
-               other.path, 0, 0};
+               other.path};
 }
 
 Result<void> check_all_there(const std::vector<ShardDirectory>& shards) {
@@ -63,7 +63,7 @@ Result<void> check_all_there(const std::vector<ShardDirectory>& shards) {
   for (; next <= count; ++next) missing += fmt::format(" {}", next);
   if (missing.empty()) return {};
   return Error{fmt::format("{} of {} shards are there; missing:{}", shards.size(), count, missing),
-               "--merge", 0, 0};
+               "--merge"};
 }
 
 /// The lines of all shards side by side.
@@ -133,7 +133,7 @@ class ShardLines {
     return {fmt::format("shard {} is not whole: {} is missing; go on with it by the command that "
                         "began it",
                         text_of(owner), run_text(order_.key_of(index))),
-            readers_[owner].path(), 0, 0};
+            readers_[owner].path()};
   }
 
   Error out_of_place(std::size_t owner, std::size_t index, const RunKey& found) const {
@@ -169,7 +169,7 @@ Result<std::vector<ShardDirectory>> read_shards(const std::vector<std::string>& 
       if (other.shard.number != shard->shard.number) continue;
       return Error{fmt::format("is shard {}, and so is {}: once is allowed", shard->shard.text(),
                                other.path),
-                   directory, 0, 0};
+                   directory};
     }
     shards.push_back(std::move(shard).value());
   }
@@ -205,12 +205,12 @@ Result<BenchEnd> merge_shards(const BenchPlan& plan, const BenchOrder& order,
                               const BenchOptions& options) {
   const std::string differs = difference(shards.front().header.configuration, plan.configuration);
   if (!differs.empty()) {
-    return Error{differs + "; merge with what it was made with", shards.front().path, 0, 0};
+    return Error{differs + "; merge with what it was made with", shards.front().path};
   }
   for (const ShardDirectory& shard : shards) {
     std::error_code none;
     if (std::filesystem::equivalent(shard.path, options.directory, none)) {
-      return Error{"is a shard itself; choose another --out", options.directory, 0, 0};
+      return Error{"is a shard itself; choose another --out", options.directory};
     }
   }
   const ResultsHeader header{order, plan.configuration};

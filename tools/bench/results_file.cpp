@@ -105,7 +105,7 @@ Result<void> ResultsFile::take_in(const ResultsHeader& header, const Take& take)
     return Error{other +
                      "; go on with what it was made with, choose another --out, or begin again "
                      "with --force",
-                 file_.path(), 0, 0};
+                 file_.path()};
   }
   while (const std::string* line = reader->next()) {
     CLEW_RETURN_IF_ERROR(take(*line, reader->number()));

@@ -97,7 +97,7 @@ auto read_line(const std::string& line, const Read& read) -> core::Result<declty
   try {
     return read(json::parse(line));
   } catch (const json::exception& error) {
-    return core::Error{std::string("is no line of results: ") + error.what(), {}, 0, 0};
+    return core::Error{std::string("is no line of results: ") + error.what()};
   }
 }
 

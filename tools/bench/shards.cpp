@@ -33,7 +33,7 @@ core::Result<Shard> read_shard(const std::string& text) {
   }
   return core::Error{"found '" + text + "'; expected I/N, N from 1 to " +
                          std::to_string(kMostShards) + " and I from 1 to N, as 2/4",
-                     "--shard", 0, 0};
+                     "--shard"};
 }
 
 Shards::Shards(const BenchPlan& plan, std::size_t count)

@@ -276,19 +276,19 @@ Result<Suite> read_suite(const core::Resource& file, const std::string& name) {
 
 Result<Grouping> read_grouping(const std::string& name) {
   if (const auto grouping = grouping_of(name)) return *grouping;
-  return Error{core::unknown_name("grouping", name, grouping_names()), {}, 0, 0};
+  return Error{core::unknown_name("grouping", name, grouping_names())};
 }
 
 Result<Variation> read_variation(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-    return Error{"expected PATH=VALUE,VALUE,..., found '" + text + "'", "--vary", 0, 0};
+    return Error{"expected PATH=VALUE,VALUE,..., found '" + text + "'", "--vary"};
   }
   Variation variation{text.substr(0, equals), {}};
   variation.file = "--vary " + variation.path;
   for (const std::string& value : split(text.substr(equals + 1), ',')) {
     variation.values.push_back({split(value, '+')});
-    if (value.empty()) return Error{"an empty value in '" + text + "'", "--vary", 0, 0};
+    if (value.empty()) return Error{"an empty value in '" + text + "'", "--vary"};
   }
   return variation;
 }

@@ -31,7 +31,7 @@ ordered_json parse(const std::string* line) {
 
 Result<TimedLine> take_timing(const std::string& line) {
   ordered_json result = parse(&line);
-  if (!result.is_object()) return Error{"is no line of JSON", {}, 0, 0};
+  if (!result.is_object()) return Error{"is no line of JSON"};
   ordered_json timing;
   for (const char* key : kKeys) timing[key] = result.value(key, ordered_json());
   for (const char* key : kMeasured) {

@@ -131,9 +131,7 @@ class Pool {
     std::string received;
   };
 
-  static Error failed(const std::string& what) {
-    return {what + ": " + std::strerror(errno), {}, 0, 0};
-  }
+  static Error failed(const std::string& what) { return {what + ": " + std::strerror(errno)}; }
 
   std::size_t busy() const {
     std::size_t count = 0;
@@ -152,7 +150,7 @@ class Pool {
     char buffer[65536];
     const ssize_t got = ::recv(worker.socket, buffer, sizeof buffer, 0);
     if (got < 0 && errno == EINTR) return {};
-    if (got <= 0) return Error{"a worker process died", {}, 0, 0};
+    if (got <= 0) return Error{"a worker process died"};
     worker.received.append(buffer, static_cast<std::size_t>(got));
     FrameHead head;
     while (worker.received.size() >= sizeof head) {
@@ -175,7 +173,7 @@ class Pool {
       case FrameType::kError:
         break;
     }
-    return Error{text, {}, 0, 0};
+    return Error{text};
   }
 
   const std::vector<std::size_t>& units_;

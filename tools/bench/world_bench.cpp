@@ -115,7 +115,7 @@ Result<bridge::RunReport> run_recorded(const runtime::RunPlan& run, const std::s
   auto report = bridge::run_composed(run, bridge::ComposedLayout{}, recording->get(), {});
   if (!report.ok()) return report;
   const bridge::RecordingAccount closed = (*recording)->close({});
-  if (!closed.failure.empty()) return core::Error{closed.failure, {}, 0, 0};
+  if (!closed.failure.empty()) return core::Error{closed.failure};
   return report;
 }
 

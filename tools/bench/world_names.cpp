@@ -53,10 +53,7 @@ core::Result<std::vector<std::string>> world_names(const std::string& pattern,
   return core::Error{is_path ? "no .yaml file matches '" + pattern +
                                    "' (a path from the working directory, " +
                                    std::filesystem::current_path().string() + ')'
-                             : "no world's name matches '" + pattern + "'",
-                     {},
-                     0,
-                     0};
+                             : "no world's name matches '" + pattern + "'"};
 }
 
 std::string file_name_of(const std::string& world) {

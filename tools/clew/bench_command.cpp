@@ -59,7 +59,7 @@ Result<void> load_plugins_of_merge(const bench::ShardDirectory& shard,
   for (const std::string& name : shard.header.order.plugins) {
     if (std::find(plugins.begin(), plugins.end(), name) == plugins.end()) {
       return core::Error{"was made with the plug-in '" + name + "'; allow it with --plugin " + name,
-                         shard.path, 0, 0};
+                         shard.path};
     }
   }
   return load_plugins_of(plugins);
@@ -71,7 +71,7 @@ Result<void> group_by(const std::vector<std::string>& names, bench::BenchPlan& p
   plan.by.clear();
   for (const std::string& name : names) {
     const auto grouping = bench::read_grouping(name);
-    if (!grouping.ok()) return core::Error{grouping.error().message, "--by", 0, 0};
+    if (!grouping.ok()) return core::Error{grouping.error().message, "--by"};
     plan.by.push_back(*grouping);
   }
   return {};
@@ -81,7 +81,7 @@ Result<void> group_by(const std::vector<std::string>& names, bench::BenchPlan& p
 Result<void> read_data(const bench::BenchOrder& order, bench::Suite& suite) {
   if (!suite.needs_barn) {
     if (order.data.empty()) return {};
-    return core::Error{"the suite " + suite.name + " needs none; barn does", "--data", 0, 0};
+    return core::Error{"the suite " + suite.name + " needs none; barn does", "--data"};
   }
   if (order.data.empty()) return {};  // the plan says what is missing
   auto worlds = bench::read_barn(order.data);
@@ -217,7 +217,7 @@ Result<bench::BenchOptions> bench_options(const BenchCommandOptions& options) {
   const auto shard = bench::read_shard(options.shard);
   if (!shard.ok()) return shard.error();
   if (options.out.empty()) {
-    return core::Error{"needs --out DIR: each shard has a directory of its own", "--shard", 0, 0};
+    return core::Error{"needs --out DIR: each shard has a directory of its own", "--shard"};
   }
   bench.shard = *shard;
   return bench;

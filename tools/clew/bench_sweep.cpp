@@ -36,7 +36,7 @@ Result<std::unique_ptr<sweep::JobQueue>> queue_of(const std::string& on) {
   const bool is_plain = partition.find_first_of(" ,") == std::string::npos;
   const bool has_partition = colon == std::string::npos || (!partition.empty() && is_plain);
   if (on.substr(0, colon) != "slurm" || !has_partition) {
-    return Error{"found '" + on + "'; allowed: slurm, slurm:PARTITION", "--on", 0, 0};
+    return Error{"found '" + on + "'; allowed: slurm, slurm:PARTITION", "--on"};
   }
   return std::unique_ptr<sweep::JobQueue>(std::make_unique<sweep::Slurm>(partition));
 }
@@ -165,7 +165,7 @@ Result<void> print_cost(const bench::BenchPlan& plan, const runtime::ConfigPath&
   if (!spread.ok()) return spread.error();
   const auto estimate = bench::estimate_cost(plan, configs, stages::all(), kSample_s);
   if (!estimate.ok()) return estimate.error();
-  if (estimate->sampled == 0) return Error{"the sample was interrupted", {}, 0, 0};
+  if (estimate->sampled == 0) return Error{"the sample was interrupted"};
   const double core_s = bench::total_s(plan, *estimate, spread->surveys);
   const double wall_s = core_s / static_cast<double>(spread->at_once);
   if (options.json) {

@@ -48,14 +48,14 @@ Result<runtime::Bundle> bundle_of_recording(const std::string& path,
     return core::Error{
         "was changed while it ran, and is made again without that; bisect compares "
         "runs that follow from their settings",
-        path, 0, 0};
+        path};
   }
   const auto& overrides = options.overrides;
   if (overrides.world || overrides.robot || overrides.seed || overrides.max_ticks) {
     return core::Error{
         "has its own world, robot, seed and ticks; --world, --robot, --seed and "
         "--max-ticks are for graphs",
-        path, 0, 0};
+        path};
   }
   return recording->description().bundle;
 }

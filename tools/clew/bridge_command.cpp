@@ -39,18 +39,16 @@ core::Result<void> check_run(const ros2::BridgeOptions& options) {
                          options.run.find_first_not_of("0123456789.+-eE") == std::string::npos;
   if (is_number && !bridge::is_domain_number(options.run)) {
     return core::Error{"found '" + options.run + "'; allowed: a domain's number, or a run's name",
-                       "--domain", 0, 0};
+                       "--domain"};
   }
   if (!is_number) return {};
   const int domain = std::stoi(options.run);
   if (auto good = bridge::check_domain(domain); !good.ok()) return named("--domain", good.error());
   if (options.network.domain != domain) return {};
-  return core::Error{fmt::format("domain {} is the run's own: ROS needs another one; give "
-                                 "--ros-domain or ROS_DOMAIN_ID",
-                                 domain),
-                     {},
-                     0,
-                     0};
+  return core::Error{
+      fmt::format("domain {} is the run's own: ROS needs another one; give "
+                  "--ros-domain or ROS_DOMAIN_ID",
+                  domain)};
 }
 
 core::Result<ros2::BridgeOptions> read_options(const Ros2Options& typed) {
@@ -68,7 +66,7 @@ core::Result<ros2::BridgeOptions> read_options(const Ros2Options& typed) {
   const auto vendor = bridge::vendor_from_name(typed.middleware);
   if (!vendor) {
     return core::Error{"found '" + typed.middleware + "'; allowed: cyclonedds, fastdds",
-                       "--middleware", 0, 0};
+                       "--middleware"};
   }
   options.vendor = *vendor;
   const auto distro = ros2::distro_from_name(typed.distro);
@@ -81,7 +79,7 @@ core::Result<ros2::BridgeOptions> read_options(const Ros2Options& typed) {
   if (auto good = ros2::check_topic_name(typed.node);
       !good.ok() || typed.node.find('/') != std::string::npos) {
     return core::Error{"'" + typed.node + "' is no node's name: allowed are letters, digits and _",
-                       "--node", 0, 0};
+                       "--node"};
   }
   options.node_name = typed.node;
   for (const std::string& text : typed.remap) {

@@ -43,8 +43,7 @@ Result<void> check_graph(const ComponentOptions& options) {
     if (stage.info->name == options.stage || stage.deployment.group == options.stage) return {};
     known.push_back(stage.info->name);
   }
-  return Error{core::unknown_name("stage of this graph", options.stage, known), options.graph, 0,
-               0};
+  return Error{core::unknown_name("stage of this graph", options.stage, known), options.graph};
 }
 
 Result<int> read_domain(const ComponentOptions& options) {
@@ -57,10 +56,10 @@ Result<int> read_domain(const ComponentOptions& options) {
     const auto [stop, error] = std::from_chars(text, end, domain);
     if (error != std::errc() || stop != end) {
       return Error{"found '" + std::string(text) + "', expected the number of a DDS domain",
-                   variable, 0, 0};
+                   variable};
     }
   } else {
-    return Error{"which run? give --domain, or CLEW_DOMAIN_ID in the environment", {}, 0, 0};
+    return Error{"which run? give --domain, or CLEW_DOMAIN_ID in the environment"};
   }
   CLEW_RETURN_IF_ERROR(bridge::check_domain(domain));
   return domain;

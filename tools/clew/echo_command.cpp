@@ -40,7 +40,7 @@ Result<void> for_each_sample(const bridge::RunRecording& recording,
     if (!sample.ok()) return sample.error();
     if (!*sample) return {};
     const auto fields = reader.fields_of(**sample);
-    if (!fields.ok()) return Error{fields.error().message, recording.path(), 0, 0};
+    if (!fields.ok()) return Error{fields.error().message, recording.path()};
     if (!visit(**sample, *fields)) return {};
   }
 }
@@ -60,7 +60,7 @@ Result<void> check_field(const bridge::RunRecording& recording, const bridge::Sa
   if (found) return {};
   const std::string topic(domain::topic_name(*filter.topics.begin()));
   const std::vector<std::string> names(known.begin(), known.end());
-  return Error{core::unknown_name("field of " + topic, wanted, names), "--field", 0, 0};
+  return Error{core::unknown_name("field of " + topic, wanted, names), "--field"};
 }
 
 Result<void> print_csv(const bridge::RunRecording& recording, const bridge::SampleFilter& filter,

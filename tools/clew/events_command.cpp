@@ -217,7 +217,7 @@ Result<std::size_t> print_events(const bridge::RunRecording& recording, bool jso
     const auto printed = printer.print(**sample);
     if (!printed.ok()) {
       return core::Error{fmt::format("tick {}: {}", (*sample)->tick, printed.error().message),
-                         recording.path(), 0, 0};
+                         recording.path()};
     }
   }
 }

@@ -92,7 +92,7 @@ Result<void> check_programs_are_named(const runtime::Graph& graph,
         fmt::format("the recording names '{}' as the program of {}; it is run only if you name "
                     "it, too: --exec '{}'",
                     program, stage.info->name, program),
-        "--exec", 0, 0};
+        "--exec"};
   }
   return {};
 }
@@ -105,18 +105,18 @@ Result<void> check_prefix(const std::string& command) {
   if (word.find_first_of("\"'\\$`~(){};&|<>*?[") != std::string::npos) return {};
   const std::string why = why_not_started(word);
   if (why.empty()) return {};
-  return Error{why, "--prefix", 0, 0};
+  return Error{why, "--prefix"};
 }
 
 Result<void> check_pace(const runtime::Graph& graph, bridge::Pace pace) {
   if (robot::has_robot(graph) && pace != bridge::Pace::kRealtime) {
-    return Error{"a robot of ROS 2 takes part; allowed: realtime", "--pace", 0, 0};
+    return Error{"a robot of ROS 2 takes part; allowed: realtime", "--pace"};
   }
   const auto* robot = graph.writer_of(runtime::Topic::kState);
   if (pace != bridge::Pace::kScaled || !robot->deployment.is_on_the_wire()) return {};
   return Error{fmt::format("{} has exec, and keeps its own pace; allowed: lockstep, realtime",
                            robot->info->name),
-               "--pace", 0, 0};
+               "--pace"};
 }
 
 }  // namespace clew::tools

@@ -130,7 +130,7 @@ Result<void> prepare_directory(const HuntCommandOptions& options) {
   namespace fs = std::filesystem;
   std::error_code error;
   if (!fs::exists(fs::path(options.out) / "runs.jsonl", error)) return {};
-  if (!options.force) return Error{"holds a hunt already; --force drops it", options.out, 0, 0};
+  if (!options.force) return Error{"holds a hunt already; --force drops it", options.out};
   fs::remove_all(fs::path(options.out) / "cases", error);
   fs::remove(fs::path(options.out) / "runs.jsonl", error);
   return {};

@@ -155,10 +155,10 @@ core::Result<void> check_choice(const StageInfo& stage, const std::string& part_
     for (const VariantInfo& variant : part.variants) names.push_back(variant.name);
   }
   if (names.empty()) {
-    return core::Error{core::unknown_name("part of " + stage.name, part_name, parts), {}, 0, 0};
+    return core::Error{core::unknown_name("part of " + stage.name, part_name, parts)};
   }
   if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return {};
-  return core::Error{core::unknown_name("behaviour of " + stage.name, name, names), {}, 0, 0};
+  return core::Error{core::unknown_name("behaviour of " + stage.name, name, names)};
 }
 
 int list_stage(const StageInfo& stage, const std::string& part_name, const ListOptions& options) {

@@ -45,7 +45,7 @@ core::Result<void> check_command(const CLI::App& app, const std::string& name) {
     if (command->get_name() == name) return {};
     if (!command->get_group().empty()) known.push_back(command->get_name());
   }
-  return core::Error{core::unknown_name("command", name, known), {}, 0, 0};
+  return core::Error{core::unknown_name("command", name, known)};
 }
 
 core::Result<void> check_commands(const CLI::App& app, int argc, char** argv) {
@@ -72,7 +72,7 @@ core::Result<void> check_options(const CLI::App& app) {
   }
   for (const std::string& word : app.remaining()) {
     if (word.size() < 2 || word.front() != '-') continue;
-    return core::Error{core::unknown_name("option", word, known), {}, 0, 0};
+    return core::Error{core::unknown_name("option", word, known)};
   }
   return {};
 }

@@ -17,7 +17,7 @@ core::Result<void> write_pages(const CLI::App& app, const std::string& stem,
   std::ofstream file(path);
   file << manual_page(app, CLEW_VERSION);
   file.close();
-  if (!file) return core::Error{"cannot be written", path, 0, 0};
+  if (!file) return core::Error{"cannot be written", path};
   for (const CLI::App* command : shown_commands(app)) {
     CLEW_RETURN_IF_ERROR(write_pages(*command, stem + '-' + command->get_name(), directory));
   }

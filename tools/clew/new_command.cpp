@@ -36,7 +36,7 @@ Result<void> check(const NewOptions& options) {
   if (kParts.count(options.kind) == 0) {
     std::vector<std::string> known;
     for (const auto& [kind, part] : kParts) known.push_back(kind);
-    return Error{core::unknown_name("kind", options.kind, known), {}, 0, 0};
+    return Error{core::unknown_name("kind", options.kind, known)};
   }
   const std::string& name = options.name;
   const bool good = !name.empty() && name.size() <= 40 &&
@@ -47,10 +47,7 @@ Result<void> check(const NewOptions& options) {
                     });
   if (good) return {};
   return Error{"found the name '" + name +
-                   "'; allowed: a letter, then letters, digits and _, all small, at most 40",
-               {},
-               0,
-               0};
+               "'; allowed: a letter, then letters, digits and _, all small, at most 40"};
 }
 
 /// `my_detector` as a class: `MyDetector`.
@@ -81,7 +78,7 @@ Result<fs::path> find_templates() {
     std::error_code code;
     if (fs::is_directory(folder, code)) return folder;
   }
-  return Error{"there are no templates/plugin in " + runtime::config_roots().front(), {}, 0, 0};
+  return Error{"there are no templates/plugin in " + runtime::config_roots().front()};
 }
 
 Result<void> write(const fs::path& from, const fs::path& to,
@@ -89,11 +86,11 @@ Result<void> write(const fs::path& from, const fs::path& to,
   std::ifstream source(from);
   std::ostringstream text;
   text << source.rdbuf();
-  if (!source) return Error{"cannot be read", from.string(), 0, 0};
+  if (!source) return Error{"cannot be read", from.string()};
   std::ofstream file(to);
   file << filled(text.str(), words);
   file.close();
-  if (!file) return Error{"cannot be written", to.string(), 0, 0};
+  if (!file) return Error{"cannot be written", to.string()};
   return {};
 }
 
@@ -102,10 +99,10 @@ Result<void> write_project(const NewOptions& options, const fs::path& folder) {
   if (!templates.ok()) return templates.error();
   std::error_code code;
   if (fs::exists(folder, code)) {
-    return Error{"is there already; nothing was written", folder.string(), 0, 0};
+    return Error{"is there already; nothing was written", folder.string()};
   }
   fs::create_directories(folder, code);
-  if (code) return Error{"cannot be made: " + code.message(), folder.string(), 0, 0};
+  if (code) return Error{"cannot be made: " + code.message(), folder.string()};
   const std::map<std::string, std::string> words = {{"@NAME@", options.name},
                                                     {"@CLASS@", class_name(options.name)},
                                                     {"@KIND@", options.kind},

@@ -20,7 +20,7 @@ std::string own_program() {
 
 core::Result<std::string> program_fingerprint() {
   std::FILE* file = std::fopen("/proc/self/exe", "rb");
-  if (file == nullptr) return core::Error{"cannot be read", "/proc/self/exe", 0, 0};
+  if (file == nullptr) return core::Error{"cannot be read", "/proc/self/exe"};
   std::string bytes;
   char buffer[1 << 16];
   for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file)) > 0;) {

@@ -52,7 +52,7 @@ Result<std::unique_ptr<PageRuns>> PageRuns::create(bridge::ViewContent& content,
   std::error_code code;
   std::string folder = (std::filesystem::temp_directory_path(code) / "clew-view-XXXXXX").string();
   if (code || ::mkdtemp(folder.data()) == nullptr) {
-    return Error{std::string("cannot be made: ") + std::strerror(errno), folder, 0, 0};
+    return Error{std::string("cannot be made: ") + std::strerror(errno), folder};
   }
   return std::unique_ptr<PageRuns>(
       new PageRuns(content, std::move(recordings), std::move(plugins), std::move(folder)));

@@ -42,8 +42,7 @@ Result<plot::InsideView> look_inside(const std::string& path, std::uint64_t tick
     if (!picture.empty()) inside.pictures.push_back(std::move(picture));
   }
   if (inside.pictures.empty()) {
-    return Error{fmt::format("no component of ours has something to draw at tick {}", tick), path,
-                 0, 0};
+    return Error{fmt::format("no component of ours has something to draw at tick {}", tick), path};
   }
   return inside;
 }
@@ -51,10 +50,7 @@ Result<plot::InsideView> look_inside(const std::string& path, std::uint64_t tick
 Result<void> plot_inside(const PlotOptions& options) {
   if (options.recordings.size() != 1) {
     return Error{
-        fmt::format("--tick looks into one recording; found {}", options.recordings.size()),
-        {},
-        0,
-        0};
+        fmt::format("--tick looks into one recording; found {}", options.recordings.size())};
   }
   const auto inside = look_inside(options.recordings.front(), *options.tick, options.plugins);
   if (!inside.ok()) return inside.error();

@@ -16,7 +16,7 @@ core::Result<hunt::Property> read_property(const std::string& text) {
     return core::Error{
         "is missing; expected a statement, as 'outcome == reached and path_ratio < "
         "1.5'",
-        "--property", 0, 0};
+        "--property"};
   }
   return hunt::Property::parse(text, "--property");
 }

@@ -67,10 +67,7 @@ core::Result<std::vector<Field>> FieldReader::fields_of(const bridge::SampleView
     const auto decoded = bridge::decode(sample.cdr, &message, bridge::Values::kAny);
     if (decoded.ok()) return bridge::fields_of(message);
     return core::Error{fmt::format("tick {} of {}: {}", sample.tick,
-                                   domain::topic_name(sample.topic), decoded.error().message),
-                       {},
-                       0,
-                       0};
+                                   domain::topic_name(sample.topic), decoded.error().message)};
   });
 }
 

@@ -30,7 +30,7 @@ core::Error unfaithful_error(const bridge::RunRecording& recording,
                       "from later ones",
                       report.component, report.first->tick, domain::topic_name(report.first->topic),
                       report.first->fields.front().path),
-          recording.path(), 0, 0};
+          recording.path()};
 }
 
 /// The recording of a branch without a change is that of the run; else it says where it began: with

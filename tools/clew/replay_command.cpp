@@ -31,34 +31,27 @@ Result<void> check_options(const ReplayOptions& options) {
   if (options.recording.empty()) {
     return Error{options.publishes ? "no recording; --publish takes what follows it for topics: "
                                      "'clew replay RECORDING --publish [TOPIC...]'"
-                                   : "no recording; expected 'clew replay RECORDING [OPTIONS]'",
-                 {},
-                 0,
-                 0};
+                                   : "no recording; expected 'clew replay RECORDING [OPTIONS]'"};
   }
   if (options.branch_tick && (options.first_tick || options.last_tick)) {
-    return Error{"--branch goes on to the end of the run: leave out --from and --to", {}, 0, 0};
+    return Error{"--branch goes on to the end of the run: leave out --from and --to"};
   }
   if (!options.branch_tick &&
       (!options.record.empty() || options.force || options.overrides.max_ticks)) {
-    return Error{"--record, --force and --max-ticks need --branch", {}, 0, 0};
+    return Error{"--record, --force and --max-ticks need --branch"};
   }
   if (options.publishes && options.branch_tick) {
-    return Error{
-        "--publish feeds what is recorded, --branch goes on from it: leave out one", {}, 0, 0};
+    return Error{"--publish feeds what is recorded, --branch goes on from it: leave out one"};
   }
   if (!options.exec.empty() && !options.start && !options.branch_tick) {
-    return Error{"needs --start or --branch", "--exec", 0, 0};
+    return Error{"needs --start or --branch", "--exec"};
   }
   if (!options.publishes &&
       (options.domain || options.start || !options.prefix.empty() || !options.readers.empty() ||
        options.wait_s || options.start_paused || options.commands)) {
     return Error{
         "--domain, --start, --prefix, --reader, --wait, --start-paused and --commands "
-        "need --publish",
-        {},
-        0,
-        0};
+        "need --publish"};
   }
   return {};
 }
@@ -134,7 +127,7 @@ Result<std::vector<ReplayReport>> replay_all(const bridge::RunRecording& recordi
     if (!report.ok()) return report.error();
     reports.push_back(std::move(report).value());
   }
-  if (reports.empty()) return Error{"no component of this recording is ours", {}, 0, 0};
+  if (reports.empty()) return Error{"no component of this recording is ours"};
   return reports;
 }
 

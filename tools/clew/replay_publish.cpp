@@ -29,12 +29,12 @@ Result<void> read_prefix(const ReplayOptions& options, LiveReplayOptions& live) 
   if (options.prefix.empty()) return {};
   const std::size_t equals = options.prefix.find('=');
   if (equals == std::string::npos || equals + 1 == options.prefix.size()) {
-    return Error{"expected STAGE='command', found '" + options.prefix + "'", "--prefix", 0, 0};
+    return Error{"expected STAGE='command', found '" + options.prefix + "'", "--prefix"};
   }
   if (options.prefix.substr(0, equals) != options.component) {
     return Error{"is of '" + options.prefix.substr(0, equals) + "', and --component is '" +
                      options.component + "'",
-                 "--prefix", 0, 0};
+                 "--prefix"};
   }
   live.prefix = options.prefix.substr(equals + 1);
   CLEW_RETURN_IF_ERROR(check_prefix(live.prefix));
@@ -51,10 +51,10 @@ Result<LiveReplayOptions> read_options(const ReplayOptions& options,
     live.topics.set(static_cast<std::size_t>(*topic));
   }
   if (!runtime::is_middleware(options.middleware)) {
-    return Error{runtime::unknown_middleware(options.middleware), "--middleware", 0, 0};
+    return Error{runtime::unknown_middleware(options.middleware), "--middleware"};
   }
   if (options.start && options.component.empty()) {
-    return Error{"--start needs --component", {}, 0, 0};
+    return Error{"--start needs --component"};
   }
   live.component = options.component;
   live.starts_component = options.start;

@@ -31,12 +31,12 @@ Result<view::ReportedFile> read_recording(const std::string& path) {
 }
 
 Result<void> write_report(const ReportOptions& options) {
-  if (view::page().empty()) return Error{view::kNoPage, {}, 0, 0};
+  if (view::page().empty()) return Error{view::kNoPage};
   std::error_code ignored;
   std::vector<view::ReportedFile> files;
   for (const std::string& path : options.recordings) {
     if (std::filesystem::equivalent(path, options.output, ignored)) {
-      return Error{"is a recording that the report is made of", options.output, 0, 0};
+      return Error{"is a recording that the report is made of", options.output};
     }
     auto file = read_recording(path);
     if (!file.ok()) return file.error();

@@ -37,14 +37,13 @@ Result<void> check_nothing_is_decided_anew(const RunOptions& options) {
                                                   {!options.compression.empty(), "--compression"}};
   for (const auto& [given, name] : decided) {
     if (!given) continue;
-    return Error{fmt::format("goes on with what is recorded: leave out {}", name), "--resume", 0,
-                 0};
+    return Error{fmt::format("goes on with what is recorded: leave out {}", name), "--resume"};
   }
   if (options.pace == "realtime") {
-    return Error{"a run in real time cannot be continued", "--resume", 0, 0};
+    return Error{"a run in real time cannot be continued", "--resume"};
   }
   if (options.force && options.record.empty()) {
-    return Error{"--force needs --record here", "--resume", 0, 0};
+    return Error{"--force needs --record here", "--resume"};
   }
   return {};
 }
@@ -70,11 +69,11 @@ std::string final_name(const std::string& file) {
 Result<void> take_over(const std::string& file, const std::string& becomes, bool copy) {
   const std::string temporary = becomes + kTemporary;
   if (file == temporary && is_file(becomes)) {
-    return Error{"exists; it would be overwritten: move one of the two away", becomes, 0, 0};
+    return Error{"exists; it would be overwritten: move one of the two away", becomes};
   }
   if (file == temporary) return {};
   if (!copy && is_file(temporary)) {
-    return Error{"exists, too: which one is to be resumed?", temporary, 0, 0};
+    return Error{"exists, too: which one is to be resumed?", temporary};
   }
   std::error_code error;
   if (copy) {
@@ -83,7 +82,7 @@ Result<void> take_over(const std::string& file, const std::string& becomes, bool
   } else {
     std::filesystem::rename(file, temporary, error);
   }
-  if (error) return Error{"cannot be written: " + error.message(), temporary, 0, 0};
+  if (error) return Error{"cannot be written: " + error.message(), temporary};
   return {};
 }
 
@@ -103,7 +102,7 @@ Result<ResumedRun> resume_run(const RunOptions& options) {
   if (resumption->has_ended && recording->complete()) {
     return Error{fmt::format("is complete: the run ended at tick {}, nothing is left to resume",
                              resumption->processes.next_tick - 1),
-                 file, 0, 0};
+                 file};
   }
   const std::string becomes = options.record.empty() ? final_name(file) : options.record;
   bridge::RecordingOrder order{becomes, bridge::describe_run(*plan), 0.0, options.force};

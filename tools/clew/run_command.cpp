@@ -46,16 +46,16 @@ const std::vector<std::string> kOnRecordError = {"stop", "continue"};
 Result<void> check_black_box(const RunOptions& options) {
   const bool wanted = !options.record_on.empty();
   if (wanted && options.record_on != kRecordOn.front()) {
-    return Error{core::unknown_name("occasion", options.record_on, kRecordOn), "--record-on", 0, 0};
+    return Error{core::unknown_name("occasion", options.record_on, kRecordOn), "--record-on"};
   }
   if (wanted && options.record.empty()) {
-    return Error{"needs --record FILE", "--record-on", 0, 0};
+    return Error{"needs --record FILE", "--record-on"};
   }
   if (!options.resume.empty() && wanted) {
-    return Error{"a resumed run is recorded as before", "--record-on", 0, 0};
+    return Error{"a resumed run is recorded as before", "--record-on"};
   }
   if (options.record_last_s && !wanted) {
-    return Error{"needs --record-on trap", "--record-last", 0, 0};
+    return Error{"needs --record-on trap", "--record-last"};
   }
   return {};
 }
@@ -63,22 +63,22 @@ Result<void> check_black_box(const RunOptions& options) {
 Result<void> check_options(const RunOptions& options) {
   CLEW_RETURN_IF_ERROR(check_black_box(options));
   if (!options.exec.empty() && options.resume.empty()) {
-    return Error{"needs --resume: a graph names its programs itself", "--exec", 0, 0};
+    return Error{"needs --resume: a graph names its programs itself", "--exec"};
   }
   if (!options.layout.empty() && options.layout != "processes" && options.layout != "composed") {
     return Error{core::unknown_name("layout", options.layout, {"processes", "composed"}),
-                 "--layout", 0, 0};
+                 "--layout"};
   }
   const auto known = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   if (!options.compression.empty() && !known(kCompressions, options.compression)) {
     return Error{core::unknown_name("compression", options.compression, kCompressions),
-                 "--compression", 0, 0};
+                 "--compression"};
   }
   if (!known(kOnRecordError, options.on_record_error)) {
     return Error{core::unknown_name("choice", options.on_record_error, kOnRecordError),
-                 "--on-record-error", 0, 0};
+                 "--on-record-error"};
   }
   if (!options.pace.empty()) {
     if (const auto speed = read_pace(options.pace); !speed.ok()) return speed.error();
@@ -93,13 +93,10 @@ Result<void> check_ways(const RunOptions& options, bool composed) {
     return Error{
         "--external, --prefix, --domain, --realtime-priority, --middleware, --secure and --ros2 "
         "need "
-        "--layout processes",
-        {},
-        0,
-        0};
+        "--layout processes"};
   }
   if (!composed && !options.profile.empty()) {
-    return Error{"--profile needs --layout composed", {}, 0, 0};
+    return Error{"--profile needs --layout composed"};
   }
   return {};
 }
@@ -135,7 +132,7 @@ Result<void> plan_changes(const RunOptions& options, Job& job, bridge::RunContro
 }
 
 Result<Job> new_job(const RunOptions& options) {
-  if (options.graph.empty()) return Error{"which graph? see 'clew list graphs'", {}, 0, 0};
+  if (options.graph.empty()) return Error{"which graph? see 'clew list graphs'"};
   CLEW_RETURN_IF_ERROR(load_plugins_of(options.plugins, options.graph));
   auto plan = runtime::prepare_run(options.graph, options.overrides,
                                    runtime::ConfigPath::from_environment(), stages::all());

@@ -32,7 +32,7 @@ Result<Speed> read_pace(const std::string& text) {
   }
   return Error{"found '" + text + "'; allowed: lockstep, realtime, or a factor of simulated time " +
                    "from 0.001x to 1000x",
-               "--pace", 0, 0};
+               "--pace"};
 }
 
 namespace {
@@ -42,12 +42,11 @@ Result<void> check_stage(const runtime::Graph& graph, const std::string& stage,
   if (graph.find(stage) != nullptr) return {};
   std::vector<std::string> known;
   for (const auto& candidate : graph.stages) known.push_back(candidate.info->name);
-  return Error{core::unknown_name("stage of this graph", stage, known), option, 0, 0};
+  return Error{core::unknown_name("stage of this graph", stage, known), option};
 }
 
 Error given_twice(const char* option, const std::string& what) {
-  return {"is given twice" + (what.empty() ? "" : " for " + what) + "; once is allowed", option, 0,
-          0};
+  return {"is given twice" + (what.empty() ? "" : " for " + what) + "; once is allowed", option};
 }
 
 Result<void> read_middleware(const RunOptions& options, const runtime::Graph& graph,
@@ -57,7 +56,7 @@ Result<void> read_middleware(const RunOptions& options, const runtime::Graph& gr
     const std::size_t equals = text.find('=');
     const std::string vendor = equals == std::string::npos ? text : text.substr(equals + 1);
     if (!runtime::is_middleware(vendor)) {
-      return Error{runtime::unknown_middleware(vendor), "--middleware", 0, 0};
+      return Error{runtime::unknown_middleware(vendor), "--middleware"};
     }
     const std::string stage = equals == std::string::npos ? "" : text.substr(0, equals);
     if (!given.insert(stage).second) return given_twice("--middleware", stage);
@@ -87,7 +86,7 @@ Result<void> check_group_middleware(const runtime::Graph& graph,
     return Error{"the stages of group '" + stage.deployment.group +
                      "' share a process, and so one middleware; found " + one + " in " +
                      first.info->name + " and " + other + " in " + stage.info->name,
-                 "--middleware", 0, 0};
+                 "--middleware"};
   }
   return {};
 }
@@ -98,7 +97,7 @@ Result<void> read_prefixes(const RunOptions& options, const runtime::Graph& grap
   for (const std::string& text : options.prefix) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals + 1 == text.size()) {
-      return Error{"expected STAGE='command', found '" + text + "'", "--prefix", 0, 0};
+      return Error{"expected STAGE='command', found '" + text + "'", "--prefix"};
     }
     const std::string stage = text.substr(0, equals);
     CLEW_RETURN_IF_ERROR(check_stage(graph, stage, "--prefix"));

@@ -68,7 +68,7 @@ Result<Subject> read_subject(const ShrinkCommandOptions& options) {
   if (!file.ok()) return file.error();
   if (hunt::is_case(file->text, file->file)) return read_case(*file, options);
   if (options.graph.graph.empty()) {
-    return Error{"is missing; expected a graph's name or path", "--graph", 0, 0};
+    return Error{"is missing; expected a graph's name or path", "--graph"};
   }
   return Subject{{options.graph, file->text, options.world, options.seed.value_or(1)},
                  options.property,
@@ -85,7 +85,7 @@ Result<void> draw(const hunt::RunCase& which, const hunt::Workshop& workshop,
   const std::string recording = beside(output, ".mcap");
   std::error_code ignored;
   const bool was_there = std::filesystem::exists(recording, ignored);
-  if (was_there) return Error{"is in the way of a recording that is drawn", recording, 0, 0};
+  if (was_there) return Error{"is in the way of a recording that is drawn", recording};
   CLEW_RETURN_IF_ERROR(hunt::record_case(which, workshop, recording));
   const auto drawn = plot::plot_recordings({recording}, beside(output, ".svg"));
   std::filesystem::remove(recording, ignored);

@@ -191,10 +191,10 @@ Result<std::unique_ptr<bridge::DomainWatch>> join_domain(const TopicOptions& opt
   if (run.empty() && variable != nullptr) run = variable;
   if (run.empty()) {
     return Error{"which domain? Give its number or the run's name, or set CLEW_DOMAIN_ID",
-                 "--domain", 0, 0};
+                 "--domain"};
   }
   const auto domain = bridge::domain_of_run(run);
-  if (!domain.ok()) return Error{domain.error().message, "--domain", 0, 0};
+  if (!domain.ok()) return Error{domain.error().message, "--domain"};
   auto watch = bridge::DomainWatch::join(*domain);
   if (!watch.ok()) return watch.error();
   using std::chrono::duration;
@@ -227,12 +227,9 @@ Result<TopicOnWire> find_topic(const bridge::DomainWatch& watch, const TopicOpti
   }
   if (same_name.empty()) {
     const std::string where = fmt::format("topic on domain {}", watch.domain());
-    if (!names.empty()) return Error{core::unknown_name(where, options.topic, names), {}, 0, 0};
+    if (!names.empty()) return Error{core::unknown_name(where, options.topic, names)};
     return Error{
-        fmt::format("no topic '{}': nobody is on domain {}", options.topic, watch.domain()),
-        {},
-        0,
-        0};
+        fmt::format("no topic '{}': nobody is on domain {}", options.topic, watch.domain())};
   }
   std::vector<std::string> types;
   for (TopicOnWire& topic : same_name) {
@@ -240,15 +237,11 @@ Result<TopicOnWire> find_topic(const bridge::DomainWatch& watch, const TopicOpti
     types.push_back(topic.type);
   }
   if (!options.type.empty()) {
-    return Error{
-        core::unknown_name("type of topic " + options.topic, options.type, types), {}, 0, 0};
+    return Error{core::unknown_name("type of topic " + options.topic, options.type, types)};
   }
   if (same_name.size() == 1) return std::move(same_name.front());
   return Error{fmt::format("topic {} has {} types: name one of {} behind it", options.topic,
-                           types.size(), fmt::join(types, ", ")),
-               {},
-               0,
-               0};
+                           types.size(), fmt::join(types, ", "))};
 }
 
 void add_topic(CLI::App& main, int& status) {

@@ -80,7 +80,7 @@ class EchoVerb : public TopicVerb {
         continue;
       }
       const std::string what = "field of " + std::string(domain::topic_name(topic_));
-      return Error{core::unknown_name(what, wanted, names), "--field", 0, 0};
+      return Error{core::unknown_name(what, wanted, names), "--field"};
     }
     return {};
   }

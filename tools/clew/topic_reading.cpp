@@ -131,21 +131,16 @@ std::optional<domain::TickStamp> stamp_of(Topic topic, std::string_view cdr) {
 Result<Topic> check_type(const TopicOnWire& topic, const char* otherwise) {
   const auto known = topic_of_type(topic.type);
   if (!known) {
-    return Error{
-        fmt::format("{} has type {}, which is none of Clew's{}", topic.name, topic.type, otherwise),
-        {},
-        0,
-        0};
+    return Error{fmt::format("{} has type {}, which is none of Clew's{}", topic.name, topic.type,
+                             otherwise)};
   }
   for (const bridge::RemoteEndpoint& writer : topic.writers) {
     const std::string idl = bridge::UserData::parse(writer.user_data).idl_fingerprint;
     if (idl.empty() || idl == bridge::idl_fingerprint()) continue;
-    return Error{fmt::format("the writer of {} was built from other IDL files: its fingerprint is "
-                             "{}, this one's is {}",
-                             topic.name, idl, bridge::idl_fingerprint()),
-                 {},
-                 0,
-                 0};
+    return Error{
+        fmt::format("the writer of {} was built from other IDL files: its fingerprint is "
+                    "{}, this one's is {}",
+                    topic.name, idl, bridge::idl_fingerprint())};
   }
   return *known;
 }

@@ -108,7 +108,7 @@ class DelayVerb : public TopicVerb {
     if (!known.ok()) return known.error();
     topic_ = *known;
     if (topic_ == Topic::kState) {
-      return Error{"state is what begins a tick; name a topic that follows from it", {}, 0, 0};
+      return Error{"state is what begins a tick; name a topic that follows from it"};
     }
     const std::string type(domain::type_name(Topic::kState));
     const std::string state = topic.name.substr(0, topic.name.rfind('/') + 1) +

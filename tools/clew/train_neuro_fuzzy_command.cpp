@@ -76,7 +76,7 @@ Result<Trained> train(const TrainNeuroFuzzyOptions& options) {
                          : train::groups_of_recording(*recipe, options.recording);
   if (!shown.ok()) return shown.error();
   const auto groups = train::draw_groups(*recipe, shown->groups);
-  if (!groups.ok()) return Error{groups.error().message, options.recording, 0, 0};
+  if (!groups.ok()) return Error{groups.error().message, options.recording};
   const auto training = train::train_neuro_fuzzy(*recipe, *start, *groups);
   const auto errors = train::compare(training, *start, *groups);
   return Trained{train::trained_file(*recipe, training, errors, command_of(options), shown->origin),

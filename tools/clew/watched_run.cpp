@@ -20,7 +20,7 @@ using core::Result;
 bridge::RunView view_of(const runtime::RunPlan& plan) {
   return bridge::RunView(
       [&plan](int port, const std::string& run) -> Result<std::unique_ptr<bridge::LiveFeed>> {
-        if (view::page().empty()) return Error{view::kNoPage, {}, 0, 0};
+        if (view::page().empty()) return Error{view::kNoPage};
         std::vector<std::string> gateway = {own_program(), "gateway"};
         for (const runtime::PluginInfo& plugin : runtime::loaded_plugins()) {
           gateway.insert(gateway.end(), {"--plugin", plugin.file});

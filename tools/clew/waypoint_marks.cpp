@@ -103,7 +103,7 @@ Result<std::vector<WaypointMark>> waypoint_marks(const bridge::RunRecording& rec
     const auto decoded = codec.decode_unvalidated((*sample)->cdr, state);
     if (!decoded.ok()) {
       return core::Error{fmt::format("tick {}: {}", (*sample)->tick, decoded.error().message),
-                         recording.path(), 0, 0};
+                         recording.path()};
     }
     const auto marks = watch->see(state);
     all.insert(all.end(), marks.begin(), marks.end());

@@ -37,7 +37,7 @@ core::Result<world_import::ImportOptions> read_options(const WorldImportOptions&
   if (typed.target_radius_m > 0.0) options.target_radius_m = typed.target_radius_m;
   if (typed.cell_m > 0.0) options.cell_m = typed.cell_m;
   if (typed.unknown != "blocked" && typed.unknown != "free") {
-    return core::Error{"found '" + typed.unknown + "'; allowed: blocked, free", "--unknown", 0, 0};
+    return core::Error{"found '" + typed.unknown + "'; allowed: blocked, free", "--unknown"};
   }
   options.unknown_is_blocked = typed.unknown == "blocked";
   if (typed.scenario > 0) options.scenario = typed.scenario;

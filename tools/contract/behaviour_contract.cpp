@@ -25,7 +25,7 @@ constexpr int kTicksBetweenBreaks = 29;
 constexpr int kBadTicks = 120;
 constexpr int kRangeTicks = 40;
 
-Error broken(const std::string& what) { return {what, {}, 0, 0}; }
+Error broken(const std::string& what) { return {what}; }
 
 const runtime::VariantInfo* find_variant(const runtime::BehaviourName& behaviour) {
   for (const runtime::StageInfo& stage : stages::all()) {

@@ -20,7 +20,7 @@ constexpr int kAskedTicks = 500;
 constexpr int kTicksBetweenQuestions = 23;
 constexpr int kTicksBetweenLooks = 7;
 
-Error unsound(const std::string& what) { return {what, {}, 0, 0}; }
+Error unsound(const std::string& what) { return {what}; }
 
 /// What is wrong with a value; empty if nothing is.
 struct Fault {

@@ -14,7 +14,7 @@
 namespace clew::contract {
 namespace {
 
-core::Error failed(const std::string& what) { return {what, {}, 0, 0}; }
+core::Error failed(const std::string& what) { return {what}; }
 
 [[noreturn]] void answer(int pipe, const std::function<core::Result<void>()>& work,
                          unsigned timeout_s) {

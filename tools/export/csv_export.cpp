@@ -27,7 +27,7 @@ Result<void> for_each_sample(const bridge::RunRecording& recording, domain::Topi
     if (!sample.ok()) return sample.error();
     if (!*sample) return {};
     const auto fields = reader.fields_of(**sample);
-    if (!fields.ok()) return Error{fields.error().message, recording.path(), 0, 0};
+    if (!fields.ok()) return Error{fields.error().message, recording.path()};
     const Result<void> visited = visit(**sample, *fields);
     if (!visited.ok()) return visited;
   }
@@ -59,10 +59,10 @@ core::Result<void> export_csv(const bridge::RunRecording& recording, const std::
                               bool force) {
   std::error_code error;
   if (fs::exists(directory, error) && !force) {
-    return Error{"exists; --force replaces the tables in it", directory, 0, 0};
+    return Error{"exists; --force replaces the tables in it", directory};
   }
   fs::create_directories(directory, error);
-  if (error) return Error{error.message(), directory, 0, 0};
+  if (error) return Error{error.message(), directory};
   for (const auto& [topic, schema] : recording.description().schemas) {
     const std::string name = std::string(domain::topic_name(topic)) + ".csv";
     CLEW_RETURN_IF_ERROR(

@@ -14,7 +14,7 @@ namespace clew::files {
 namespace {
 
 core::Error cannot(const char* what, int number, const std::string& path) {
-  return {std::string("cannot be ") + what + ": " + std::strerror(number), path, 0, 0};
+  return {std::string("cannot be ") + what + ": " + std::strerror(number), path};
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ class Bisection {
     if (!outcome.ok()) return outcome.error();
     if (!*outcome) {
       end_.interrupted = true;
-      return core::Error{"interrupted", {}, 0, 0};
+      return core::Error{"interrupted"};
     }
     ran.outcome = (*outcome)->values.word(Field::kOutcome);
     if (property_) ran.holds = property_->judge((*outcome)->values).holds;
@@ -219,7 +219,7 @@ Result<BisectEnd> bisect(const BisectSide& a, const BisectSide& b,
                          const std::optional<Property>& property,
                          const std::vector<runtime::StageInfo>& stages) {
   for (const BisectSide* side : {&a, &b}) {
-    if (side->bundle.count(kGraph) == 0) return core::Error{"holds no graph", side->name, 0, 0};
+    if (side->bundle.count(kGraph) == 0) return core::Error{"holds no graph", side->name};
   }
   return Bisection(a, b, property, stages).run();
 }

@@ -240,7 +240,7 @@ Result<void> record_case(const RunCase& which, const Workshop& workshop,
   const auto report = bridge::run_composed(*plan, bridge::ComposedLayout{}, sink->get(), {});
   if (!report.ok()) return report.error();
   const bridge::RecordingAccount closed = (*sink)->close({});
-  if (!closed.failure.empty()) return core::Error{closed.failure, {}, 0, 0};
+  if (!closed.failure.empty()) return core::Error{closed.failure};
   return {};
 }
 

@@ -82,7 +82,7 @@ Result<void> work_on(const HuntRun& run, const HuntSpace& space, const Property&
 
 Result<void> take_line(const std::string& line, std::vector<HuntRun>& runs) {
   const auto json = ordered_json::parse(line, nullptr, false);
-  if (json.is_discarded()) return core::Error{"a worker's line is no JSON", {}, 0, 0};
+  if (json.is_discarded()) return core::Error{"a worker's line is no JSON"};
   HuntRun& run = runs.at(json.at("run").get<std::size_t>());
   run.line = line;
   run.world = json.at("world").get<std::string>();
@@ -210,7 +210,7 @@ Result<HuntEnd> hunt(const HuntSpace& space, const Property& property, const Wor
       return end;
     }
     if (end.refusals() == end.runs.size()) {
-      return core::Error{"no run could be made; the first: " + end.runs.front().refused, {}, 0, 0};
+      return core::Error{"no run could be made; the first: " + end.runs.front().refused};
     }
   }
   return end;

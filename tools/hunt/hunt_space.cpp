@@ -33,7 +33,7 @@ Result<void> add_families(const std::vector<std::string>& names, HuntSpace& spac
   for (const std::string& name : names) {
     const auto found = std::find(known.begin(), known.end(), name);
     if (found == known.end()) {
-      return core::Error{core::unknown_name("family", name, known), "--family", 0, 0};
+      return core::Error{core::unknown_name("family", name, known), "--family"};
     }
     space.families.push_back(&all[static_cast<std::size_t>(found - known.begin())]);
   }

@@ -26,7 +26,7 @@ Result<double> read_end(const std::string& text, const std::string& whole) {
   return Error{fmt::format("found '{}' as an end of a range; expected PATH=LOW..HIGH with finite "
                            "numbers, as control.range_m=0.5..1.5",
                            text),
-               "--set " + whole.substr(0, whole.find('=')), 0, 0};
+               "--set " + whole.substr(0, whole.find('='))};
 }
 
 bool is_whole(const std::string& text) {
@@ -43,7 +43,7 @@ Result<ParameterRange> read_range(const std::string& text, std::size_t equals, s
   if (!(*low < *high)) {
     return Error{fmt::format("the range {}..{} is empty; its first end must be below its second",
                              low_text, high_text),
-                 "--set " + text.substr(0, equals), 0, 0};
+                 "--set " + text.substr(0, equals)};
   }
   return ParameterRange{text.substr(0, equals), *low, *high,
                         is_whole(low_text) && is_whole(high_text)};

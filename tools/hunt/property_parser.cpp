@@ -363,7 +363,7 @@ Result<Property> Property::parse(std::string_view text, const std::string& sourc
   if (text.size() > kMostLength) {
     return Error{"is " + std::to_string(text.size()) + " bytes long; at most " +
                      std::to_string(kMostLength) + " are allowed",
-                 source, 0, 0};
+                 source};
   }
   auto root = Parser(Lexer(text, source)).parse();
   if (!root.ok()) return root.error();

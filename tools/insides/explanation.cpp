@@ -49,7 +49,7 @@ Result<std::vector<Explanation>> explain(const bridge::RunRecording& recording,
     if (!(*found)->deployment.is_ours()) {
       return Error{fmt::format("'{}' is someone else's component ({}): it has no inside to explain",
                                *stage, behaviour_of(**found)),
-                   recording.path(), 0, 0};
+                   recording.path()};
     }
   }
   std::vector<Explanation> explanations;

@@ -27,12 +27,11 @@ struct FreeContext {
 core::Error failed(GError* why) {
   const std::string message = why == nullptr ? "unknown reason" : why->message;
   g_clear_error(&why);
-  return {"the picture cannot be rendered: " + message, {}, 0, 0};
+  return {"the picture cannot be rendered: " + message};
 }
 
 core::Error failed(cairo_status_t status) {
-  return {
-      std::string("the picture cannot be rendered: ") + cairo_status_to_string(status), {}, 0, 0};
+  return {std::string("the picture cannot be rendered: ") + cairo_status_to_string(status)};
 }
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {

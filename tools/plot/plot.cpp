@@ -18,7 +18,7 @@ namespace {
 core::Result<void> check_ending(const std::string& output) {
   const std::string ending = std::filesystem::path(output).extension().string();
   if (ending == ".svg" || ending == ".png" || ending == ".pdf") return {};
-  return core::Error{"found ending '" + ending + "'; allowed: .svg, .png, .pdf", output, 0, 0};
+  return core::Error{"found ending '" + ending + "'; allowed: .svg, .png, .pdf", output};
 }
 
 core::Result<void> render_to(std::string picture, const std::string& output) {
@@ -42,7 +42,7 @@ core::Result<void> plot_recordings(const std::vector<std::string>& recordings,
     auto track = read_run_track(recording);
     if (!track) return track.error();
     if (!tracks.empty() && track->world != tracks.front().world) {
-      return core::Error{"was made in another world than " + tracks.front().path, recording, 0, 0};
+      return core::Error{"was made in another world than " + tracks.front().path, recording};
     }
     tracks.push_back(std::move(track).value());
   }
@@ -57,7 +57,7 @@ core::Result<void> plot_tick(const std::string& recording, const InsideView& ins
   const auto track = read_run_track(recording);
   if (!track) return track.error();
   if (track->frames.count(inside.tick) == 0) {
-    return core::Error{"has no pose of tick " + std::to_string(inside.tick), recording, 0, 0};
+    return core::Error{"has no pose of tick " + std::to_string(inside.tick), recording};
   }
   const auto world = world::World::parse(track->world, track->path + ":world.yaml");
   if (!world) return world.error();

@@ -61,11 +61,8 @@ class TrackReader {
     const auto decoded = codec.decode(sample.cdr, message.emplace());
     if (decoded) return {};
     return core::Error{"tick " + std::to_string(sample.tick) + " of " +
-                           std::string(domain::topic_name(sample.topic)) + ": " +
-                           decoded.error().message,
-                       {},
-                       0,
-                       0};
+                       std::string(domain::topic_name(sample.topic)) + ": " +
+                       decoded.error().message};
   }
 
   void enter_state(RunTrack& track) {
@@ -183,7 +180,7 @@ core::Result<void> read_configuration(const bridge::RunDescription& description,
   const auto world = description.bundle.find("world.yaml");
   const auto robot = description.bundle.find("robot.yaml");
   if (world == description.bundle.end() || robot == description.bundle.end()) {
-    return core::Error{"does not hold the run's world.yaml and robot.yaml", {}, 0, 0};
+    return core::Error{"does not hold the run's world.yaml and robot.yaml"};
   }
   track.world = world->second;
   const auto graph = description.bundle.find("graph.yaml");
@@ -208,7 +205,7 @@ Vec2 FramePair::to_world(const Vec2& place_odom) const {
 core::Result<RunTrack> read_run_track(const std::string& path) {
   const auto recording = bridge::RunRecording::open(path);
   if (!recording) return recording.error();
-  const auto refused = [&path](const std::string& why) { return core::Error{why, path, 0, 0}; };
+  const auto refused = [&path](const std::string& why) { return core::Error{why, path}; };
   if (recording->description().idl_fingerprint != bridge::idl_fingerprint()) {
     return refused("was recorded with other message types than this version has");
   }

@@ -137,7 +137,7 @@ class RunsDatabase : public Database {
 
   Result<void> add(const std::string& line) override {
     const auto run = nlohmann::json::parse(line, nullptr, false);
-    if (!run.is_object()) return Error{"is no line of JSON", path_, 0, 0};
+    if (!run.is_object()) return Error{"is no line of JSON", path_};
     std::size_t found = 0;
     int place = 0;
     for (const Column& column : runs_columns()) {
@@ -147,7 +147,7 @@ class RunsDatabase : public Database {
       bind_value(insert_.get(), place, value == run.end() ? nlohmann::json() : *value);
     }
     if (found != run.size()) {
-      return Error{"a run has a key that 'runs' has no column for: " + line, path_, 0, 0};
+      return Error{"a run has a key that 'runs' has no column for: " + line, path_};
     }
     if (sqlite3_step(insert_.get()) != SQLITE_DONE) return failed(handle_.get(), path_);
     sqlite3_reset(insert_.get());
@@ -169,8 +169,8 @@ class RunsDatabase : public Database {
     const int prepared = sqlite3_prepare_v2(handle_.get(), sql.c_str(), -1, &statement, &rest);
     const Statement select(statement);
     if (prepared != SQLITE_OK) return refused(handle_.get(), sql);
-    if (statement == nullptr) return Error{"is empty; expected a SELECT", kSql, 0, 0};
-    if (sqlite3_stmt_readonly(statement) == 0) return Error{kReadsOnly, kSql, 0, 0};
+    if (statement == nullptr) return Error{"is empty; expected a SELECT", kSql};
+    if (sqlite3_stmt_readonly(statement) == 0) return Error{kReadsOnly, kSql};
     const std::string more = rest;
     const std::size_t next = more.find_first_not_of(" \t\n\r;");
     if (next != std::string::npos) {

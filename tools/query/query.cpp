@@ -29,7 +29,7 @@ Result<std::string> state_of(const fs::path& directory) {
     const std::string path = (directory / name).string();
     const std::string compressed = path + bench::kCompressedEnding;
     if (::stat(path.c_str(), &found) != 0 && ::stat(compressed.c_str(), &found) != 0) {
-      return Error{std::string("cannot be read: ") + std::strerror(errno), path, 0, 0};
+      return Error{std::string("cannot be read: ") + std::strerror(errno), path};
     }
     text += fmt::format("{} {} {}.{} ", name, found.st_size, found.st_mtim.tv_sec,
                         found.st_mtim.tv_nsec);
@@ -58,7 +58,7 @@ Result<void> make(const std::string& directory, const std::string& path, const s
   CLEW_RETURN_IF_ERROR(added);
   CLEW_RETURN_IF_ERROR((*database)->finish(state));
   if (std::rename((path + ".new").c_str(), path.c_str()) == 0) return {};
-  return Error{std::string("cannot be written: ") + std::strerror(errno), path, 0, 0};
+  return Error{std::string("cannot be written: ") + std::strerror(errno), path};
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ Result<void> JsonOutput::begin(const std::vector<std::string>& columns) {
       continue;
     }
     return core::Error{"two columns are called '" + columns[i] + "'; name one otherwise, with AS",
-                       "--json", 0, 0};
+                       "--json"};
   }
   return {};
 }

@@ -65,8 +65,7 @@ core::Result<ProgramOutput> run_program(const std::vector<std::string>& words) {
   pid_t process = 0;
   const int error = spawn(words, out, err, process);
   if (error != 0) {
-    return core::Error{std::string("cannot be started: ") + std::strerror(error), words.front(), 0,
-                       0};
+    return core::Error{std::string("cannot be started: ") + std::strerror(error), words.front()};
   }
   int state = 0;
   while (::waitpid(process, &state, 0) < 0 && errno == EINTR) {

@@ -89,7 +89,7 @@ Result<ShardFolders> ShardFolders::open(const std::string& directory, const benc
       return Error{differs +
                        "; go on with what it was made with, choose another --out, or begin again "
                        "with --force",
-                   note_in(folder), 0, 0};
+                   note_in(folder)};
     }
     return ShardFolders(folder, plan, count);
   }

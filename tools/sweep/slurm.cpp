@@ -27,20 +27,20 @@ Result<std::string> ask(const std::vector<std::string>& words) {
   const auto output = run_program(words);
   if (!output.ok()) {
     return Error{output.error().message + "; is Slurm installed here (Debian: slurm-client)?",
-                 words.front(), 0, 0};
+                 words.front()};
   }
   if (output->status == 0) return output->out;
   const std::string complaint = last_line(output->err);
   return Error{
       complaint.empty() ? "ended with status " + std::to_string(output->status) : complaint,
-      words.front(), 0, 0};
+      words.front()};
 }
 
 Result<std::size_t> read_number(const std::string& text, const std::string& of) {
   std::size_t number = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
   if (read.ec == std::errc() && read.ptr == text.data() + text.size()) return number;
-  return Error{"found '" + text + "'; expected a number in what it printed", of, 0, 0};
+  return Error{"found '" + text + "'; expected a number in what it printed", of};
 }
 
 /// Those allocated and those idle of `allocated/idle/other/total`.
@@ -119,9 +119,9 @@ Result<std::size_t> Slurm::cores() {
   const auto cores = read_cores(*text);
   if (!cores.ok() || *cores > 0) return cores;
   if (trimmed(*text).empty() && !partition_.empty()) {
-    return Error{"there is no partition '" + partition_ + "'; sinfo lists them", "--on", 0, 0};
+    return Error{"there is no partition '" + partition_ + "'; sinfo lists them", "--on"};
   }
-  return Error{"no node is up", "sinfo", 0, 0};
+  return Error{"no node is up", "sinfo"};
 }
 
 Result<std::string> Slurm::submit(const ArrayOrder& order) {

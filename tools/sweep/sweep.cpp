@@ -115,7 +115,7 @@ class Sweep {
     return {
         fmt::format("shard {}/{} ended {} times without another run; its log {}", number,
                     folders_.count(), kMostAttempts, words.empty() ? "is empty" : "ends: " + words),
-        folders_.shard(number) + ".log", 0, 0};
+        folders_.shard(number) + ".log"};
   }
 
   /// Looks what is still in the queue. It may not answer for a while.
@@ -131,7 +131,7 @@ class Sweep {
     return Error{fmt::format("{}; array {} goes on without this command, and the same command "
                              "goes on with it",
                              tasks.error().message, job_),
-                 tasks.error().file, 0, 0};
+                 tasks.error().file};
   }
 
   void note(const std::map<std::size_t, TaskState>& tasks) {
@@ -187,7 +187,7 @@ Result<SweepEnd> run_sweep(const bench::BenchPlan& plan, const bench::BenchOrder
   if (options.restart) {
     std::error_code failed;
     std::filesystem::remove_all(std::filesystem::path(options.directory) / "shards", failed);
-    if (failed) return Error{"cannot be removed: " + failed.message(), options.directory, 0, 0};
+    if (failed) return Error{"cannot be removed: " + failed.message(), options.directory};
   }
   // None is without a run.
   std::size_t count = std::min(options.shards, plan.runs());

@@ -79,12 +79,9 @@ core::Result<TrainingGroups> draw_groups(const NeuroFuzzyRecipe& recipe,
   const std::uint64_t wanted = recipe.train_groups + recipe.test_groups;
   if (pool.size() < wanted) {
     return core::Error{"the runs show " + std::to_string(pool.size()) +
-                           " different combinations of readings; the recipe needs " +
-                           std::to_string(recipe.train_groups) + " groups to train and " +
-                           std::to_string(recipe.test_groups) + " to test",
-                       {},
-                       0,
-                       0};
+                       " different combinations of readings; the recipe needs " +
+                       std::to_string(recipe.train_groups) + " groups to train and " +
+                       std::to_string(recipe.test_groups) + " to test"};
   }
   const core::Random random({recipe.seed, 0, kRandomComponent, 0});
   for (std::size_t i = 0; i < wanted; ++i) {

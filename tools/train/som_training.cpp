@@ -188,17 +188,14 @@ core::Result<std::string> train_som(const SomRecipe& recipe, const RunPast& run_
     runs.push_back(std::move(run).value());
   }
   const std::vector<Triple> inputs = landmarks(recipe, runs);
-  if (inputs.empty()) return core::Error{"the runs show no landmark", {}, 0, 0};
+  if (inputs.empty()) return core::Error{"the runs show no landmark"};
   Som::Lattice lattice = train(recipe, inputs);
   const Som map(lattice);
   for (const Triple& input : inputs) {
     if (map.recall(input).distance > kToleranceClasses) {
       return core::Error{"the map did not learn the landmark " + describe(input) +
-                             "; give it more iterations, or fewer of the " +
-                             std::to_string(inputs.size()) + " landmarks",
-                         {},
-                         0,
-                         0};
+                         "; give it more iterations, or fewer of the " +
+                         std::to_string(inputs.size()) + " landmarks"};
     }
   }
   for (const std::string& world : recipe.worlds) {

@@ -46,11 +46,8 @@ Result<void> ask_expert(const world::World& world, std::uint64_t places, const c
         {infrareds->readings(scan), control::expert_opinion({}, infrareds->distances_m(scan))});
   }
   if (found == places) return {};
-  return Error{
-      "too little free space to put the robot at " + std::to_string(places) + " random places",
-      {},
-      0,
-      0};
+  return Error{"too little free space to put the robot at " + std::to_string(places) +
+               " random places"};
 }
 
 /// A command as wheel speeds: eq. 1 of Wang, Yang & Meng turned around.
@@ -67,7 +64,7 @@ Result<void> check_topics(const bridge::RunRecording& recording) {
     if (recording.description().schemas.count(topic) != 0) continue;
     return Error{
         "has no " + std::string(domain::topic_name(topic)) + "; training needs scan and command",
-        recording.path(), 0, 0};
+        recording.path()};
   }
   return {};
 }
@@ -76,7 +73,7 @@ Result<void> read_groups(const bridge::RunRecording& recording, const runtime::R
                          double wheel_base_m, std::vector<TrainingGroup>& groups) {
   const auto infrareds = FourInfrareds::create(plan.setup.behaviour.scan, kTrainer);
   if (!infrareds.ok()) {
-    return Error{infrareds.error().message, recording.path(), 0, 0};
+    return Error{infrareds.error().message, recording.path()};
   }
   runtime::TopicSet topics;
   topics.set(index_of(Topic::kScan));
@@ -112,7 +109,7 @@ Result<ShownGroups> groups_of_expert(const NeuroFuzzyRecipe& recipe,
     if (!world.ok()) return world.error();
     const core::Random random({recipe.seed, 0, kPlaceRandomComponent, i});
     const auto asked = ask_expert(*world, recipe.places, random, shown.groups);
-    if (!asked.ok()) return Error{asked.error().message, file->file, 0, 0};
+    if (!asked.ok()) return Error{asked.error().message, file->file};
     shown.origin += "    - " + recipe.worlds[i] + '\n';
   }
   return shown;

@@ -76,8 +76,7 @@ Result<void> check_is_another(const TuneSpace& space, const std::string& suite) 
     const auto same = std::find_if(tuned.begin(), tuned.end(),
                                    [&](const TuneWorld& world) { return world.text == kept.text; });
     if (same == tuned.end()) continue;
-    return Error{"'" + kept.name + "' is tuned in as well; validation needs other worlds", suite, 0,
-                 0};
+    return Error{"'" + kept.name + "' is tuned in as well; validation needs other worlds", suite};
   }
   return {};
 }
@@ -112,7 +111,7 @@ Result<TuneSpace> make_space(const TuneRequest& request, const runtime::ConfigPa
   auto settings = hunt::read_settings(request.set);
   if (!settings.ok()) return settings.error();
   if (settings->ranges.empty()) {
-    return Error{"names no range; expected at least one STAGE...PARAM=LOW..HIGH", "--set", 0, 0};
+    return Error{"names no range; expected at least one STAGE...PARAM=LOW..HIGH", "--set"};
   }
   const auto all = read_worlds(request.suite, request, settings->fixed, configs, stages);
   if (!all.ok()) return all.error();
@@ -135,7 +134,7 @@ Result<TuneSpace> make_space(const TuneRequest& request, const runtime::ConfigPa
     return Error{
         "has no family of two worlds or more, so none is left to validate on; --validate "
         "SUITE gives others",
-        request.suite, 0, 0};
+        request.suite};
   }
   CLEW_RETURN_IF_ERROR(check_ends(space, {configs, stages}));
   auto digest = digest_of_graph(space, {configs, stages});

@@ -16,7 +16,7 @@ core::Result<std::string> packed(const std::string& bytes) {
   std::string frame(ZSTD_compressBound(bytes.size()), '\0');
   const std::size_t size =
       ZSTD_compress(frame.data(), frame.size(), bytes.data(), bytes.size(), kLevel);
-  if (ZSTD_isError(size) != 0) return core::Error{ZSTD_getErrorName(size), {}, 0, 0};
+  if (ZSTD_isError(size) != 0) return core::Error{ZSTD_getErrorName(size)};
   frame.resize(size);
   return frame;
 }
@@ -25,8 +25,7 @@ core::Result<std::string> packed(const std::string& bytes) {
 
 core::Result<std::string> report(std::string_view page, const std::vector<ReportedFile>& files) {
   const std::size_t place = page.find(kPlace);
-  if (place == std::string_view::npos)
-    return core::Error{"the page has no place for recordings", {}, 0, 0};
+  if (place == std::string_view::npos) return core::Error{"the page has no place for recordings"};
   std::string text(page.substr(0, place));
   for (const ReportedFile& file : files) {
     const auto bytes = packed(file.bytes);

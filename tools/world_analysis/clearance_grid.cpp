@@ -39,15 +39,12 @@ bool fits_lattice(const world::World& world) { return lattice_nodes(world) <= kM
 
 core::Result<double> surveyed_time_s(const world::World& world) {
   const auto settled_s = settled_time_s(world);
-  if (!settled_s) return core::Error{"something moves for ever", {}, 0, 0};
+  if (!settled_s) return core::Error{"something moves for ever"};
   if (fits_lattice(world)) return *settled_s;
   return core::Error{
       fmt::format("it has {:.0f} million places {} m apart, more than the {:.0f} million that are "
                   "looked at",
-                  1e-6 * lattice_nodes(world), kSpacing_m, 1e-6 * kMostNodes),
-      {},
-      0,
-      0};
+                  1e-6 * lattice_nodes(world), kSpacing_m, 1e-6 * kMostNodes)};
 }
 
 ClearanceGrid::ClearanceGrid(const world::World& world, double time_s)

@@ -88,7 +88,7 @@ Result<CellMap> read_moving_ai_map(const std::string& path, double cell_m) {
   map.cells.resize(map.rows * map.columns);
   for (std::size_t row = 0; row < map.rows; ++row) {
     if (!next_line(lines, line)) {
-      return Error{fmt::format("ends after row {} of {}", row, map.rows), path, 0, 0};
+      return Error{fmt::format("ends after row {} of {}", row, map.rows), path};
     }
     CLEW_RETURN_IF_ERROR(read_row(line, row, map, path));
   }
@@ -122,8 +122,8 @@ Result<Scenario> read_scenario(const std::string& path, std::optional<std::size_
     if (!number || *number == count) found = scenario;
   }
   if (found) return *found;
-  return Error{fmt::format("has {} scenarios; no {} is asked for", count, number.value_or(1)), path,
-               0, 0};
+  return Error{fmt::format("has {} scenarios; no {} is asked for", count, number.value_or(1)),
+               path};
 }
 
 }  // namespace clew::world_import

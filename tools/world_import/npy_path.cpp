@@ -27,13 +27,13 @@ struct Header {
 
 Result<Header> read_header(const std::string& bytes, const std::string& path) {
   if (bytes.compare(0, kMagic.size(), kMagic) != 0 || bytes.size() < 12) {
-    return Error{"is no array of NumPy", path, 0, 0};
+    return Error{"is no array of NumPy", path};
   }
   const bool is_first_version = bytes[6] == 1;
   std::size_t length = 0;
   std::memcpy(&length, bytes.data() + 8, is_first_version ? 2 : 4);
   const std::size_t begin = is_first_version ? 10 : 12;
-  if (length > bytes.size() - begin) return Error{"ends in its header", path, 0, 0};
+  if (length > bytes.size() - begin) return Error{"ends in its header", path};
   const std::string text = bytes.substr(begin, length);
   static const std::regex kType(R"('descr':\s*'<([if][48])')");
   static const std::regex kOrder(R"('fortran_order':\s*False)");
@@ -44,7 +44,7 @@ Result<Header> read_header(const std::string& bytes, const std::string& path) {
       !std::regex_search(text, shape, kShape)) {
     return Error{"found " + text.substr(0, 80) +
                      "; expected N x 2 numbers, int or float of 4 or 8 bytes, in C order",
-                 path, 0, 0};
+                 path};
   }
   return Header{type[1], std::stoul(shape[1]), begin + length};
 }
@@ -75,7 +75,7 @@ Result<std::vector<Vec2>> read_npy_points(const std::string& path) {
       bytes->size() - header->data_offset != header->rows * 2 * width) {
     return Error{fmt::format("has {} bytes for {} points", bytes->size() - header->data_offset,
                              header->rows),
-                 path, 0, 0};
+                 path};
   }
   std::vector<Vec2> points;
   for (std::size_t i = 0; i < header->rows; ++i) {

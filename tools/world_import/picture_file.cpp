@@ -25,19 +25,18 @@ Result<GreyPicture> read_png(const std::string& bytes, const std::string& path) 
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) {
-    return Error{image.message, path, 0, 0};
+    return Error{image.message, path};
   }
   GreyPicture picture{image.width, image.height, {}, {}};
   const std::size_t size = picture.columns * picture.rows;
   if (size > map::kMaxMapCells) {
     png_image_free(&image);
-    return Error{fmt::format("has {} pixels; allowed: at most {}", size, map::kMaxMapCells), path,
-                 0, 0};
+    return Error{fmt::format("has {} pixels; allowed: at most {}", size, map::kMaxMapCells), path};
   }
   image.format = PNG_FORMAT_RGBA;
   std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(image));
   if (png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) == 0) {
-    return Error{image.message, path, 0, 0};
+    return Error{image.message, path};
   }
   picture.brightness.reserve(size);
   picture.opacity.reserve(size);
@@ -53,13 +52,13 @@ Result<GreyPicture> read_png(const std::string& bytes, const std::string& path) 
 
 Result<std::string> read_file(const std::string& path) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) return Error{"is a directory", path, 0, 0};
+  if (std::filesystem::is_directory(path, error)) return Error{"is a directory", path};
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bytes;
   if (!file || !(bytes << file.rdbuf())) {
     const int number = errno;
-    return Error{number == 0 ? "is empty" : std::generic_category().message(number), path, 0, 0};
+    return Error{number == 0 ? "is empty" : std::generic_category().message(number), path};
   }
   return bytes.str();
 }
@@ -69,7 +68,7 @@ Result<GreyPicture> read_picture(const std::string& path) {
   if (!bytes.ok()) return bytes.error();
   if (bytes->compare(0, kPngMagic.size(), kPngMagic) == 0) return read_png(*bytes, path);
   if (bytes->compare(0, 1, "P") != 0) {
-    return Error{"is no picture that is read here: allowed are PGM (P2, P5) and PNG", path, 0, 0};
+    return Error{"is no picture that is read here: allowed are PGM (P2, P5) and PNG", path};
   }
   const auto pgm = map::read_pgm(*bytes, path);
   if (!pgm.ok()) return pgm.error();

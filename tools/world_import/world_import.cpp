@@ -49,7 +49,7 @@ Result<WorldDraft> draft_of(const CellMap& cells, const ImportOptions& options,
   const auto places = far_places(cells, options.unknown_is_blocked, options.robot_radius_m);
   if (!places) {
     return Error{fmt::format("no cell has room for a robot of {} m", options.robot_radius_m),
-                 source, 0, 0};
+                 source};
   }
   const Vec2 way = places->second - places->first;
   draft.start = Pose2{places->first.x(), places->first.y(), core::atan2(way.y(), way.x())};
@@ -81,8 +81,7 @@ Result<WorldDraft> read_moving_ai_scenario(const std::string& source,
       return cells->place(static_cast<double>(column) + 0.5,
                           static_cast<double>(cells->rows - 1 - row) + 0.5);
     }
-    return Error{fmt::format("cell ({}, {}) lies outside {}", column, row, path.string()), source,
-                 0, 0};
+    return Error{fmt::format("cell ({}, {}) lies outside {}", column, row, path.string()), source};
   };
   const auto from = place(scenario->start_column, scenario->start_row);
   if (!from.ok()) return from.error();
@@ -114,7 +113,7 @@ Result<WorldDraft> read_gazebo(const std::string& source, const ImportOptions& o
   const std::string stem = fs::path(source).stem().string();
   if (!std::regex_match(stem, number, kBarn)) {
     if (options.start && options.target) return draft;
-    return Error{"says nothing of a start and a target; give --start and --target", source, 0, 0};
+    return Error{"says nothing of a start and a target; give --start and --target", source};
   }
   add_barn_mission(*draft);
   const fs::path path = fs::path(source).parent_path() / ("path_" + number[1].str() + ".npy");
@@ -142,7 +141,7 @@ Result<WorldDraft> read_source(const std::string& source, const ImportOptions& o
   if (kind == ".map") return read_moving_ai(source, options);
   if (kind == ".scen") return read_moving_ai_scenario(source, options);
   if (kind == ".world" || kind == ".sdf") return read_gazebo(source, options);
-  return Error{"is of no kind that is known here: " + std::string(kFormats), source, 0, 0};
+  return Error{"is of no kind that is known here: " + std::string(kFormats), source};
 }
 
 }  // namespace
@@ -158,9 +157,9 @@ Result<std::string> import_world(const std::string& source, const ImportOptions&
   std::string text = world_text(*draft);
   const auto world = world::World::parse(text, source);
   // Places in the text that is not written yet would help nobody.
-  if (!world.ok()) return Error{world.error().message, source, 0, 0};
+  if (!world.ok()) return Error{world.error().message, source};
   const auto fits = world->check_robot_fits(options.robot_radius_m);
-  if (!fits.ok()) return Error{fits.error().message, source, 0, 0};
+  if (!fits.ok()) return Error{fits.error().message, source};
   return text;
 }
 

@@ -14,11 +14,8 @@ core::Result<std::unique_ptr<KrishnaKalraFuzzy>> KrishnaKalraFuzzy::create(
     return core::Error{
         "krishna_kalra_fuzzy needs seven beams, 15 degrees apart from 45 on the left "
         "to 45 on the right; '" +
-            setup.scan.sensor + "' gives " + std::to_string(setup.scan.beam_count) +
-            " of another arrangement",
-        {},
-        0,
-        0};
+        setup.scan.sensor + "' gives " + std::to_string(setup.scan.beam_count) +
+        " of another arrangement"};
   }
   const auto resource = setup.resources.find("rulebases", parameters.rules);
   if (!resource.ok()) return resource.error();

@@ -42,16 +42,12 @@ bool sees_three_sectors(const domain::ScanLayout& scan) {
 core::Result<std::unique_ptr<FuzzyBehaviourist>> FuzzyBehaviourist::create(
     const Parameters& parameters, const domain::BehaviourSetup& setup) {
   if (!sees_three_sectors(setup.scan)) {
-    return core::Error{
-        fmt::format("fuzzy_behaviourist needs beams ahead (within 25 degrees), on the left and on "
-                    "the right (25 to 100 degrees); '{}' gives {}, from {:.4g} degrees in steps of "
-                    "{:.4g}",
-                    setup.scan.sensor, setup.scan.beam_count,
-                    core::degrees(setup.scan.bearing_first_rad),
-                    core::degrees(setup.scan.bearing_step_rad)),
-        {},
-        0,
-        0};
+    return core::Error{fmt::format(
+        "fuzzy_behaviourist needs beams ahead (within 25 degrees), on the left and on "
+        "the right (25 to 100 degrees); '{}' gives {}, from {:.4g} degrees in steps of "
+        "{:.4g}",
+        setup.scan.sensor, setup.scan.beam_count, core::degrees(setup.scan.bearing_first_rad),
+        core::degrees(setup.scan.bearing_step_rad))};
   }
   const auto resource = setup.resources.find("rulebases", parameters.rules);
   if (!resource.ok()) return resource.error();

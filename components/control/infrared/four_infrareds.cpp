@@ -41,10 +41,7 @@ core::Result<FourInfrareds> FourInfrareds::create(const domain::ScanLayout& layo
                   "from {:.4g} degrees in steps of {:.4g}",
                   behaviour, layout.sensor, layout.beam_count,
                   layout.infrared_curve ? "infrared rays" : "beams that are no infrared",
-                  core::degrees(layout.bearing_first_rad), core::degrees(layout.bearing_step_rad)),
-      {},
-      0,
-      0};
+                  core::degrees(layout.bearing_first_rad), core::degrees(layout.bearing_step_rad))};
 }
 
 InfraredReadings FourInfrareds::readings(const domain::Scan& scan) const {

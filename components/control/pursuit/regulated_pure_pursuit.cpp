@@ -13,10 +13,7 @@ core::Result<std::unique_ptr<RegulatedPurePursuit>> RegulatedPurePursuit::create
   if (parameters.least_speed_mps > parameters.speed_mps) {
     return core::Error{
         "control.regulated_pure_pursuit: least_speed_mps must not be greater than "
-        "speed_mps",
-        {},
-        0,
-        0};
+        "speed_mps"};
   }
   return std::make_unique<RegulatedPurePursuit>(parameters, setup);
 }

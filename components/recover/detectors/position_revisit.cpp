@@ -10,7 +10,7 @@
 namespace clew::recover {
 namespace {
 
-core::Error unfit(std::string message) { return {std::move(message), {}, 0, 0}; }
+core::Error unfit(std::string message) { return {std::move(message)}; }
 
 }  // namespace
 
