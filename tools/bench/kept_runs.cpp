@@ -39,20 +39,20 @@ std::vector<const RunResult*> failed_of(const BenchResults& results, std::size_t
 }
 
 /// Variant, world and seed of a run, by its place in the bench's order.
-struct Place {
+struct RunPlace {
   std::size_t variant;
   std::size_t world;
   std::uint64_t seed;
 };
 
-Place place_of(const BenchPlan& plan, std::size_t index) {
+RunPlace place_of(const BenchPlan& plan, std::size_t index) {
   const std::size_t seeds = plan.seeds.size();
   const std::size_t worlds = plan.worlds.size();
   return {index / (worlds * seeds), index / seeds % worlds, plan.seeds[index % seeds]};
 }
 
 std::string name_of(const BenchPlan& plan, std::size_t index) {
-  const Place place = place_of(plan, index);
+  const RunPlace place = place_of(plan, index);
   return fmt::format("runs/{:02}-{}-{}", place.variant + 1,
                      file_name_of(plan.worlds[place.world].name), place.seed);
 }
@@ -107,7 +107,7 @@ Result<KeptRuns> keep_failed_runs(const BenchResults& results, const runtime::Co
   CLEW_RETURN_IF_ERROR(files::make_directory(fs::path(directory) / "runs"));
   const Work work = [&](std::size_t unit, const Emit&) -> Result<void> {
     const KeptRun& run = kept[unit];
-    const Place place = place_of(plan, run.index);
+    const RunPlace place = place_of(plan, run.index);
     const std::string recording = (fs::path(directory) / run.recording).string();
     WorldBench bench(plan, place.world, configs, stages);
     CLEW_RETURN_IF_ERROR(bench.record(plan.variants[place.variant], place.seed, recording));

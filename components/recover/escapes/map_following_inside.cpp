@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "core/math.hpp"
 #include "domain/words.hpp"
 #include "recover/escapes/cut_proof.hpp"
 #include "recover/escapes/map_following.hpp"
@@ -43,7 +43,7 @@ void tell_costs(const map::Costmap& costs, const core::Vec2& place, domain::Insi
   const auto robot = costs.grid.cell_at(place);
   if (!robot) return;
   const auto [least, most] = range_of(costs, *robot);
-  const double span = std::log(std::max(most, 1.0) / std::max(least, 1.0));
+  const double span = core::log(std::max(most, 1.0) / std::max(least, 1.0));
   domain::PictureLayer dear{"cost of a metre", domain::PictureLayer::Kind::kValues, {}, {}};
   domain::PictureLayer blocked{
       "no room for the body", domain::PictureLayer::Kind::kBlocked, {}, {}};
@@ -56,7 +56,7 @@ void tell_costs(const map::Costmap& costs, const core::Vec2& place, domain::Insi
       // Where there is no room costs more than all that can be paid.
       told.values.push_back(cost > 0.0 ? cost : most + 1.0);
       if (!known || cost == least) continue;
-      const double share = span > 0.0 ? std::log(cost / least) / span : 1.0;
+      const double share = span > 0.0 ? core::log(cost / least) / span : 1.0;
       if (cost > 0.0) dear.cells.push_back(cell_of(costs.grid, cell, share));
       if (cost <= 0.0) blocked.cells.push_back(cell_of(costs.grid, cell, 0.0));
     }
