@@ -52,7 +52,10 @@ Origin Origin::parse(std::string_view user_data) {
     const std::string_view value = value_of(entry);
     if (key_of(entry) == kOriginKey) origin.id = value;
     if (key_of(entry) == kHopsKey) {
-      std::from_chars(value.data(), value.data() + value.size(), origin.hops);
+      const char* end = value.data() + value.size();
+      const auto read = std::from_chars(value.data(), end, origin.hops);
+      // A number that is none stops a sample, rather than let it go round.
+      if (read.ec != std::errc() || read.ptr != end || origin.hops < 1) origin.hops = kMostHops;
     }
     if (key_of(entry) != kViaKey) return;
     for_each_part(value, ',', [&](std::string_view place) { origin.via.emplace_back(place); });

@@ -52,9 +52,9 @@ Result<std::vector<Place>> find_places(const BridgeFile& file) {
 }  // namespace
 
 Result<void> run_bridge_process(const BridgeFile& file, const BridgeProcess& process) {
-  bridge::EndSignals signals;
   auto places = find_places(file);
   if (!places.ok()) return places.error();
+  bridge::EndSignals signals;
   Surroundings surroundings;
   surroundings.tell = process.tell;
   surroundings.join = [&](std::size_t index, const bridge::ParticipantConfig& config,
@@ -106,6 +106,11 @@ std::string passages_text(const DomainBridge& bridge) {
                      bridge.overrun(), bridge.unknown());
 }
 
+/// Names are of strangers, who may write no UTF-8.
+std::string json_text(const nlohmann::ordered_json& line) {
+  return line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
 std::string passages_json(const DomainBridge& bridge) {
   std::string text;
   const auto& places = bridge.places();
@@ -121,11 +126,11 @@ std::string passages_json(const DomainBridge& bridge) {
                                          {"unreadable", passage.unreadable},
                                          {"dropped", passage.dropped},
                                          {"failed", passage.failed}};
-    text += line.dump() + '\n';
+    text += json_text(line);
   }
   const nlohmann::ordered_json rest = {{"overrun", bridge.overrun()},
                                        {"unknown", bridge.unknown()}};
-  return text + rest.dump() + '\n';
+  return text + json_text(rest);
 }
 
 }  // namespace clew::domains

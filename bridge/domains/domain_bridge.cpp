@@ -175,7 +175,7 @@ void DomainBridge::take(const WriterFound& found) {
     }
   }
   if (rules.empty()) return;
-  if (sources_.size() >= kMostWriters || passages_.size() >= kMostWriters) {
+  if (std::max({sources_.size(), passages_.size(), intakes_.size()}) >= kMostWriters) {
     surroundings_.tell(fmt::format("{} on {} is left out: {} writers are the most", writer.topic,
                                    place_text(places_[found.domain]), kMostWriters));
     return;
@@ -289,6 +289,7 @@ void DomainBridge::listen(const WriterFound& found, const Source& source) {
   } else {
     surroundings_.tell(fmt::format("no reader of {} on {}: {}", spec.topic,
                                    place_text(places_[found.domain]), reader.error().message));
+    intakes_.erase(key);  // the next writer tries again
   }
 }
 

@@ -2,7 +2,6 @@
 #include "ros2/ros2_bridge.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -38,7 +37,10 @@ core::Result<void> wait_for_run(const std::string& run, SteadyClock::time_point 
                           ? bridge::Link::connect(std::stoi(run), deadline)
                           : bridge::Link::connect(run, deadline);
   if (!socket.ok()) return socket.error();
-  ::close(*socket);
+  // Who says nothing is taken for a stranger.
+  bridge::Link link(*socket);
+  bridge::post_command(link, {bridge::RunCommand::Kind::kStatus, {}, std::nullopt});
+  static_cast<void>(link.wait_for_frame(SteadyClock::now() + kAnswerTimeout));
   return {};
 }
 

@@ -109,7 +109,7 @@ void Supervisor::refuse(Link& link, const std::string& why) {
 // In lockstep the run is what its samples say: it is told, and goes on. A drive of somebody else's
 // can only be told by commands that do not come.
 void Supervisor::note_incident(domain::Incident incident, Time now) {
-  const bool stops = incident.kind == ScanWatch::kIncident && gone_ &&
+  const bool stops = incident.kind == ScanWatch::kIncident && gone_ && !last_tick_ &&
                      layout_.pace == Pace::kRealtime && !keeps_own_pace(members_);
   if (!stops) return tell(std::move(incident));
   if (layout_.name.empty()) {

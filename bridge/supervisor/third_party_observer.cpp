@@ -98,6 +98,8 @@ std::vector<std::string> ThirdPartyObserver::take_frozen() {
 void ThirdPartyObserver::poll() {
   spooled_ += account_->take_spooled();
   progress_ = account_->progress();
+  // What is wrong with a scan is told by those who take part.
+  if (scans_) scans_->take_notices();
 }
 
 std::map<std::string, core::Hash128> ThirdPartyObserver::chains() const {

@@ -25,7 +25,12 @@ constexpr double kContactReach_m = 0.005;
 /// From a bearing to the nearest of the rays, all of which have the same step between them.
 double to_nearest_ray_rad(const domain::Scan& scan, double bearing_rad) {
   const double step_rad = scan.bearing_step_rad;
-  const double steps = core::wrap_angle_rad(bearing_rad - scan.bearing_rad(0)) / step_rad;
+  double off_rad = core::wrap_angle_rad(bearing_rad - scan.bearing_rad(0));
+  // More than half a turn from the first ray, on the way of the others.
+  if (off_rad * step_rad < -0.5 * step_rad * step_rad) {
+    off_rad += std::copysign(2.0 * core::kPi, step_rad);
+  }
+  const double steps = off_rad / step_rad;
   return std::fabs(steps - std::round(steps)) * std::fabs(step_rad);
 }
 

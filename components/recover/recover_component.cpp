@@ -98,6 +98,7 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
   auto& event = outputs.get<Event>();
   seek(situation, guidance);
   guidance.why = state_.why;
+  if (target.radius_m == 0.0) wait();
   if (state_.gave_up) {
     guidance.mode = domain::GuidanceMode::kUnreachable;
     return;
@@ -105,6 +106,7 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
 
   const bool maps = parts_.local_map && (state_.maps || !parts_.maps_late);
   if (maps) parts_.local_map->see(situation.odometry, situation.scan);
+  if (target.radius_m == 0.0) return;
   for (auto& escape : parts_.escapes) escape.behaviour->watch(situation);
   take_evidence(situation, event);
   if (state_.escaping) step_escape(situation, guidance, event);
@@ -112,6 +114,15 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
   watch_shadows(situation, event);
   mark_landmarks(event, situation);
   if (!guidance.has_override) act_at_once(situation, guidance, event);
+}
+
+/// The mission has nowhere to go to: nothing of the goal before counts for the next one.
+void RecoverComponent::wait() {
+  state_.gave_up = false;
+  state_.why.clear();
+  state_.escape = 0;
+  state_.virtual_target_odom.reset();
+  stop_escaping();
 }
 
 /// Asks the detector in command. What it says starts the first escape, or goes to the one at work.

@@ -81,6 +81,7 @@ class RecoverComponent final : public runtime::Component {
   void tell_detectors(const Situation& situation, domain::Inside& inside) const;
   void tell_escape(const Situation& situation, const domain::Guidance& guidance,
                    domain::Inside& inside) const;
+  void wait();
   void take_evidence(const Situation& situation, domain::Event& event);
   void watch_shadows(const Situation& situation, domain::Event& event);
   void begin_escape(std::uint32_t index, const Situation& situation, domain::Event& event);

@@ -54,11 +54,13 @@ void PlainScanEvidence::mark_free_parts(const core::Pose2& pose, const domain::S
   const double step_rad = std::fabs(scan.bearing_step_rad);
   if (count < 2 || step_rad > kMostBetweenRays_rad) return;
   const SeenMap::IsGone is_gone = [&](const Vec2& place) {
-    const double steps =
-        core::wrap_angle_rad(core::bearing_rad(pose, place) - scan.bearing_rad(0)) /
-        scan.bearing_step_rad;
-    const double off_rad = std::fabs(steps - std::round(steps)) * step_rad;
-    return core::length(place - pose.position()) * off_rad <= 0.5 * seen.cell_m();
+    double nearest_rad = core::kPi;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double off_rad =
+          core::wrap_angle_rad(core::bearing_rad(pose, place) - scan.bearing_rad(i));
+      nearest_rad = std::min(nearest_rad, std::fabs(off_rad));
+    }
+    return core::length(place - pose.position()) * nearest_rad <= 0.5 * seen.cell_m();
   };
   for (const RayGroup& wide : kRayGroups) {
     const auto group = static_cast<std::size_t>(std::max(2.0, wide.width_rad / step_rad));

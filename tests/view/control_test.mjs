@@ -126,6 +126,7 @@ for (const layout of ["processes", "composed"]) {
     const run = start(context, "run", "krishna_kalra", "--layout", layout, "--pace", "2x", "--name", name, "--json");
     const report = new Promise((resolve) => run.lines.on("line", (line) => resolve(JSON.parse(line))));
     assert.equal(clew("pause", name).status, 0);
+    for (let tick = 0; tick < 3; tick++) assert.equal(clew("step", name).status, 0);
     const served = await serve(context, "view", name);
     const again = await serve(context, "view", name);
     assert.equal(String(again.address), String(served.address));

@@ -50,7 +50,7 @@ ordered_json to_json(const Table& table) {
     ordered_json row = ordered_json::array();
     for (std::size_t k = 0; k < table.rows[i].size(); ++k) {
       ordered_json cell = {{"text", table.rows[i][k]}};
-      if (i < table.runs.size() && k < table.runs[i].size()) {
+      if (i < table.runs.size() && k < table.runs[i].size() && table.runs[i][k].any()) {
         cell["runs"] = to_json(table.runs[i][k]);
       }
       row.push_back(std::move(cell));

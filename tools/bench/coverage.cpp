@@ -42,8 +42,9 @@ void name_escapes(const runtime::GraphStage& stage, std::vector<Choice>& choices
   if (parts == stage.config.parts.end()) return;
   const auto found = std::find_if(choices.begin(), choices.end(),
                                   [](const Choice& each) { return each.of == "escape.name"; });
-  if (found == choices.end()) choices.push_back({"escape.name", 0, true, {}});
-  Choice& escapes = found == choices.end() ? choices.back() : *found;
+  const bool is_told = found != choices.end();
+  if (!is_told) choices.push_back({"escape.name", 0, true, {}});
+  Choice& escapes = is_told ? *found : choices.back();
   for (const auto& part : parts->second) escapes.case_of(part.name);
   escapes.is_closed = true;
 }

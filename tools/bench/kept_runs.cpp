@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
+#include <regex>
 
 #include "bench/worker_pool.hpp"
 #include "bench/world_bench.hpp"
@@ -67,6 +68,19 @@ Result<void> write_report(const std::string& recording, const std::string& repor
   return files::write_file(report, *text);
 }
 
+/// Removes what an earlier bench kept, by its names: a folder `runs` of somebody's may hold more.
+void remove_kept(const fs::path& folder) {
+  static const std::regex kKept(R"(\d{2,}-.+-\d+\.(mcap|html))");
+  std::vector<fs::path> old;
+  std::error_code ignored;
+  for (fs::directory_iterator file(folder, ignored), end; !ignored && file != end;
+       file.increment(ignored)) {
+    if (std::regex_match(file->path().filename().string(), kKept)) old.push_back(file->path());
+  }
+  for (const fs::path& file : old) fs::remove(file, ignored);
+  fs::remove(folder, ignored);  // if nothing else is in it
+}
+
 }  // namespace
 
 int badness(const RunResult& run) {
@@ -101,8 +115,7 @@ Result<KeptRuns> keep_failed_runs(const BenchResults& results, const runtime::Co
     const std::string name = name_of(plan, index);
     kept.push_back({index, name + ".mcap", options.page.empty() ? "" : name + ".html"});
   }
-  std::error_code ignored;
-  fs::remove_all(fs::path(directory) / "runs", ignored);
+  remove_kept(fs::path(directory) / "runs");
   if (kept.empty()) return KeptRuns{};
   CLEW_RETURN_IF_ERROR(files::make_directory(fs::path(directory) / "runs"));
   const Work work = [&](std::size_t unit, const Emit&) -> Result<void> {

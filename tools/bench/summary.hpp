@@ -21,6 +21,9 @@ struct CellRuns {
   /// Of worlds that can be solved, cannot, or do not say; none: all.
   std::optional<std::optional<bool>> solvable;
   Only only = Only::kAll;
+
+  /// False of a cell that has none, as the head of a row.
+  bool any() const { return variant || !family.empty() || solvable || only != Only::kAll; }
 };
 
 /// A table of a report, cells as text.

@@ -3,10 +3,13 @@
 
 #include <cstdio>
 #include <memory>
+#include <sstream>
+#include <string>
 
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/terminal_text.hpp"
 #include "dds/rtps_ports.hpp"
 #include "domains/bridge_process.hpp"
 #include "line/command_desk.hpp"
@@ -110,9 +113,16 @@ int domains_command(const DomainsOptions& options) {
   if (!file.ok()) return complain(file.error());
   domains::BridgeProcess process;
   process.status_s = options.status_s;
-  process.tell = [](const std::string& what) { fmt::print(stderr, "clew bridge: {}\n", what); };
+  process.tell = [](const std::string& what) {
+    fmt::print(stderr, "clew bridge: {}\n", terminal_text(what));
+  };
   process.report = [&](const domains::DomainBridge& bridge) {
-    fmt::print("{}", options.json ? passages_json(bridge) : passages_text(bridge));
+    if (options.json) {
+      fmt::print("{}", passages_json(bridge));
+    } else {
+      std::istringstream lines(passages_text(bridge));
+      for (std::string line; std::getline(lines, line);) fmt::print("{}\n", terminal_text(line));
+    }
     std::fflush(stdout);
   };
   const auto ended = domains::run_bridge_process(*file, process);

@@ -319,8 +319,12 @@ int info_command(const InfoOptions& options) {
     if (!plan.ok()) facts.no_plan = plan.error().text();
     if (plan.ok()) {
       auto marks = waypoint_marks(*recording);
-      if (!marks.ok()) return complain(marks.error());
-      facts.waypoints = std::move(marks).value();
+      if (marks.ok()) {
+        facts.waypoints = std::move(marks).value();
+      } else {
+        fmt::print(stderr, "clew: {}: its way-points cannot be told: {}\n", recording->path(),
+                   marks.error().text());
+      }
     }
   }
   if (options.json) {

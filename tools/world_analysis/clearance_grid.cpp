@@ -40,6 +40,9 @@ bool fits_lattice(const world::World& world) { return lattice_nodes(world) <= kM
 core::Result<double> surveyed_time_s(const world::World& world) {
   const auto settled_s = settled_time_s(world);
   if (!settled_s) return core::Error{"something moves for ever"};
+  if (world.waypoints().size() > 1) {
+    return core::Error{"its mission leads along way-points, and not from start to target alone"};
+  }
   if (fits_lattice(world)) return *settled_s;
   return core::Error{
       fmt::format("it has {:.0f} million places {} m apart, more than the {:.0f} million that are "

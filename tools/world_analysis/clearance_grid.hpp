@@ -30,7 +30,8 @@ double lattice_nodes(const world::World& world);
 bool fits_lattice(const world::World& world);
 
 /// The time for which the truth about a world is computed: settled_time_s(). An error says why
-/// there is no such truth: something moves for ever, or the world does not fit a lattice.
+/// there is no such truth: something moves for ever, the mission has way-points, or the world does
+/// not fit a lattice.
 core::Result<double> surveyed_time_s(const world::World& world);
 
 /// How far the nearest obstacle is from the nodes of a square lattice over a world's bounds, at one
