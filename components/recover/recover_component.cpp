@@ -98,7 +98,8 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
   auto& event = outputs.get<Event>();
   seek(situation, guidance);
   guidance.why = state_.why;
-  if (target.radius_m == 0.0) wait();
+  const bool waits = target.radius_m == 0.0 && situation.target_distance_m() == 0.0;
+  if (waits) wait();
   if (state_.gave_up) {
     guidance.mode = domain::GuidanceMode::kUnreachable;
     return;
@@ -106,7 +107,7 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
 
   const bool maps = parts_.local_map && (state_.maps || !parts_.maps_late);
   if (maps) parts_.local_map->see(situation.odometry, situation.scan);
-  if (target.radius_m == 0.0) return;
+  if (waits) return;
   for (auto& escape : parts_.escapes) escape.behaviour->watch(situation);
   take_evidence(situation, event);
   if (state_.escaping) step_escape(situation, guidance, event);
@@ -116,7 +117,8 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
   if (!guidance.has_override) act_at_once(situation, guidance, event);
 }
 
-/// The mission has nowhere to go to: nothing of the goal before counts for the next one.
+/// The mission has nowhere to go to, and its target is where the robot believes to be: nothing of
+/// the goal before counts for the next one.
 void RecoverComponent::wait() {
   state_.gave_up = false;
   state_.why.clear();

@@ -84,6 +84,24 @@ TEST_F(RecoverComponentTest, SeeksAgainWhenAnEscapeEnds) {
   EXPECT_EQ(shadow_->ends, 1);
 }
 
+TEST_F(RecoverComponentTest, ForgetsTheGoalBeforeWhileTheRobotWaits) {
+  detector_->trap = true;
+  step();
+  first_->status = EscapeStatus::kUnreachable;
+  const auto gave_up = step().mode;
+  const int observed = detector_->observed;
+
+  const auto while_waiting = step(Scene().target(0, 0)).mode;
+  const int observed_waiting = detector_->observed;
+  detector_->trap = false;
+  const auto with_a_new_goal = step(Scene().target(4, 5)).mode;
+
+  EXPECT_EQ(gave_up, GuidanceMode::kUnreachable);
+  EXPECT_EQ(while_waiting, GuidanceMode::kSeek);
+  EXPECT_EQ(observed_waiting, observed);
+  EXPECT_EQ(with_a_new_goal, GuidanceMode::kSeek);
+}
+
 TEST_F(RecoverComponentTest, LogsAShadowAndDoesNothingElse) {
   shadow_->trap = true;
 
