@@ -115,7 +115,8 @@ TEST_F(SupervisedRun, WaitsAMomentForTheEndOfAProcessWhoseLineBroke) {
   EXPECT_TRUE(logged("sense has left the run; restarting it"));
 }
 
-TEST_F(SupervisedRun, DoesNotRestartInRealTime) {
+/// The robot stood still when drive was last heard; a command may be on its way.
+TEST_F(SupervisedRun, DoesNotRestartInRealTimeAndSaysSoToDriveFirst) {
   layout_.pace = Pace::kRealtime;
   TearDown();
   begin();
@@ -125,6 +126,9 @@ TEST_F(SupervisedRun, DoesNotRestartInRealTime) {
   peers_.erase("control");
   supervisor_->turn(now_);
 
+  EXPECT_EQ(peer("drive").take(FrameType::kRest).size(), 1u);
+  EXPECT_FALSE(supervisor_->over());
+  pass(milliseconds(300));
   EXPECT_NE(aborted().find("; in real time it is not restarted"), std::string::npos);
 }
 
