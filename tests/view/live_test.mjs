@@ -40,10 +40,11 @@ for (const layout of ["processes", "composed"]) {
       "--layout", layout, "--pace", "30x", "--name", name, "--record", recording, "--json", "--view");
     const { page, complaints } = await open_page(browser, served.address);
     await page.waitForFunction(() => window.clew.session.last_tick > 40);
-    assert.equal(clew("goal", name, "1", "1").status, 0);
+    assert.equal(clew("goal", name, "9", "1").status, 0);
     const changed = await page.evaluate(() => window.clew.session.last_tick);
     await page.waitForFunction((tick) => window.clew.session.last_tick > tick + 40, changed);
-    assert.equal(clew("pause", name).status, 0);
+    const paused = JSON.parse(clew("pause", name, "--json").out).tick;
+    await page.waitForFunction((tick) => window.clew.session.last_tick >= tick - 1, paused);
     await page.keyboard.press("x");
     await page.waitForFunction(() => document.querySelector("#insides").dataset.tick, undefined, { timeout: 60000 });
     const tick = Number(await page.evaluate(() => document.querySelector("#insides").dataset.tick));
