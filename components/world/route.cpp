@@ -36,14 +36,18 @@ const Waypoint& Route::next() const {
   return waypoints_[next_];
 }
 
-void Route::save(core::StateWriter& writer) const { writer(digest_, next_); }
+void Route::save(core::StateWriter& writer) const {
+  if (next_ > 0) writer(digest_, next_);
+}
 
 void Route::load(core::StateReader& reader) {
+  next_ = 0;
+  if (reader.complete()) return;
   core::Hash128 digest;
   std::uint32_t next = 0;
   reader(digest, next);
   const bool is_ours = digest == digest_;
-  const bool valid = !is_ours || next == 0 || next < waypoints_.size();
+  const bool valid = !is_ours || next < waypoints_.size();
   if (!reader.check(valid, "'next' is no way-point of the mission")) return;
   next_ = is_ours ? next : 0;
 }

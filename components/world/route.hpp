@@ -29,6 +29,8 @@ class Route {
   /// Where to go now. Not to be asked of an empty route.
   const Waypoint& next() const;
 
+  /// As the last of a state: where nothing was passed yet nothing is written, as before there were
+  /// way-points.
   void save(core::StateWriter& writer) const;
   /// A state of another route is that of a robot whose mission was replaced: this one begins.
   void load(core::StateReader& reader);

@@ -11,11 +11,12 @@ from clew_command import SOURCE
 PROGRAM = """
 #include "drive/referee.hpp"
 int main() {
-  const clew::drive::Referee referee({{3.0, 4.0}, 0.25, 100});
+  clew::drive::Referee referee({{{{3.0, 4.0}, 0.25}}, 100});
   return referee.judge(7, {}, 0, {}) == clew::domain::Outcome::kRunning ? 0 : 1;
 }
 """
-SOURCES = ["drive/referee.cpp", "core/math.cpp"]
+SOURCES = ["drive/referee.cpp", "world/route.cpp", "core/hash128.cpp", "core/check.cpp",
+           "core/math.cpp"]
 
 
 def debug_flags():
@@ -34,18 +35,18 @@ class Debugger(unittest.TestCase):
             components = SOURCE / "components"
             subprocess.run(["g++", "-std=c++17", *debug_flags(), f"-I{components}",
                             "-isystem/usr/include/eigen3", main,
-                            *(components / source for source in SOURCES), "-o",
-                            f"{directory}/program"], check=True, timeout=300)
+                            *(components / source for source in SOURCES), "-lxxhash",
+                            "-o", f"{directory}/program"], check=True, timeout=300)
 
             told = subprocess.run(["gdb", "-q", "-nx", "-batch", "-ex", "break Referee::judge",
                                    "-ex", "run", "-ex", "info args", "-ex",
-                                   "print mission_.target_radius_m", f"{directory}/program"],
+                                   "print max_ticks_", f"{directory}/program"],
                                   capture_output=True, text=True, timeout=120, check=False,
                                   stdin=subprocess.DEVNULL)
 
         self.assertIn("tick = 7\n", told.stdout, told.stderr)
         self.assertIn("collisions = 0\n", told.stdout)
-        self.assertIn("$1 = 0.25\n", told.stdout)
+        self.assertIn("$1 = 100\n", told.stdout)
 
 
 if __name__ == "__main__":

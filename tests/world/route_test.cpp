@@ -54,8 +54,23 @@ TEST(Route, BeginsIfTheSavedOneWasAnother) {
   EXPECT_EQ(other.passed(), 0u);
 }
 
+/// As drive and plan wrote before there were way-points.
+TEST(Route, WithNothingPassedWritesNothing) {
+  Route route(kTour);
+  route.pass(kAtFirst);
+  core::StateReader nothing("");
+
+  route.load(nothing);
+
+  EXPECT_EQ(saved(Route(kTour)), "");
+  EXPECT_TRUE(nothing.complete());
+  EXPECT_EQ(route.passed(), 0u);
+}
+
 TEST(Route, RefusesAStateBeyondItsEnd) {
-  std::string state = saved(Route(kTour));
+  Route passed(kTour);
+  passed.pass(kAtFirst);
+  std::string state = saved(passed);
   state[state.size() - 4] = 3;
   core::StateReader reader(state);
   Route route(kTour);
