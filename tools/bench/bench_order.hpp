@@ -15,7 +15,7 @@ struct BenchOrder {
   std::vector<std::string> vary;  ///< `PATH=VALUE,VALUE,...`
   std::vector<std::string> plugins;
   bool coverage = false;  ///< count what decided
-  std::string data;       ///< a directory of worlds that the suite needs; else empty
+  std::string data = {};  ///< a directory of worlds that the suite needs; else empty
 
   /// The words after `clew bench`.
   std::vector<std::string> words() const;
