@@ -212,8 +212,8 @@ void Supervisor::give_credit() {
 }
 
 // What ends a run in real time must not leave the robot in motion: drive is told to take no command
-// any more, and writes its ticks until it rests. One that rested when it was last heard may have had
-// a command since.
+// any more, and writes its ticks until it rests. One that rested when it was last heard may have
+// had a command since.
 void Supervisor::end_at_rest(const std::string& why, Time now) {
   if (layout_.pace != Pace::kRealtime || !gone_) return abort(why);
   if (!ends_at_rest_.empty()) return;
