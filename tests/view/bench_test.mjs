@@ -92,6 +92,7 @@ test("the page of a bench", async (context) => {
     const shown = await rows();
     const wanted = results.filter(({ graph, solvable }) => graph === "reactive" && solvable === true);
     assert.equal(shown.length, wanted.length);
+    await page.getByRole("button", { name: "All runs" }).click();
     const link = page.locator("#runs a").first();
     const number = Number(await link.textContent());
     await link.click();
