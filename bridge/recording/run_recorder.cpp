@@ -6,8 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include "recording/recorded_incident.hpp"
-#include "recording/recorded_intervention.hpp"
 #include "recording/run_hash.hpp"
 #include "recording/run_recording.hpp"
 
@@ -181,8 +179,7 @@ core::Result<void> RunRecorder::write_tick(bool topics_may_end) {
   for (const RecordedTopic& topic : topics_) {
     if (!topic.waiting.empty()) tick = std::min(tick, topic.waiting.front().tick);
   }
-  CLEW_RETURN_IF_ERROR(write_interventions(tick));
-  CLEW_RETURN_IF_ERROR(write_incidents(tick));
+  CLEW_RETURN_IF_ERROR(write_side_channels(tick));
   const std::uint64_t first = next_tick_.value_or(tick);
   std::size_t written = 0;
   for (RecordedTopic& topic : topics_) {
@@ -201,72 +198,37 @@ core::Result<void> RunRecorder::write_tick(bool topics_may_end) {
 
 void RunRecorder::add_intervention(const domain::Intervention& added) {
   const std::string text = to_planned_json(added);
-  for (const domain::Intervention& known : interventions_) {
+  for (const domain::Intervention& known : interventions_.entries()) {
     if (to_planned_json(known) == text) return;
   }
   domain::Intervention intervention = added;
   // An order changes nothing: in real time it may come when its tick is written.
   if (!added.order.empty()) intervention.tick = std::max(added.tick, next_tick_.value_or(0));
-  const auto later = std::upper_bound(
-      interventions_.begin() + static_cast<std::ptrdiff_t>(interventions_written_),
-      interventions_.end(), intervention.tick,
-      [](std::uint64_t tick, const domain::Intervention& other) { return tick < other.tick; });
-  interventions_.insert(later, std::move(intervention));
-}
-
-core::Result<void> RunRecorder::write_interventions(std::uint64_t tick) {
-  for (; interventions_written_ < interventions_.size(); ++interventions_written_) {
-    const domain::Intervention& intervention = interventions_[interventions_written_];
-    if (intervention.tick > tick) break;
-    for (const auto& [name, text] : intervention.files) {
-      CLEW_RETURN_IF_ERROR(writer_.write(mcap::Attachment{
-          0, 0, std::string(kInterventionFiles) + std::to_string(intervention.tick) + '/' + name,
-          "application/octet-stream", text}));
-    }
-    if (!intervention_channel_) {
-      intervention_channel_ = writer_.add_channel(0, kInterventionChannel, "json");
-    }
-    const std::string json = to_json(intervention);
-    mcap::Message message;
-    message.channel_id = *intervention_channel_;
-    message.sequence = static_cast<std::uint32_t>(interventions_written_);
-    message.log_time_ns = tick_to_ns(intervention.tick, tick_s_);
-    message.publish_time_ns = message.log_time_ns;
-    message.data = json;
-    CLEW_RETURN_IF_ERROR(writer_.write(message));
-  }
-  return {};
+  interventions_.insert(std::move(intervention));
 }
 
 void RunRecorder::add_incident(domain::Incident incident) {
-  for (const domain::Incident& known : incidents_) {
+  for (const domain::Incident& known : incidents_.entries()) {
     const bool same = std::tie(known.kind, known.stage, known.text) ==
                       std::tie(incident.kind, incident.stage, incident.text);
     if (same) return;
   }
   incident.tick = std::max(incident.tick, next_tick_.value_or(0));
-  const auto later = std::upper_bound(
-      incidents_.begin() + static_cast<std::ptrdiff_t>(incidents_written_), incidents_.end(),
-      incident.tick,
-      [](std::uint64_t tick, const domain::Incident& other) { return tick < other.tick; });
-  incidents_.insert(later, std::move(incident));
+  incidents_.insert(std::move(incident));
 }
 
-core::Result<void> RunRecorder::write_incidents(std::uint64_t tick) {
-  for (; incidents_written_ < incidents_.size(); ++incidents_written_) {
-    const domain::Incident& incident = incidents_[incidents_written_];
-    if (incident.tick > tick) break;
-    if (!incident_channel_) incident_channel_ = writer_.add_channel(0, kIncidentChannel, "json");
-    const std::string json = to_json(incident);
-    mcap::Message message;
-    message.channel_id = *incident_channel_;
-    message.sequence = static_cast<std::uint32_t>(incidents_written_);
-    message.log_time_ns = tick_to_ns(incident.tick, tick_s_);
-    message.publish_time_ns = message.log_time_ns;
-    message.data = json;
-    CLEW_RETURN_IF_ERROR(writer_.write(message));
-  }
-  return {};
+core::Result<void> RunRecorder::write_side_channels(std::uint64_t tick) {
+  const auto write_files = [this](const domain::Intervention& intervention) -> core::Result<void> {
+    const std::string folder =
+        std::string(kInterventionFiles) + std::to_string(intervention.tick) + '/';
+    for (const auto& [name, text] : intervention.files) {
+      CLEW_RETURN_IF_ERROR(
+          writer_.write(mcap::Attachment{0, 0, folder + name, "application/octet-stream", text}));
+    }
+    return {};
+  };
+  CLEW_RETURN_IF_ERROR(interventions_.write_until(tick, tick_s_, writer_, write_files));
+  return incidents_.write_until(tick, tick_s_, writer_);
 }
 
 core::Result<void> RunRecorder::write_front(RecordedTopic& topic) {
@@ -298,10 +260,8 @@ std::map<std::string, core::Hash128> RunRecorder::chains() const {
 core::Result<void> RunRecorder::write_ending(const std::string& aborted) {
   while (any_topic_waits()) CLEW_RETURN_IF_ERROR(write_tick(!aborted.empty()));
   // What was told since the last tick; its time is that of the tick that did not come.
-  for (std::size_t i = incidents_written_; i < incidents_.size(); ++i) {
-    incidents_[i].tick = next_tick_.value_or(0);
-  }
-  CLEW_RETURN_IF_ERROR(write_incidents(next_tick_.value_or(0)));
+  incidents_.move_unwritten_to(next_tick_.value_or(0));
+  CLEW_RETURN_IF_ERROR(incidents_.write_until(next_tick_.value_or(0), tick_s_, writer_));
   return writer_.write(
       to_metadata(RunEnd{complete_ticks_, run_hash(chains()), losses_.samples(), aborted}));
 }

@@ -16,9 +16,12 @@
 #include "domain/incident.hpp"
 #include "domain/topics.hpp"
 #include "recording/mcap_writer.hpp"
+#include "recording/recorded_incident.hpp"
+#include "recording/recorded_intervention.hpp"
 #include "recording/run_description.hpp"
 #include "recording/sample_losses.hpp"
 #include "recording/sample_queue.hpp"
+#include "recording/side_channel.hpp"
 
 namespace clew::bridge {
 
@@ -103,8 +106,7 @@ class RunRecorder {
   bool any_topic_waits() const;
   core::Result<void> write_tick(bool topics_may_end = false);
   core::Result<void> write_front(RecordedTopic& topic);
-  core::Result<void> write_interventions(std::uint64_t tick);
-  core::Result<void> write_incidents(std::uint64_t tick);
+  core::Result<void> write_side_channels(std::uint64_t tick);
   core::Result<void> write_ending(const std::string& aborted);
 
   mcap::McapWriter writer_;
@@ -115,12 +117,8 @@ class RunRecorder {
   std::uint64_t complete_ticks_ = 0;
   std::uint64_t durable_ticks_ = 0;
   SampleLosses losses_;
-  std::vector<domain::Intervention> interventions_;  ///< in the order of their ticks
-  std::size_t interventions_written_ = 0;
-  std::optional<std::uint16_t> intervention_channel_;
-  std::vector<domain::Incident> incidents_;  ///< in the order of their ticks
-  std::size_t incidents_written_ = 0;
-  std::optional<std::uint16_t> incident_channel_;
+  SideChannel<domain::Intervention> interventions_{kInterventionChannel};
+  SideChannel<domain::Incident> incidents_{kIncidentChannel};
 };
 
 }  // namespace clew::bridge

@@ -41,8 +41,7 @@ core::Result<RunRecording> RunRecording::open(const std::string& path) {
   CLEW_RETURN_IF_ERROR(recording.read_description());
   CLEW_RETURN_IF_ERROR(recording.read_attachments());
   CLEW_RETURN_IF_ERROR(recording.read_topics());
-  CLEW_RETURN_IF_ERROR(recording.read_interventions());
-  CLEW_RETURN_IF_ERROR(recording.read_incidents());
+  CLEW_RETURN_IF_ERROR(recording.read_side_channels());
   return recording;
 }
 
@@ -100,8 +99,11 @@ mcap::MessageFilter RunRecording::only(std::string_view topic) const {
   return filter;
 }
 
-core::Result<void> RunRecording::read_incidents() {
-  const mcap::MessageFilter filter = only(kIncidentChannel);
+template <typename Entry, typename FromJson>
+core::Result<void> RunRecording::read_entries(std::string_view topic, const char* noun,
+                                              const FromJson& from_json,
+                                              std::vector<Entry>& entries) const {
+  const mcap::MessageFilter filter = only(topic);
   if (filter.channels->empty()) return {};
   mcap::MessageStream messages = reader_.messages(mcap::Order::kFile, filter);
   for (;;) {
@@ -109,37 +111,30 @@ core::Result<void> RunRecording::read_incidents() {
     if (!message) return message.error();
     if (!*message) return {};
     const std::uint64_t tick = ns_to_tick((*message)->log_time_ns, description_.tick_s);
-    auto found = incident_from_json(tick, (*message)->data);
-    const bool in_order = incidents_.empty() || incidents_.back().tick <= tick;
+    auto found = from_json(tick, (*message)->data);
+    const bool in_order = entries.empty() || entries.back().tick <= tick;
     if (!found || !in_order) {
-      return error("its incident at tick " + std::to_string(tick) + " is not one");
+      return error(std::string("its ") + noun + " at tick " + std::to_string(tick) + " is not one");
     }
-    incidents_.push_back(*std::move(found));
+    entries.push_back(*std::move(found));
   }
 }
 
-core::Result<void> RunRecording::read_interventions() {
-  const mcap::MessageFilter filter = only(kInterventionChannel);
-  if (filter.channels->empty()) return {};
-  mcap::MessageStream messages = reader_.messages(mcap::Order::kFile, filter);
-  for (;;) {
-    const auto message = messages.next();
-    if (!message) return message.error();
-    if (!*message) return {};
-    const std::uint64_t tick = ns_to_tick((*message)->log_time_ns, description_.tick_s);
-    auto found = intervention_from_json(tick, (*message)->data);
-    const bool in_order = interventions_.empty() || interventions_.back().tick <= tick;
-    if (!found || !in_order) {
-      return error("its intervention at tick " + std::to_string(tick) + " is not one");
-    }
+core::Result<void> RunRecording::read_side_channels() {
+  const auto with_files = [this](std::uint64_t tick, std::string_view json) {
+    auto found = intervention_from_json(tick, json);
+    if (!found) return found;
     const std::string prefix = std::to_string(tick) + '/';
     for (const auto& [name, text] : intervention_files_) {
       if (name.compare(0, prefix.size(), prefix) == 0) {
         found->files[name.substr(prefix.size())] = text;
       }
     }
-    interventions_.push_back(*std::move(found));
-  }
+    return found;
+  };
+  CLEW_RETURN_IF_ERROR(
+      read_entries(kInterventionChannel, "intervention", with_files, interventions_));
+  return read_entries(kIncidentChannel, "incident", incident_from_json, incidents_);
 }
 
 core::Result<void> RunRecording::read_topics() {

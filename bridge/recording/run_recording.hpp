@@ -92,8 +92,11 @@ class RunRecording {
   core::Result<void> read_description();
   core::Result<void> read_attachments();
   core::Result<void> read_topics();
-  core::Result<void> read_interventions();
-  core::Result<void> read_incidents();
+  core::Result<void> read_side_channels();
+  /// The entries of a side channel: `from_json(tick, json)` gives one, or none.
+  template <typename Entry, typename FromJson>
+  core::Result<void> read_entries(std::string_view topic, const char* noun,
+                                  const FromJson& from_json, std::vector<Entry>& entries) const;
   /// The messages of channels of this topic.
   mcap::MessageFilter only(std::string_view topic) const;
   core::Error error(const std::string& message) const { return {message, path_, 0, 0}; }
