@@ -107,8 +107,10 @@ class Groups(unittest.TestCase):
             run_graph(*ENDLESS, *CHANGES, "--layout", "composed", "--record", whole)
             for name, layout in VENDORS.items():
                 with self.subTest(vendor=name):
-                    process = start(["run", *ENDLESS, *CHANGES, *grouped(TWO), *layout, "--record",
-                                     killed, "--force"], start_new_session=True)
+                    # At a pace at which the run lasts until it is killed.
+                    process = start(["run", *ENDLESS, *CHANGES, *grouped(TWO), *layout, "--pace",
+                                     "300x", "--record", killed, "--force"],
+                                    start_new_session=True)
                     self.assertTrue(wait_until(lambda: len(components_of(process.pid)) == 2))
                     for group in ("mind", "robot", "mind"):
                         time.sleep(numbers.uniform(0.1, 0.3))
