@@ -107,6 +107,9 @@ class ComponentLoop {
     }
     if (frame.type == FrameType::kSpool) host_.spool();
     if (frame.type == FrameType::kRest) host_.rest();
+    if (frame.type == FrameType::kSlow) {
+      if (const auto slow = frame.as<Slow>()) host_.slow(slow->slowly);
+    }
     if (frame.type == FrameType::kFinish) {
       if (const auto last = frame.as<Tick>()) finish_at_ = last->tick;
     }

@@ -99,66 +99,6 @@ core::Result<void> NodeHost::restore(const Checkpoint& checkpoint) {
   return {};
 }
 
-// A successor that was announced after the checkpoint was saved is fed what the process before this
-// one has kept.
-core::Result<void> NodeHost::feed_past(const Checkpoint& checkpoint) {
-  domain::Messages messages;
-  return node_.feed_past(checkpoint.tick, checkpoint.successors,
-                         [&](runtime::Successor& successor) -> core::Result<void> {
-                           for (std::uint64_t tick = successor.fed_from; tick < checkpoint.tick;
-                                ++tick) {
-                             if (!history_)
-                               return core::Error{"no inputs are kept to feed a successor"};
-                             const auto present = history_->get(tick, messages);
-                             if (!present.ok()) return present.error();
-                             runtime::NodeSuccession::feed(successor, tick, *present, messages);
-                           }
-                           return {};
-                         });
-}
-
-void NodeHost::expect_successor(std::uint64_t tick) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  expected_.insert(tick);
-}
-
-void NodeHost::forget_successor(std::uint64_t tick) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = expected_.find(tick);
-  if (found != expected_.end()) expected_.erase(found);
-  run_ready(std::chrono::steady_clock::now());
-}
-
-core::Result<void> NodeHost::take_successor(runtime::Successor successor) {
-  const std::uint64_t planned = successor.tick;
-  std::uint64_t fed = successor.fed_from;
-  domain::Messages messages;
-  while (true) {
-    std::uint64_t end = 0;
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      end = buffer_.next_tick();
-      if (successor.keeps_state || fed >= end) {
-        // In real time the node before it has gone on.
-        successor.tick = std::max(planned, buffer_.next_tick());
-        if (!node_.successors().empty()) {
-          successor.tick = std::max(successor.tick, node_.successors().back().tick);
-        }
-        node_.add(std::move(successor));
-        expected_.erase(expected_.find(planned));
-        run_ready(std::chrono::steady_clock::now());
-        return {};
-      }
-    }
-    for (; fed < end; ++fed) {
-      if (!history_) return core::Error{"no inputs are kept to feed a successor"};
-      const auto present = history_->get(fed, messages);
-      if (!present.ok()) return present.error();
-      runtime::NodeSuccession::feed(successor, fed, *present, messages);
-    }
-  }
-}
-
 std::uint64_t NodeHost::hold(std::uint64_t tick) {
   const std::lock_guard<std::mutex> lock(mutex_);
   held_at_ = std::max(tick, buffer_.next_tick());
@@ -169,19 +109,24 @@ std::uint64_t NodeHost::hold(std::uint64_t tick) {
 
 void NodeHost::rest() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  rests_ = true;
+  gate_.shut();
+}
+
+void NodeHost::slow(bool slowly) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  gate_.halve(slowly);
 }
 
 bool NodeHost::has_come_to_rest() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto& truth = account_.statistics().truth;
-  return rests_ && truth && truth->at_rest();
+  return gate_.is_shut() && truth && truth->at_rest();
 }
 
 void NodeHost::release(Time now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   held_at_.reset();
-  rests_ = false;
+  gate_.open();
   clock_.start(now, buffer_.next_tick());
   run_ready(now);
 }
@@ -209,6 +154,7 @@ void NodeHost::allow_until(std::uint64_t tick) {
 
 void NodeHost::poll(Time now) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (scan_watch_ && !lockstep_ && !stopped_) tell_sensor(scan_watch_->look(now));
   for (Topic topic : node_.ports().output_order) {
     Output& output = outputs_[index_of(topic)];
     while (!output.waiting.empty() &&
@@ -230,7 +176,12 @@ template <typename Message>
 void NodeHost::deliver(Message& message) {
   const std::uint64_t tick = message.stamp.tick;
   if constexpr (domain::topic_of<Message>() == Topic::kScan) {
-    if (scan_watch_ && !lockstep_) tell_frozen(scan_watch_->arrive(tick, Time::clock::now()));
+    if (scan_watch_ && !lockstep_) {
+      tell_sensor(scan_watch_->scan_arrives(tick, Time::clock::now()));
+    }
+  }
+  if constexpr (domain::topic_of<Message>() == Topic::kOdometry) {
+    if (scan_watch_ && !lockstep_) scan_watch_->odometry_arrives(tick, Time::clock::now());
   }
   const auto offer = buffer_.offer(message);
   if (offer == runtime::InputBuffer::Offer::kAhead) {
@@ -258,8 +209,10 @@ void NodeHost::tell(const char* kind, std::string text) const {
   handlers_.on_incident({buffer_.next_tick(), kind, name_, std::move(text)});
 }
 
-void NodeHost::tell_frozen(const std::optional<std::string>& why) const {
-  if (why) tell(ScanWatch::kIncident, *why);
+// In lockstep nobody goes slowly, so it is told only what is certain.
+void NodeHost::tell_sensor(std::optional<ScanWatch::News> news) const {
+  if (!news || (lockstep_ && news->kind != ScanWatch::kFrozen)) return;
+  tell(news->kind, std::move(news->text));
 }
 
 bool NodeHost::may_step(Time now) const {
@@ -280,7 +233,8 @@ void NodeHost::run_ready(Time now) {
 void NodeHost::step() {
   const std::uint64_t tick = buffer_.next_tick();
   runtime::TopicSet present = buffer_.take(messages_);
-  if (rests_) present &= ~node_.ports().delayed_inputs;
+  const runtime::TopicSet& delayed = node_.ports().delayed_inputs;
+  if ((present & delayed).any() && !gate_.lets_pass()) present &= ~delayed;
   note_successions(tick);
   stepping_.begin();
   const Time began = Time::clock::now();
@@ -288,31 +242,13 @@ void NodeHost::step() {
   steps_.add(Time::clock::now() - began);
   stepping_.end();
   publish();
-  if (scan_watch_) tell_frozen(scan_watch_->see(tick, present, messages_));
+  if (scan_watch_) tell_sensor(scan_watch_->see(tick, present, messages_));
   keep_tick(tick, present);
   const auto& truth = account_.statistics().truth;
   const bool ended = truth && truth->outcome != domain::Outcome::kRunning;
   if (ended) stopped_ = true;
   if (ended || tick % kTicksPerReport == 0 || account_.spooled_bytes() >= kSpoolBytes) report();
   if (buffer_.next_tick() % kTicksPerCheckpoint == 0) save_checkpoint();
-}
-
-// Nobody waits for it; a history that cannot be written is given up.
-void NodeHost::keep_tick(std::uint64_t tick, const runtime::TopicSet& present) {
-  if (!history_) return;
-  const auto kept = history_->put(tick, present, messages_);
-  if (kept.ok()) return;
-  handlers_.on_notice(node_.name() + " keeps no inputs any more: " + kept.error().text());
-  history_.reset();
-}
-
-void NodeHost::note_successions(std::uint64_t tick) {
-  if (lockstep_ || !handlers_.on_took_over) return;
-  for (const runtime::Successor& successor : node_.successors()) {
-    if (successor.tick <= tick) {
-      handlers_.on_took_over({node_.name(), successor.planned, tick});
-    }
-  }
 }
 
 // What was written before is on its way to the recording first: a component that goes on from here

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "component/busy_thread.hpp"
+#include "component/command_gate.hpp"
 #include "component/input_history.hpp"
 #include "component/scan_watch.hpp"
 #include "component/start_barrier.hpp"
@@ -83,6 +84,8 @@ class NodeHost {
   std::uint64_t hold(std::uint64_t tick);
   /// In real time: takes no delayed input any more, as if each were late. The robot comes to rest.
   void rest();
+  /// In real time: takes every second delayed input only, as if the others were late; or all again.
+  void slow(bool slowly);
   /// Whether the robot stands still since rest().
   bool has_come_to_rest() const;
   /// Ends a hold, and a rest.
@@ -124,7 +127,7 @@ class NodeHost {
   void deliver(Message& message);
   void refuse(domain::Topic topic, const core::Error& error);
   void tell(const char* kind, std::string text) const;
-  void tell_frozen(const std::optional<std::string>& why) const;
+  void tell_sensor(std::optional<ScanWatch::News> news) const;
   void run_ready(Time now);
   bool may_step(Time now) const;
   void step();
@@ -158,7 +161,7 @@ class NodeHost {
   BusyThread stepping_;
   RecentSteps steps_;
   bool started_ = false;
-  bool rests_ = false;
+  CommandGate gate_;      ///< before delayed inputs, in real time
   bool stopped_ = false;  ///< a write failed, or the run has its outcome
   std::uint64_t allowed_until_ = 0;
   std::optional<std::uint64_t> held_at_;   ///< it starts no tick from this one on

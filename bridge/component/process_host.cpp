@@ -136,6 +136,10 @@ void ProcessHost::rest() {
   if (starter_ != nullptr) starter_->rest();
 }
 
+void ProcessHost::slow(bool slowly) {
+  if (starter_ != nullptr) starter_->slow(slowly);
+}
+
 bool ProcessHost::has_come_to_rest() const {
   return starter_ != nullptr && starter_->has_come_to_rest();
 }

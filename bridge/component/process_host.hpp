@@ -41,6 +41,7 @@ class ProcessHost {
   void release(Time now);
   void set_pace(double factor, Time now);
   void rest();
+  void slow(bool slowly);
   bool has_come_to_rest() const;
   void allow_until(std::uint64_t tick);
   void poll(Time now);

@@ -9,7 +9,8 @@ namespace clew::bridge {
 namespace {
 
 constexpr double kMoved_m = 0.05;
-constexpr double kFrozenAfter_s = 0.2;
+constexpr double kStaleAfter_s = 0.2;
+constexpr double kNoneAfter_s = 0.3;
 /// Times are products of ticks: so much is no difference.
 constexpr double kSameTime_s = 1e-9;
 /// Noise below this may be lost in the last digits of a reading.
@@ -45,20 +46,16 @@ std::string_view bytes_of(const domain::Scan& scan) {
 ScanWatch::ScanWatch(const runtime::RunPlan& plan)
     : ScanWatch(plan.graph.tick_s, readings_vary(plan.graph)) {}
 
-std::optional<std::string> ScanWatch::see(std::uint64_t tick, const runtime::TopicSet& present,
-                                          const domain::Messages& messages) {
+std::optional<ScanWatch::News> ScanWatch::see(std::uint64_t tick, const runtime::TopicSet& present,
+                                              const domain::Messages& messages) {
   if (!readings_vary_) return std::nullopt;
   if (!present[index_of(domain::Topic::kScan)]) return std::nullopt;
   if (!present[index_of(domain::Topic::kOdometry)]) return std::nullopt;
-  if (!repeats(tick, std::get<domain::Scan>(messages), std::get<domain::Odometry>(messages))) {
-    return std::nullopt;
-  }
-  return "the sensor is frozen: its readings are those of tick " + std::to_string(since_) +
-         ", to the bit, though the robot has moved by more than 5 cm";
+  return see_readings(tick, std::get<domain::Scan>(messages), std::get<domain::Odometry>(messages));
 }
 
-bool ScanWatch::repeats(std::uint64_t tick, const domain::Scan& scan,
-                        const domain::Odometry& odometry) {
+std::optional<ScanWatch::News> ScanWatch::see_readings(std::uint64_t tick, const domain::Scan& scan,
+                                                       const domain::Odometry& odometry) {
   const core::Hash128 readings = core::hash128(bytes_of(scan));
   if (!known_ || readings != readings_) {
     known_ = true;
@@ -68,27 +65,72 @@ bool ScanWatch::repeats(std::uint64_t tick, const domain::Scan& scan,
     });
     since_ = tick;
     travel_m_ = odometry.travel_m;
-    return false;
+    return trust_again(in_readings_);
   }
-  const double age_s = static_cast<double>(tick - since_) * tick_s_ + kSameTime_s;
   const bool moved = odometry.travel_m - travel_m_ > kMoved_m;
-  if (!returned_ || !moved || age_s < std::max(kFrozenAfter_s, tick_s_)) return false;
-  travel_m_ = odometry.travel_m;
-  return true;
-}
-
-std::optional<std::string> ScanWatch::arrive(std::uint64_t stamp_tick, Time now) {
-  if (!stamp_tick_ || stamp_tick > *stamp_tick_) {
-    stamp_tick_ = stamp_tick;
-    stamped_at_ = now;
-    stamp_told_ = false;
+  // What was told stays so while the readings do.
+  if (!returned_ || (!moved && in_readings_ != Trust::kStale)) return std::nullopt;
+  const Trust trust = trust_after(static_cast<double>(tick - since_) * tick_s_ + kSameTime_s);
+  if (trust == Trust::kFull || (trust == Trust::kStale && in_readings_ != Trust::kFull)) {
     return std::nullopt;
   }
-  const double age_s = std::chrono::duration<double>(now - stamped_at_).count();
-  if (stamp_told_ || age_s < std::max(kFrozenAfter_s, tick_s_)) return std::nullopt;
-  stamp_told_ = true;
-  return "the sensor is frozen: it writes its scan of tick " + std::to_string(stamp_tick) +
-         " again";
+  in_readings_ = trust;
+  travel_m_ = odometry.travel_m;
+  const std::string why = "its readings are those of tick " + std::to_string(since_) +
+                          ", to the bit, though the robot has moved by more than 5 cm";
+  if (trust == Trust::kStale) return News{kStale, "the sensor is stale: " + why};
+  return News{kFrozen, "the sensor is frozen: " + why};
+}
+
+std::optional<ScanWatch::News> ScanWatch::trust_again(Trust& trust) {
+  if (trust == Trust::kFull) return std::nullopt;
+  trust = Trust::kFull;
+  if (in_readings_ != Trust::kFull || in_stamps_ != Trust::kFull) return std::nullopt;
+  return News{kFresh, "the sensor is fresh again"};
+}
+
+ScanWatch::Trust ScanWatch::trust_after(double age_s) const {
+  if (age_s >= std::max(kNoneAfter_s, 2.0 * tick_s_)) return Trust::kNone;
+  return age_s >= std::max(kStaleAfter_s, tick_s_) ? Trust::kStale : Trust::kFull;
+}
+
+std::optional<ScanWatch::News> ScanWatch::scan_arrives(std::uint64_t stamp_tick, Time now) {
+  if (stamp_tick_ && stamp_tick <= *stamp_tick_) {
+    repeated_ = repeated_ || stamp_tick == *stamp_tick_;
+    return look(now);
+  }
+  stamp_tick_ = stamp_tick;
+  repeated_ = false;
+  waits_since_.reset();
+  return trust_again(in_stamps_);
+}
+
+// A sensor writes when drive has begun a tick: until then nothing is due.
+void ScanWatch::odometry_arrives(std::uint64_t stamp_tick, Time now) {
+  if (stamp_tick_ && stamp_tick > *stamp_tick_ && !waits_since_) waits_since_ = now;
+}
+
+std::optional<ScanWatch::News> ScanWatch::look(Time now) {
+  forgive_sleep(now);
+  if (!waits_since_) return std::nullopt;
+  const double age_s = std::chrono::duration<double>(now - *waits_since_).count();
+  const Trust trust = trust_after(age_s);
+  if (trust <= in_stamps_) return std::nullopt;
+  in_stamps_ = trust;
+  const std::string tick = std::to_string(*stamp_tick_);
+  const std::string why = repeated_ ? "it writes its scan of tick " + tick + " again"
+                                    : "it has written nothing since its scan of tick " + tick;
+  if (trust == Trust::kStale) return News{kStale, "the sensor is stale: " + why};
+  if (repeated_) return News{kFrozen, "the sensor is frozen: " + why};
+  return News{kGone, "the sensor is gone: " + why};
+}
+
+// Who was asleep cannot say that nothing came.
+void ScanWatch::forgive_sleep(Time now) {
+  if (waits_since_ && now - std::max(looked_at_, *waits_since_) > kAwake) {
+    *waits_since_ = std::min(now, *waits_since_ + (now - std::max(looked_at_, *waits_since_)));
+  }
+  looked_at_ = now;
 }
 
 }  // namespace clew::bridge

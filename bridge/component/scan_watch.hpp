@@ -12,18 +12,31 @@
 
 namespace clew::bridge {
 
-/// Notices a range sensor that is frozen: one that writes the same readings again and again with
-/// new stamps, or the same stamp.
+/// Notices a range sensor whose scans are of the past: one that writes the same readings again and
+/// again with new stamps, one that writes the same stamp, and one that writes nothing.
 ///
-/// The readings of a noisy sensor never repeat to the bit where something returned. If they do for
-/// the larger of 0.2 s and a tick, and the robot has moved by more than 5 cm by its odometry
-/// meanwhile, then what the scans show is of the past. Where nothing returned there is nothing to
-/// repeat, and of a sensor without noise, or one whose readings are rounded, nothing can be said.
+/// The readings of a noisy sensor never repeat to the bit where something returned. If they do, and
+/// the robot has moved by more than 5 cm by its odometry meanwhile, then the sensor is frozen.
+/// Where nothing returned there is nothing to repeat, and of a sensor without noise, or one whose
+/// readings are rounded, nothing can be said. Of a sensor that writes no new stamp only the time
+/// counts in which drive has gone on and the watch itself was awake.
+///
+/// After the larger of 0.2 s and a tick the sensor is stale, and the robot should go slowly; after
+/// the larger of 0.3 s and two ticks it is frozen or gone, and the robot should rest.
 class ScanWatch {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  /// The kind of domain::Incident that it is.
-  static constexpr const char* kIncident = "frozen_sensor";
+
+  // The kinds of domain::Incident that it tells.
+  static constexpr const char* kStale = "stale_sensor";
+  static constexpr const char* kFrozen = "frozen_sensor";  ///< the same readings or stamp again
+  static constexpr const char* kGone = "gone_sensor";
+  static constexpr const char* kFresh = "fresh_sensor";  ///< it was stale, and is as it should be
+
+  struct News {
+    const char* kind = nullptr;
+    std::string text;
+  };
 
   /// Of the plan it needs the duration of a tick and what the graph says of the sensor's noise.
   explicit ScanWatch(const runtime::RunPlan& plan);
@@ -31,16 +44,30 @@ class ScanWatch {
 
   /// Whether anything can be said of equal readings.
   bool watches_readings() const { return readings_vary_; }
-  /// Takes the inputs of a tick, one tick after the other; why the sensor is frozen, if it is. It
-  /// says so again each time that the robot has gone 5 cm on.
-  std::optional<std::string> see(std::uint64_t tick, const runtime::TopicSet& present,
-                                 const domain::Messages& messages);
-  /// Takes the stamp of a scan that arrives, known already or not; in real time only, where no
-  /// writer has a reason to write twice. Why the sensor is frozen, once for a stamp.
-  std::optional<std::string> arrive(std::uint64_t stamp_tick, Time now);
+  /// Takes the inputs of a tick, one tick after the other. That the sensor is frozen it says again
+  /// each time that the robot has gone 5 cm on.
+  std::optional<News> see(std::uint64_t tick, const runtime::TopicSet& present,
+                          const domain::Messages& messages);
+
+  // In real time only, where no writer has a reason to write twice, nor to be late.
+
+  /// Takes the stamp of a scan that arrives, known already or not.
+  std::optional<News> scan_arrives(std::uint64_t stamp_tick, Time now);
+  /// Takes the stamp of an odometry: drive is so far.
+  void odometry_arrives(std::uint64_t stamp_tick, Time now);
+  /// Looks at the clock. Who does not look for longer than kAwake was asleep himself.
+  std::optional<News> look(Time now);
+  static constexpr auto kAwake = std::chrono::milliseconds(100);
 
  private:
-  bool repeats(std::uint64_t tick, const domain::Scan& scan, const domain::Odometry& odometry);
+  enum class Trust { kFull, kStale, kNone };
+
+  std::optional<News> see_readings(std::uint64_t tick, const domain::Scan& scan,
+                                   const domain::Odometry& odometry);
+  std::optional<News> trust_again(Trust& trust);
+  void forgive_sleep(Time now);
+  /// What trust remains in a sensor that is so old.
+  Trust trust_after(double age_s) const;
 
   const double tick_s_;
   const bool readings_vary_;
@@ -49,9 +76,12 @@ class ScanWatch {
   bool returned_ = false;    // something, in it
   std::uint64_t since_ = 0;  // the tick of the first scan with these readings
   double travel_m_ = 0.0;    // what the robot had gone then, or when it was told last
+  Trust in_readings_ = Trust::kFull;
   std::optional<std::uint64_t> stamp_tick_;  // the newest that has arrived
-  Time stamped_at_{};
-  bool stamp_told_ = false;
+  bool repeated_ = false;                    // it has arrived again
+  std::optional<Time> waits_since_;          // that a newer one has been due
+  Trust in_stamps_ = Trust::kFull;
+  Time looked_at_{};
 };
 
 }  // namespace clew::bridge

@@ -53,6 +53,7 @@ enum class FrameType : std::uint8_t {
   kPace,          ///< start them at another pace
   kSpool,         ///< hand over what it writes from now on: somebody looks on
   kRest,          ///< in real time: take no command any more, so that the robot comes to rest
+  kSlow,          ///< in real time: take every second command only, or all of them again
   // to the recorder, besides kSamples
   kRecord,        ///< what to record
   kRecordingEnd,  ///< all samples were sent; why the run was aborted, if it was
@@ -203,6 +204,11 @@ struct PaceChange {
   double factor = 0.0;
 };
 
+/// Whether only every second command is taken.
+struct Slow {
+  bool slowly = false;
+};
+
 /// How far a recorder is.
 struct Kept {
   std::uint64_t ticks = 0;          ///< below this one nobody needs to wait for it
@@ -271,6 +277,10 @@ void visit_fields(V& v, Text& m) {
 template <typename V>
 void visit_fields(V& v, Tick& m) {
   v(m.tick);
+}
+template <typename V>
+void visit_fields(V& v, Slow& m) {
+  v(m.slowly);
 }
 template <typename V>
 void visit_fields(V& v, PaceChange& m) {

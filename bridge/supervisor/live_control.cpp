@@ -120,6 +120,8 @@ void LiveControl::disarm() {
   tell_starter(FrameType::kRest, Tick{0});
 }
 
+void LiveControl::slow(bool slowly) { tell_starter(FrameType::kSlow, Slow{slowly}); }
+
 // Who says so while the robot rests has looked at what stopped it.
 CommandAnswer LiveControl::resume(const Situation& situation) {
   if (!held_from_ && !disarmed_) return CommandAnswer::refused("the run is not paused");

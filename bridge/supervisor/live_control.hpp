@@ -49,6 +49,8 @@ class LiveControl {
 
   /// In real time: brings the robot to rest, where it stays until somebody says `resume`.
   void disarm();
+  /// In real time: the robot goes half as fast, or as fast as before.
+  void slow(bool slowly);
   /// Ticks below this one may be started: beyond it not everybody knows yet what changes.
   std::uint64_t credit() const;
   /// Whether no tick is to be expected.

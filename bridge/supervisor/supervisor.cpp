@@ -106,22 +106,6 @@ void Supervisor::refuse(Link& link, const std::string& why) {
   note_refused(why);
 }
 
-// In lockstep the run is what its samples say: it is told, and goes on. A drive of somebody else's
-// can only be told by commands that do not come.
-void Supervisor::note_incident(domain::Incident incident, Time now) {
-  const bool stops = incident.kind == ScanWatch::kIncident && gone_ && !last_tick_ &&
-                     layout_.pace == Pace::kRealtime && !keeps_own_pace(members_);
-  if (!stops) return tell(std::move(incident));
-  if (layout_.name.empty()) {
-    const std::string why = incident.text;
-    tell(std::move(incident));
-    return end_at_rest(why, now);
-  }
-  live_control_.disarm();
-  incident.text += "; the robot rests until 'clew resume " + layout_.name + "'";
-  tell(std::move(incident));
-}
-
 // In the log, and in the recording.
 void Supervisor::tell(domain::Incident incident) {
   if (auto told = incidents_.note(std::move(incident))) record(*std::move(told));
@@ -328,8 +312,8 @@ void Supervisor::observe(Time now) {
   const auto fatal = observer_->fatal();
   observer_->poll();
   for (const std::string& notice : observer_->take_notices()) note_refused(notice);
-  for (std::string& why : observer_->take_frozen()) {
-    note_incident({0, ScanWatch::kIncident, "run", std::move(why)}, now);
+  for (ScanWatch::News& news : observer_->look_at_sensor(now)) {
+    note_incident({0, news.kind, "run", std::move(news.text)}, now);
   }
   if (fatal) abort(*fatal);
   hand_on(observer_->take_spooled(), observer_->ticks());

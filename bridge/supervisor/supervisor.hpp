@@ -86,6 +86,7 @@ class Supervisor {
   void start_child(Member& member);
   void refuse(Link& link, const std::string& why);
   void note_incident(domain::Incident incident, Time now);
+  void stop_for_sensor(domain::Incident incident, Time now);
   void tell(domain::Incident incident);
   void record(domain::Incident incident);
   void serve(Member& member, Time now);
@@ -145,6 +146,12 @@ class Supervisor {
   std::string ends_at_rest_;
   Time ends_by_{};
   std::optional<Time> rests_at_;  ///< since when it does
+  /// In real time, of a run without a name whose sensor was gone: why it ends, and when.
+  struct EndWithoutSensor {
+    std::string why;
+    Time by;
+  };
+  std::optional<EndWithoutSensor> ends_without_sensor_;
   Time stalled_since_{};
   Time long_step_told_at_{};
   Time watched_at_;

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <limits>
 
+#include "component/scan_watch.hpp"
 #include "run/limits.hpp"
 #include "supervisor/supervisor.hpp"
 
@@ -225,7 +226,41 @@ void Supervisor::end_at_rest(const std::string& why, Time now) {
   }
 }
 
+// In lockstep the run is what its samples say: it is told, and goes on. A drive of somebody else's
+// can only be told by commands that do not come.
+void Supervisor::note_incident(domain::Incident incident, Time now) {
+  const bool acts =
+      gone_ && !last_tick_ && layout_.pace == Pace::kRealtime && !keeps_own_pace(members_);
+  if (acts && incident.kind == ScanWatch::kStale) {
+    live_control_.slow(true);
+    incident.text += "; the robot goes half as fast";
+  } else if (acts && incident.kind == ScanWatch::kFresh) {
+    live_control_.slow(false);
+  } else if (acts && (incident.kind == ScanWatch::kFrozen || incident.kind == ScanWatch::kGone)) {
+    return stop_for_sensor(std::move(incident), now);
+  }
+  tell(std::move(incident));
+}
+
+// A sensor that is gone may be only half of what happens: a process that is stopped or stuck is
+// named before it is given up.
+void Supervisor::stop_for_sensor(domain::Incident incident, Time now) {
+  live_control_.disarm();
+  const std::string why = incident.text;
+  incident.text += layout_.name.empty()
+                       ? "; the robot rests, and the run ends"
+                       : "; the robot rests until 'clew resume " + layout_.name + "'";
+  const bool gone = incident.kind == ScanWatch::kGone;
+  tell(std::move(incident));
+  if (!layout_.name.empty()) return;
+  if (!gone) return end_at_rest(why, now);
+  if (!ends_without_sensor_) ends_without_sensor_ = {why, now + kRealtimeFrozenAfter};
+}
+
 void Supervisor::watch_rest(Time now) {
+  if (ends_without_sensor_ && now >= ends_without_sensor_->by && !last_tick_) {
+    end_at_rest(ends_without_sensor_->why + "; a run without a name cannot be told to go on", now);
+  }
   if (ends_at_rest_.empty()) return;
   if (speed_mps() == 0.0) {
     // What drive wrote follows its report.

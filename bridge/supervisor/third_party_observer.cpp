@@ -67,7 +67,8 @@ core::Result<void> ThirdPartyObserver::watch_scans(const runtime::RunPlan& plan,
   const runtime::GraphStage* steering = plan.graph.writer_of(domain::Topic::kCommand);
   if (steering == nullptr || !is_third_party(*steering)) return {};
   scan_watch_.emplace(plan);
-  if (!scan_watch_->watches_readings()) return {};
+  realtime_ = assignment.pace == Pace::kRealtime;
+  if (!realtime_ && !scan_watch_->watches_readings()) return {};
   runtime::TopicSet topics;
   for (const domain::Topic topic : {domain::Topic::kScan, domain::Topic::kOdometry}) {
     const runtime::GraphStage* writer = plan.graph.writer_of(topic);
@@ -82,17 +83,31 @@ core::Result<void> ThirdPartyObserver::watch_scans(const runtime::RunPlan& plan,
   if (assignment.checkpoint) scans_->begin_at(ticks());
   scans_->on_tick([this](std::uint64_t tick, const runtime::TopicSet& present,
                          const domain::Messages& messages) {
-    const auto why = scan_watch_->see(tick, present, messages);
-    if (!why) return;
     const std::lock_guard<std::mutex> lock(mutex_);
-    frozen_.push_back(*why);
+    auto news = scan_watch_->see(tick, present, messages);
+    const bool certain = news && news->kind == ScanWatch::kFrozen;
+    if (news && (realtime_ || certain)) sensor_news_.push_back(*std::move(news));
   });
   return scans_->open(*participant_, *barrier_);
 }
 
-std::vector<std::string> ThirdPartyObserver::take_frozen() {
+std::vector<ScanWatch::News> ThirdPartyObserver::look_at_sensor(ScanWatch::Time now) {
+  if (!scans_) return {};
+  const auto ticks_of = [this](domain::Topic topic) {
+    return scans_->ticks_of(runtime::TopicSet().set(index_of(topic)));
+  };
+  // In this order: a scan is of an odometry that is older than it.
+  const std::uint64_t odometry = ticks_of(domain::Topic::kOdometry);
+  const std::uint64_t scans = ticks_of(domain::Topic::kScan);
   const std::lock_guard<std::mutex> lock(mutex_);
-  return std::exchange(frozen_, {});
+  if (realtime_) {
+    const bool newer = scans > std::exchange(scans_seen_, scans);
+    auto news = newer ? scan_watch_->scan_arrives(scans - 1, now) : std::nullopt;
+    if (news) sensor_news_.push_back(*std::move(news));
+    if (odometry > 0) scan_watch_->odometry_arrives(odometry - 1, now);
+    if ((news = scan_watch_->look(now))) sensor_news_.push_back(*std::move(news));
+  }
+  return std::exchange(sensor_news_, {});
 }
 
 void ThirdPartyObserver::poll() {

@@ -47,8 +47,8 @@ class ThirdPartyObserver {
   void spool() { account_->spool(); }
   std::string take_spooled() { return std::exchange(spooled_, {}); }
   std::vector<std::string> take_notices();
-  /// Why the sensor is frozen, since the last call.
-  std::vector<std::string> take_frozen();
+  /// What is to be said of the sensor since the last call.
+  std::vector<ScanWatch::News> look_at_sensor(ScanWatch::Time now);
   std::optional<std::string> fatal() const;
 
  private:
@@ -58,14 +58,16 @@ class ThirdPartyObserver {
   std::string stages_;  ///< that it reads: `control`
   mutable std::mutex mutex_;
   std::vector<std::string> notices_;
-  std::vector<std::string> frozen_;
+  std::vector<ScanWatch::News> sensor_news_;
   std::optional<std::string> fatal_;
   Progress progress_;
   std::string spooled_;
   std::unique_ptr<StartBarrier> barrier_;
   std::unique_ptr<Participant> participant_;
   std::unique_ptr<InputAccount> account_;  // closed before the participant
-  std::optional<ScanWatch> scan_watch_;
+  std::optional<ScanWatch> scan_watch_;    ///< with the mutex held
+  bool realtime_ = false;
+  std::uint64_t scans_seen_ = 0;
   std::unique_ptr<InputAccount> scans_;  // closed before the watch
 };
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "component/scan_watch.hpp"
 #include "supervised_run.hpp"
 
 namespace clew::bridge {
@@ -121,6 +122,79 @@ TEST_F(Patience, AccusesNobodyAfterItWasAwayItself) {
   pass(kFrozenAfter, {"sense"});
 
   EXPECT_TRUE(logged("does not report; killing it")) << "who stays silent is frozen";
+}
+
+/// In real time, under way.
+class RunInRealTime : public SupervisedRun {
+ protected:
+  void begin_as(const std::string& name) {
+    layout_.pace = Pace::kRealtime;
+    layout_.name = name;
+    TearDown();
+    begin();
+    all_join();
+  }
+  void tell(const char* kind) {
+    peer("control").say(FrameType::kIncident, domain::Incident{0, kind, "control", "so it is"});
+    supervisor_->turn(now_);
+  }
+  std::size_t rests() { return peer("drive").take(FrameType::kRest).size(); }
+  /// What drive was told of its speed since the last call: `slow fast `.
+  std::string speeds() {
+    std::string told;
+    for (const Frame& frame : peer("drive").take(FrameType::kSlow)) {
+      told += frame.as<Slow>()->slowly ? "slow " : "fast ";
+    }
+    return told;
+  }
+};
+
+TEST_F(RunInRealTime, GoesSlowlyWhileTheSensorIsStale) {
+  begin_as("");
+
+  tell(ScanWatch::kStale);
+  tell(ScanWatch::kFresh);
+
+  EXPECT_EQ(speeds(), "slow fast ");
+  EXPECT_EQ(rests(), 0u);
+  EXPECT_TRUE(logged("so it is; the robot goes half as fast"));
+}
+
+TEST_F(RunInRealTime, RestsForGoodOnceTheSensorWasGoneUnlessSomebodySaysResume) {
+  begin_as("robot");
+
+  tell(ScanWatch::kGone);
+  tell(ScanWatch::kFresh);
+  pass(2 * kRealtimeFrozenAfter);
+
+  EXPECT_EQ(rests(), 1u);
+  EXPECT_FALSE(supervisor_->over());
+  EXPECT_TRUE(peer("drive").take(FrameType::kRelease).empty());
+  EXPECT_TRUE(logged("so it is; the robot rests until 'clew resume robot'"));
+}
+
+TEST_F(RunInRealTime, EndsAtRestAfterItsSensorWasGoneIfNobodyCanSayResume) {
+  begin_as("");
+
+  tell(ScanWatch::kGone);
+  pass(kRealtimeFrozenAfter - milliseconds(200));
+  EXPECT_FALSE(supervisor_->over()) << "a process that is stopped is named first";
+  EXPECT_EQ(rests(), 1u) << "but the robot rests at once";
+  pass(seconds(1));
+
+  EXPECT_EQ(aborted(), "so it is; a run without a name cannot be told to go on");
+}
+
+TEST_F(SupervisedRun, TellsOfTheSensorInLockstepAndGoesOn) {
+  all_join();
+
+  peer("control").say(FrameType::kIncident,
+                      domain::Incident{0, ScanWatch::kFrozen, "control", "so it is"});
+  pass(seconds(3));
+
+  EXPECT_FALSE(supervisor_->over());
+  EXPECT_TRUE(peer("drive").take(FrameType::kRest).empty());
+  EXPECT_TRUE(logged("so it is"));
 }
 
 }  // namespace

@@ -141,6 +141,32 @@ class RealTime(unittest.TestCase):
         self.assertIn("the sensor is frozen: its readings are those of tick 0, to the bit",
                       frozen["text"])
         self.assertIn(f"the robot rests until 'clew resume {name}'", frozen["text"])
+        self.assertIn("; the robot goes half as fast", self.events("stale_sensor")[0]["text"])
+        self.assertTrue(Run(["replay", self.recording, "--json"]).report["identical"])
+
+    def test_a_sensor_that_was_gone_stops_the_robot_until_somebody_says_go_on(self):
+        growing = pathlib.Path(f"{self.recording}.tmp~")
+        name = f"gone-sensor-{os.getpid()}"
+        run = start([*self.arguments(world=LONG_WORLD), "--name", name], start_new_session=True)
+        self.assertTrue(wait_until(lambda: growing.exists() and len(states_of(growing)) > 5))
+        sense = components_of(run.pid)["sense"]
+
+        os.kill(sense, signal.SIGSTOP)
+        time.sleep(1.0)
+        os.kill(sense, signal.SIGCONT)
+
+        # It has been back for longer than it was away.
+        self.assertTrue(wait_until(lambda: self.rests(ticks=40)), "the robot does not rest")
+        stopped = states_of(growing)[-1]
+        self.assertEqual(Run(["resume", name]).status, 0)
+        self.assertTrue(wait_until(lambda: states_of(growing)[-1].x_m > stopped.x_m + 0.5))
+        run.send_signal(signal.SIGINT)
+        _, err = run.communicate(timeout=30)
+        self.assertEqual(run.returncode, 130, err)
+        for kind, says in (("stale_sensor", "the sensor is stale: it has written nothing since its"),
+                           ("gone_sensor", f"; the robot rests until 'clew resume {name}'"),
+                           ("fresh_sensor", "the sensor is fresh again")):
+            self.assertIn(says, self.events(kind)[0]["text"])
         self.assertTrue(Run(["replay", self.recording, "--json"]).report["identical"])
 
     def test_a_frozen_sensor_ends_a_run_in_which_nobody_can_say_go_on(self):
