@@ -26,7 +26,7 @@ std::optional<domain::Motion> FinalApproach::step(const domain::Odometry& odomet
                         std::fabs(bearing_rad) > kBeside_rad;
   if (parameters_.approach_m > 0.0 && sets_off) return turn(bearing_rad);
   state_.was_there = state_.was_there || distance_m <= kThere_m;
-  if (distance_m > parameters_.approach_m || state_.was_there) return std::nullopt;
+  if (distance_m > reach_m() || state_.was_there) return std::nullopt;
   const bool in_view = scan::is_in_view(scan, bearing_rad);
   if (scan::is_certainly_blocked(scan, radius_m_, bearing_rad, distance_m)) {
     state_.blocked = true;
@@ -51,6 +51,12 @@ domain::Motion FinalApproach::turn(double bearing_rad) const {
 void FinalApproach::hold(const domain::Odometry& odometry) {
   state_.held = true;
   state_.from_odom = odometry.pose_odom_robot.position();
+}
+
+/// How far from the target it begins.
+double FinalApproach::reach_m() const {
+  if (parameters_.approach_m == 0.0 || state_.blocked || state_.held) return parameters_.approach_m;
+  return std::max(parameters_.approach_m, parameters_.first_m);
 }
 
 /// Whether the controller must steer, since the robot has tried or looked near here.

@@ -18,6 +18,7 @@ struct FinalApproachParameters {
   double turn_first_rad = core::radians(20.0);
   double look_again_m = 0.5;
   double set_off_m = 8.0;
+  double first_m = 0.0;
 };
 
 template <typename Visitor>
@@ -35,6 +36,8 @@ void visit_parameters(Visitor& visit, FinalApproachParameters& p) {
   visit.number(
       "approach_set_off_m", p.set_off_m, "m", {0.0, 1000.0},
       "before its first step it turns on the spot to a target within this distance behind it");
+  visit.number("approach_first_m", p.first_m, "m", {0.0, 20.0},
+               "as approach_m, until it finds the way to the target blocked for the first time");
 }
 
 /// Brings the robot in on a near target, whichever controller steers.
@@ -82,6 +85,7 @@ class FinalApproach {
  private:
   static constexpr double kLeastStep_m = 0.002;
 
+  double reach_m() const;
   bool steers_still(const core::Vec2& position_odom, bool in_view) const;
   domain::Motion turn(double bearing_rad) const;
   double step_m(double distance_m) const;

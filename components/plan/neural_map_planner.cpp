@@ -14,6 +14,8 @@ namespace {
 constexpr double kWithinBodies = 3.5;
 // A target beside a wall or between two is narrow as far as this from it.
 constexpr double kNarrowEnd_m = 0.75;
+// The robot is at the mouth of a narrow end, and not beside it.
+constexpr double kAtMouth_m = 0.03;
 
 // What is tried in turn: the room that the path has, and whether its end may be narrow.
 struct Attempt {
@@ -61,7 +63,7 @@ Subgoal NeuralMapPlanner::step(const Situation& situation) {
   const bool has_new_target = state_.target != situation.target;
   if (!state_.planned || has_new_target || is_old(situation)) plan(situation);
   if (!state_.path.empty()) {
-    if (core::length(state_.path[state_.subgoal] - robot) <= parameters_.arrive_m) {
+    if (core::length(state_.path[state_.subgoal] - robot) <= near_enough_m(situation)) {
       choose_subgoal(situation);
     }
     notice_astray(situation);
@@ -76,6 +78,19 @@ bool NeuralMapPlanner::comes_in(const Situation& situation) const {
   const core::Vec2 robot = situation.odometry.pose_odom_robot.position();
   return core::length(situation.target - robot) <= parameters_.come_in_m &&
          situation.map.leads_straight(robot, situation.target);
+}
+
+/// Whether the end of the path is narrow, and the target straight ahead from this point of it.
+bool NeuralMapPlanner::is_mouth(const Situation& situation, std::uint32_t point) const {
+  const core::Vec2& place = state_.path[point];
+  return point + 1 < state_.path.size() &&
+         core::length(situation.target - place) <= parameters_.come_in_m &&
+         situation.map.leads_straight(place, situation.target) &&
+         !situation.map.line_of_sight(place, situation.target, state_.room);
+}
+
+double NeuralMapPlanner::near_enough_m(const Situation& situation) const {
+  return is_mouth(situation, state_.subgoal) ? kAtMouth_m : parameters_.arrive_m;
 }
 
 bool NeuralMapPlanner::is_old(const Situation& situation) const {
@@ -144,13 +159,27 @@ std::size_t NeuralMapPlanner::find_passable(const RoomView& view, map::Clearance
   return count;
 }
 
-/// All units where the mission is done, or the one nearest to its target if cells are too coarse.
+/// All units where the mission is done; if cells are too coarse for one, those from which the
+/// target is straight ahead, or at last the one nearest to it.
 std::vector<map::Cell> NeuralMapPlanner::target_units(const Situation& situation) const {
   std::vector<map::Cell> cells;
   visit_around(parameters_.lattice, units_, situation.target, situation.target_radius_m,
                [&](const map::Cell& cell, double distance_m) {
                  if (distance_m <= situation.target_radius_m) cells.push_back(cell);
                });
+  const bool found = std::any_of(cells.begin(), cells.end(), [&](const map::Cell& cell) {
+    return passable_[units_.index(cell)] != 0;
+  });
+  if (!found && parameters_.come_in_m > 0.0) {
+    cells.clear();
+    visit_around(parameters_.lattice, units_, situation.target, parameters_.come_in_m,
+                 [&](const map::Cell& cell, double distance_m) {
+                   if (distance_m > parameters_.come_in_m) return;
+                   if (passable_[units_.index(cell)] == 0) return;
+                   const core::Vec2 place = map::centre(parameters_.lattice, units_, cell);
+                   if (situation.map.leads_straight(place, situation.target)) cells.push_back(cell);
+                 });
+  }
   if (cells.empty()) {
     const auto nearest = nearest_unit(situation.target);
     if (nearest.has_value()) cells.push_back(*nearest);
@@ -174,7 +203,7 @@ std::optional<map::Cell> NeuralMapPlanner::nearest_unit(const core::Vec2& place)
 }
 
 /// The farthest point of the path, from the subgoal on, that a straight line leads to; if there is
-/// none, the next that the robot is not at yet.
+/// none, the next that the robot is not at yet. No farther than the mouth of a narrow end.
 void NeuralMapPlanner::choose_subgoal(const Situation& situation) {
   const core::Vec2 robot = situation.odometry.pose_odom_robot.position();
   const auto distance_m = [&](std::uint32_t i) { return core::length(state_.path[i] - robot); };
@@ -187,6 +216,13 @@ void NeuralMapPlanner::choose_subgoal(const Situation& situation) {
       next = i;
       break;
     }
+  }
+  for (std::uint32_t i = std::min(state_.subgoal + 1, last); i < last; ++i) {
+    if (!is_mouth(situation, i)) continue;
+    const bool straight = distance_m(i) <= parameters_.look_ahead_m &&
+                          situation.map.leads_straight(robot, state_.path[i]);
+    if (next > i || straight) next = i;
+    break;
   }
   state_.subgoal = next;
 }

@@ -23,8 +23,10 @@ namespace clew::plan {
 /// The subgoal is the farthest point of the path within `look_ahead_m` that a straight line over
 /// such places leads to, and is kept until the robot is within `arrive_m` of it, or no straight
 /// line leads to it any more for `replan_s`, when the path is made anew from where the robot is.
-/// Where the map changes, that happens every `refresh_s`, too. Where there is no way, the target
-/// itself is the subgoal.
+/// A target that lies in a narrow place is come to by the first place of the path from which it is
+/// straight ahead, and that is kept until the robot is there: beside it, the robot would stand
+/// before a wall. Where the map changes, that happens every `refresh_s`, too. Where there is no
+/// way, the target itself is the subgoal.
 class NeuralMapPlanner final : public Planner {
  public:
   struct Parameters {
@@ -71,6 +73,8 @@ class NeuralMapPlanner final : public Planner {
   std::size_t find_passable(const RoomView& view, map::Clearance least, const core::Vec2& target,
                             double narrow_m);
   bool comes_in(const Situation& situation) const;
+  bool is_mouth(const Situation& situation, std::uint32_t point) const;
+  double near_enough_m(const Situation& situation) const;
   bool is_old(const Situation& situation) const;
   std::vector<map::Cell> target_units(const Situation& situation) const;
   std::optional<map::Cell> nearest_unit(const core::Vec2& place) const;

@@ -125,9 +125,40 @@ TEST(FinalApproach, TurnsToATargetBesideItBeforeItSetsOff) {
   EXPECT_FALSE(approach().step(at_start, scan_of(), {0.0, 9.0}).has_value());
 }
 
+TEST(FinalApproach, GoesStraightFromAfarUntilItFindsTheWayBlocked) {
+  FinalApproachParameters parameters;
+  parameters.first_m = 4.0;
+  domain::BehaviourSetup setup;
+  setup.tick_s = 0.5;
+  setup.limits.speed_mps = 0.4;
+  const core::Vec2 target(3.5, 0.0);
+  FinalApproach first(parameters, setup);
+
+  EXPECT_FALSE(first.step(odometry_at(-0.6, 0, 0), scan_of(), target).has_value());
+  EXPECT_TRUE(first.step(odometry_at(0, 0, 0), scan_of(), target).has_value());
+  EXPECT_FALSE(first.step(odometry_at(0.2, 0, 0), wall_ahead(), target).has_value());
+  // From then on only from near by, though the way is free again.
+  EXPECT_FALSE(first.step(odometry_at(1.0, 0, 0), scan_of(), target).has_value());
+  EXPECT_TRUE(first.step(odometry_at(2.4, 0, 0), scan_of(), target).has_value());
+  EXPECT_TRUE(first.step(odometry_at(1.0, 0, 0), scan_of(), {4.0, 0.0}).has_value());  // another
+}
+
+TEST(FinalApproach, AfterTheGuardHeldItFromAfarItBeginsFromNearBy) {
+  FinalApproachParameters parameters;
+  parameters.first_m = 4.0;
+  FinalApproach first(parameters, {});
+  EXPECT_TRUE(first.step(odometry_at(0, 0, 0), scan_of(), {3.5, 0.0}).has_value());
+
+  first.hold(odometry_at(0, 0, 0));
+
+  EXPECT_FALSE(first.step(odometry_at(1.5, 0, 0), scan_of(), {3.5, 0.0}).has_value());
+  EXPECT_TRUE(first.step(odometry_at(2.5, 0, 0), scan_of(), {3.5, 0.0}).has_value());
+}
+
 TEST(FinalApproach, OfNoLengthIsThePapers) {
   FinalApproachParameters parameters;
   parameters.approach_m = 0.0;
+  parameters.first_m = 4.0;
   FinalApproach none(parameters, {});
   domain::Odometry at_start = odometry_at(0, 0, 0);
   at_start.travel_m = 0.0;

@@ -18,12 +18,12 @@ constexpr double kRadiusM = 0.15;
 class Room {
  public:
   explicit Room(const std::string& obstacles, const NeuralMapPlanner::Parameters& parameters = {},
-                const std::string& target = "[5, 2]")
+                const std::string& target = "[5, 2]", const std::string& target_radius = "0.1")
       : parameters_(parameters) {
-    auto world =
-        world::World::parse("format: clew-world/1\nname: room\nbounds: [0, 0, 6, 4]\n" + obstacles +
-                                "\nstart: [1, 2, 0]\ntarget: " + target + "\ntarget_radius: 0.1\n",
-                            "room.yaml");
+    auto world = world::World::parse("format: clew-world/1\nname: room\nbounds: [0, 0, 6, 4]\n" +
+                                         obstacles + "\nstart: [1, 2, 0]\ntarget: " + target +
+                                         "\ntarget_radius: " + target_radius + "\n",
+                                     "room.yaml");
     EXPECT_TRUE(world.ok()) << world.error().text();
     world_ = std::make_shared<const world::World>(std::move(world).value());
     map_ = WorldMap::create(world_, 0.05, {kRadiusM, 0.1}).value();
@@ -58,6 +58,11 @@ class Room {
   }
 
   NeuralMapPlanner& planner() { return *planner_; }
+  /// Whether a body of the robot's size, but for two millimetres, gets straight from place to
+  /// place.
+  bool is_free(const core::Vec2& from, const core::Vec2& to) const {
+    return world_->sweep_disc(from, to, kRadiusM - 2e-3, 0.0, 0.0).free_fraction == 1.0;
+  }
 
  private:
   NeuralMapPlanner::Parameters parameters_;
@@ -124,6 +129,26 @@ TEST(NeuralMapPlanner, ATargetBesideAWallLetsNoPathPassCornersAsClosely) {
     robot = next;
   }
   EXPECT_EQ(robot, target);
+}
+
+TEST(NeuralMapPlanner, GoesIntoANarrowEndFromWhereTheTargetIsStraightAhead) {
+  // Between two walls 0.35 m apart and askew to the cells, with no cell's middle within the radius.
+  const std::string walls = "walls: [[2.739, 1.861, 2.945, 2.29], [3.055, 1.71, 3.261, 2.139]]";
+  Room room(walls, {}, "[3, 2]", "0.02");
+  const core::Vec2 target(3.0, 2.0);
+  core::Vec2 robot(3.882, 2.797);  // on the axis of the gap
+  core::Vec2 last = robot;
+
+  // It stops short of each subgoal, as far as that counts as there.
+  for (int tick = 0; tick < 400 && robot != target; ++tick) {
+    const core::Vec2 next = room.step(robot).place;
+    const core::Vec2 way = next - robot;
+    if (next == target) last = robot;
+    robot = core::length(way) <= 0.02 || next == target ? next : robot + 0.02 * way.normalized();
+  }
+
+  EXPECT_EQ(robot, target);
+  EXPECT_TRUE(room.is_free(last, target)) << last.transpose();
 }
 
 // The length of the way along subgoals 0.1 m and less apart.

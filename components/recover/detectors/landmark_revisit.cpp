@@ -19,12 +19,12 @@ std::string describe(const domain::Landmark& landmark, const domain::Recognition
 }  // namespace
 
 core::Result<std::unique_ptr<LandmarkRevisit>> LandmarkRevisit::create(
-    const Parameters& parameters, const domain::BehaviourSetup&) {
-  return std::make_unique<LandmarkRevisit>(parameters);
+    const Parameters& parameters, const domain::BehaviourSetup& setup) {
+  return std::make_unique<LandmarkRevisit>(parameters, setup.tick_s);
 }
 
 std::optional<TrapEvidence> LandmarkRevisit::observe(const Situation& situation) {
-  std::optional<TrapEvidence> evidence;
+  std::optional<TrapEvidence> evidence = notice_standing_still(situation);
   if (situation.landmark == nullptr) return evidence;
   for (const domain::Recognition& recognition : situation.landmark->recognitions) {
     auto found = visit(situation, recognition);
@@ -33,11 +33,33 @@ std::optional<TrapEvidence> LandmarkRevisit::observe(const Situation& situation)
   return evidence;
 }
 
+std::optional<TrapEvidence> LandmarkRevisit::notice_standing_still(const Situation& situation) {
+  if (parameters_.still_s == 0.0) return std::nullopt;
+  const core::Pose2& pose = situation.pose();
+  const Visit now{situation.tick, pose.position(), pose.heading_rad, situation.odometry.travel_m};
+  Queue& stay = state_.queues[kStay];
+  const bool stays = !stay.empty() && core::length(stay[0].position_odom - now.position_odom) <=
+                                          parameters_.match_radius_m;
+  if (stays && static_cast<double>(now.tick - stay[0].tick) * tick_s_ < parameters_.still_s) {
+    return std::nullopt;
+  }
+  std::optional<TrapEvidence> evidence;
+  if (stays) {
+    const EarlierVisit since{stay[0].tick, stay[0].position_odom, now.travel_m - stay[0].travel_m,
+                             0};
+    evidence = TrapEvidence{since, "stands still", true};
+  }
+  stay.clear();
+  stay.push_back(now);
+  return evidence;
+}
+
 /// Compares a win with the earlier ones of the same neuron, and puts it in the queue.
 std::optional<TrapEvidence> LandmarkRevisit::visit(const Situation& situation,
                                                    const domain::Recognition& recognition) {
-  const std::pair<domain::Network, std::uint32_t> key{recognition.network, recognition.neuron};
-  const bool full = state_.queues.size() >= static_cast<std::size_t>(parameters_.capacity);
+  const Key key{recognition.network, recognition.neuron};
+  const std::size_t known = state_.queues.size() - state_.queues.count(kStay);
+  const bool full = known >= static_cast<std::size_t>(parameters_.capacity);
   if (full && state_.queues.count(key) == 0) return std::nullopt;
   Queue& queue = state_.queues[key];
   if (recognition.created) queue.clear();

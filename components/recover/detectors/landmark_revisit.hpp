@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -19,6 +20,7 @@ struct LandmarkRevisitParameters {
   std::int64_t earlier_visits = 1;
   double heading_tolerance_rad = core::radians(180.0);
   std::int64_t capacity = 64;
+  double still_s = 0.0;
 };
 
 template <typename Visitor>
@@ -33,6 +35,8 @@ void visit_parameters(Visitor& visit, LandmarkRevisitParameters& p) {
               "greatest difference of heading between visits; 180: any heading");
   visit.integer("capacity", p.capacity, "1", {1, 4096},
                 "number of neurons and categories remembered; 49 and 15 in the paper");
+  visit.number("still_s", p.still_s, "s", {0.0, 100000.0},
+               "a robot that stays at one place for this time is trapped, too; 0: never");
 }
 
 /// The distant memory of Krishna & Kalra 2000, section 4.3: each neuron and category keeps the last
@@ -40,6 +44,9 @@ void visit_parameters(Visitor& visit, LandmarkRevisitParameters& p) {
 /// loop, has seen the same landmark, and not another of its kind: the robot goes round in a trap.
 ///
 /// A category that ART has made anew has no past. The end of an escape empties all queues.
+///
+/// *Deviation,* off in the paper's graph: a robot that stands still before a wall sees no landmark
+/// twice, since each needs a loop. With `still_s` that is a trap, too, also for the escape at work.
 class LandmarkRevisit final : public TrapDetector {
  public:
   using Parameters = LandmarkRevisitParameters;
@@ -52,13 +59,18 @@ class LandmarkRevisit final : public TrapDetector {
     double travel_m = 0.0;
   };
   using Queue = core::BoundedVector<Visit, kQueueLength>;  // oldest first
+  using Key = std::pair<domain::Network, std::uint32_t>;
+  /// Of no landmark: where the robot came to last, and when.
+  static constexpr Key kStay{domain::Network::kSom, std::numeric_limits<std::uint32_t>::max()};
   struct State {
-    std::map<std::pair<domain::Network, std::uint32_t>, Queue> queues;
+    std::map<Key, Queue> queues;
   };
 
   static core::Result<std::unique_ptr<LandmarkRevisit>> create(const Parameters& parameters,
                                                                const domain::BehaviourSetup& setup);
-  explicit LandmarkRevisit(const Parameters& parameters) : parameters_(parameters) {}
+  /// A tick lasts `tick_s`.
+  explicit LandmarkRevisit(const Parameters& parameters, double tick_s = 1.0)
+      : parameters_(parameters), tick_s_(tick_s) {}
 
   std::optional<TrapEvidence> observe(const Situation& situation) override;
   void start_afresh() override { state_.queues.clear(); }
@@ -70,8 +82,10 @@ class LandmarkRevisit final : public TrapDetector {
   std::optional<TrapEvidence> visit(const Situation& situation,
                                     const domain::Recognition& recognition);
   const Visit* find_loop(const Queue& queue, const Visit& now) const;
+  std::optional<TrapEvidence> notice_standing_still(const Situation& situation);
 
   Parameters parameters_;
+  double tick_s_;
   State state_;
 };
 

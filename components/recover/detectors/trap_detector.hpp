@@ -28,6 +28,9 @@ void visit_fields(Visitor& visit, EarlierVisit& v) {
 struct TrapEvidence {
   std::optional<EarlierVisit> earlier;  ///< nothing for rules that see a trap at a glance
   std::string text;                     ///< for people, at most domain::kMaxTextLength bytes
+  /// The robot goes on standing still, whoever leads it. Not saved: only Escape::take_up() asks, in
+  /// the tick of the evidence.
+  bool stands_still = false;
 };
 
 template <typename Visitor>

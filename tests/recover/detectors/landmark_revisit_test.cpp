@@ -134,6 +134,57 @@ TEST(LandmarkRevisit, SeesNothingWhenNobodyClassifies) {
   EXPECT_FALSE(revisit.observe(blind).has_value());
 }
 
+/// It stands at a place and sees no landmark, in ticks of 0.5 s.
+Situation blind(const Scene& scene, std::uint64_t tick) {
+  return {tick, scene.odometry(), scene.scan(), nullptr, scene.target(), scene.target()};
+}
+
+TEST(LandmarkRevisit, ARobotThatStandsStillIsTrappedIfAskedFor) {
+  LandmarkRevisitParameters parameters;
+  parameters.still_s = 15.0;
+  LandmarkRevisit revisit(parameters, 0.5);
+  LandmarkRevisit papers({}, 0.5);
+  const Scene came = Scene().at(2, 3, 0).travelled(5.0);
+  const Scene near = Scene().at(2.2, 3.1, 90).travelled(5.5);
+  EXPECT_FALSE(revisit.observe(blind(came, 10)).has_value());
+  EXPECT_FALSE(revisit.observe(blind(near, 39)).has_value());
+
+  const auto evidence = revisit.observe(blind(near, 40));  // 30 ticks of 0.5 s later
+
+  ASSERT_TRUE(evidence.has_value());
+  EXPECT_TRUE(evidence->stands_still);
+  EXPECT_EQ(evidence->text, "stands still");
+  EXPECT_EQ(evidence->earlier->tick, 10u);
+  EXPECT_EQ(evidence->earlier->position_odom, core::Vec2(2, 3));
+  EXPECT_EQ(evidence->earlier->travel_m, 0.5);
+  // It counts from there again.
+  EXPECT_FALSE(revisit.observe(blind(near, 69)).has_value());
+  EXPECT_TRUE(revisit.observe(blind(near, 70)).has_value());
+  papers.observe(blind(came, 10));
+  EXPECT_FALSE(papers.observe(blind(near, 1000)).has_value());
+}
+
+TEST(LandmarkRevisit, ARobotThatGetsOnDoesNotStandStill) {
+  LandmarkRevisitParameters parameters;
+  parameters.still_s = 15.0;
+  LandmarkRevisit revisit(parameters, 0.5);
+  for (std::uint64_t tick = 0; tick < 200; ++tick) {
+    // 0.31 m in each 14.5 s.
+    const double x_m = 0.31 * static_cast<double>(tick / 29);
+    EXPECT_FALSE(revisit.observe(blind(Scene().at(x_m, 0, 0).travelled(x_m), tick)).has_value());
+  }
+}
+
+TEST(LandmarkRevisit, WhereItStandsTakesNoPlaceOfALandmark) {
+  LandmarkRevisitParameters parameters;
+  parameters.capacity = 1;
+  parameters.still_s = 1000.0;
+  LandmarkRevisit revisit(parameters);
+  revisit.observe(win(2, 3, 5.0).situation());
+
+  EXPECT_TRUE(revisit.observe(win(2, 3, 17.0).situation()).has_value());
+}
+
 TEST(LandmarkRevisit, GoesOnAsBeforeAfterSaveAndLoad) {
   LandmarkRevisit revisit = detector();
   revisit.observe(win(2, 3, 5.0, 40).situation());

@@ -38,7 +38,10 @@ std::optional<LoopResult> LoopClosure::add(const core::Pose2& pose_odom, double 
   }
 
   const double away_m = core::distance_m(state_.anchor_odom, pose_odom.position());
-  if (away_m > 2.0 * radius_m_) state_.away = true;
+  // Round a small post the robot is never far away: there it has gone round by half a turn.
+  const bool half_round =
+      std::fabs(state_.turned_rad) > core::kPi && travel_m - state_.anchor_travel_m > radius_m_;
+  if (away_m > 2.0 * radius_m_ || half_round) state_.away = true;
   const double heading_change_rad =
       core::wrap_angle_rad(pose_odom.heading_rad - state_.anchor_odom.heading_rad);
   const bool closed =

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "recover/escapes/following/flanks.hpp"
 #include "scan/certain_block.hpp"
@@ -52,8 +53,26 @@ void ObstacleFollowing::begin(const Situation& all, const TrapEvidence&) {
   }
 }
 
+/// In step 1 it goes on by following the obstacle; a robot that stands still while it follows one
+/// is held by what its eyes do not tell of.
+bool ObstacleFollowing::take_up(const Situation& all, const TrapEvidence& evidence) {
+  if (!evidence.stands_still) return false;
+  const Situation situation = all.with(eyes_.see(all.scan));
+  if (state_.phase == Phase::kSeek && follower_.sees_obstacle(situation.scan)) {
+    state_.wall = obstacle_side(situation);
+    begin_following(situation);
+  } else {
+    held_ = true;
+  }
+  return true;
+}
+
 EscapeStatus ObstacleFollowing::step(const Situation& all, domain::Guidance& guidance) {
   const Situation situation = all.with(eyes_.see(all.scan));
+  if (std::exchange(held_, false)) {
+    guidance.why = "stands still";
+    return EscapeStatus::kFailed;
+  }
   EscapeStatus status = EscapeStatus::kActive;
   if (state_.phase == Phase::kSeek) status = seek(situation);
   if (state_.phase == Phase::kFollow) status = follow(situation, guidance);

@@ -132,6 +132,8 @@ class ObstacleFollowing final : public Escape {
     leaving_.watch(situation.with(eyes_.see(situation.scan)));
   }
   void begin(const Situation& situation, const TrapEvidence& evidence) override;
+  /// That the robot stands still.
+  bool take_up(const Situation& situation, const TrapEvidence& evidence) override;
   EscapeStatus step(const Situation& situation, domain::Guidance& guidance) override;
   void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
@@ -163,7 +165,8 @@ class ObstacleFollowing final : public Escape {
   scan::SevenCones eyes_;
   LoopClosure loop_;
   LeavingRules leaving_;
-  State state_;  // but for the circuit and the boundary, which keep their own
+  State state_;        // but for the circuit and the boundary, which keep their own
+  bool held_ = false;  // scratch: from take_up() to step(), in the same tick
 };
 
 template <typename Visitor>

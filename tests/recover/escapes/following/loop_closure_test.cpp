@@ -20,14 +20,14 @@ struct Round {
 
 /// Goes round the origin once or twice on a circle of 2 m, counter-clockwise or not, with the wall
 /// on a side and the target at a place.
-Round go_round(bool counter_clockwise, Side wall, const core::Vec2& target, bool clear = false) {
+Round go_round(bool counter_clockwise, Side wall, const core::Vec2& target, bool clear = false,
+               double radius_m = kCircleRadius_m) {
   LoopClosure circuit(kSamePlace_m);
   const double direction = counter_clockwise ? 1.0 : -1.0;
   Round round;
   for (double travel_m = 0.0; travel_m < 30.0; travel_m += kStep_m) {
-    const double angle_rad = direction * travel_m / kCircleRadius_m;
-    const core::Pose2 pose{kCircleRadius_m * std::cos(angle_rad),
-                           kCircleRadius_m * std::sin(angle_rad),
+    const double angle_rad = direction * travel_m / radius_m;
+    const core::Pose2 pose{radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad),
                            core::wrap_angle_rad(angle_rad + direction * 0.5 * core::kPi)};
     if (travel_m == 0.0) {
       circuit.begin(pose, 0.0, target);
@@ -59,6 +59,24 @@ TEST(LoopClosure, InsideAWallThatShutsTheTargetOutSeparates) {
 
 TEST(LoopClosure, InsideAWallThatHoldsTheTargetTooIsOpen) {
   EXPECT_EQ(go_round(true, Side::kRight, {0.5, 0}).result, LoopResult::kOpen);
+}
+
+TEST(LoopClosure, RoundASmallPostTheRobotIsNeverFarAway) {
+  // 0.35 m from its middle: at most 0.7 m from where it began, and 0.8 m are elsewhere. The heading
+  // is the same after 300 degrees, the place is near then.
+  const Round post = go_round(true, Side::kLeft, {9, 0}, false, 0.35);
+  EXPECT_EQ(post.result, LoopResult::kOpen);
+  EXPECT_NEAR(post.travel_m, 0.35 * core::radians(300.0), 0.11);
+  EXPECT_EQ(go_round(true, Side::kLeft, {0.1, 0}, false, 0.35).result, LoopResult::kSeparates);
+}
+
+TEST(LoopClosure, TurningOnTheSpotIsNoCircuit) {
+  LoopClosure circuit(kSamePlace_m);
+  circuit.begin({1.0, 2.0, 0.0}, 5.0, {9, 0});
+  for (int tick = 1; tick < 100; ++tick) {
+    const core::Pose2 pose{1.0, 2.0, core::wrap_angle_rad(0.3 * tick)};
+    EXPECT_FALSE(circuit.add(pose, 5.0, {9, 0}, true, Side::kLeft).has_value());
+  }
 }
 
 TEST(LoopClosure, IsNoticedThoughItIsLongerThanTheFirstHorizon) {

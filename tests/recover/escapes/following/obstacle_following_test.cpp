@@ -92,6 +92,40 @@ TEST(CaseOne, DoesNotFollowWhatIsOutOfView) {
   EXPECT_FALSE(step(escape, scene(kFree, -3, -1)).guidance.has_override);
 }
 
+TrapEvidence standing_still() {
+  TrapEvidence evidence;
+  evidence.stands_still = true;
+  return evidence;
+}
+
+TEST(StandingStill, InStepOneIsFollowedByFollowing) {
+  ObstacleFollowing escape = make();
+  const Scene stands = scene(kWallOnLeft, 1, 3);
+  begin(escape, stands);
+
+  EXPECT_FALSE(escape.take_up(stands.situation(), {}));
+  EXPECT_TRUE(escape.take_up(stands.situation(), standing_still()));
+  const Answer answer = step(escape, stands);
+
+  EXPECT_EQ(answer.status, EscapeStatus::kActive);
+  EXPECT_EQ(answer.guidance.why, "wall on left");
+}
+
+TEST(StandingStill, WhileItFollowsIsAFailure) {
+  ObstacleFollowing escape = make();
+  const Scene stands = scene(kWallOnLeft, 1, 3);
+  begin(escape, stands);
+  escape.take_up(stands.situation(), standing_still());
+  step(escape, stands);
+
+  EXPECT_TRUE(escape.take_up(stands.situation(), standing_still()));
+  const Answer answer = step(escape, stands);
+
+  EXPECT_EQ(answer.status, EscapeStatus::kFailed);
+  EXPECT_EQ(answer.guidance.why, "stands still");
+  EXPECT_EQ(begin(escape, stands).status, EscapeStatus::kActive);  // a new trap begins anew
+}
+
 TEST(CaseTwo, IsTheMirrorImage) {
   ObstacleFollowing escape = make();
 
