@@ -26,11 +26,14 @@ std::optional<domain::Motion> FinalApproach::step(const domain::Odometry& odomet
                         std::fabs(bearing_rad) > kBeside_rad;
   if (parameters_.approach_m > 0.0 && sets_off) return turn(bearing_rad);
   state_.was_there = state_.was_there || distance_m <= kThere_m;
-  if (distance_m > reach_m() || state_.was_there) return std::nullopt;
+  if (distance_m > reach_m()) {
+    if (parameters_.first_m > 0.0 && !state_.blocked) note_blocked(pose.position());
+    return std::nullopt;
+  }
+  if (state_.was_there) return std::nullopt;
   const bool in_view = scan::is_in_view(scan, bearing_rad);
   if (scan::is_certainly_blocked(scan, radius_m_, bearing_rad, distance_m)) {
-    state_.blocked = true;
-    state_.from_odom = pose.position();
+    note_blocked(pose.position());
     return std::nullopt;
   }
   if (steers_still(pose.position(), in_view)) return std::nullopt;
@@ -51,6 +54,11 @@ domain::Motion FinalApproach::turn(double bearing_rad) const {
 void FinalApproach::hold(const domain::Odometry& odometry) {
   state_.held = true;
   state_.from_odom = odometry.pose_odom_robot.position();
+}
+
+void FinalApproach::note_blocked(const core::Vec2& position_odom) {
+  state_.blocked = true;
+  state_.from_odom = position_odom;
 }
 
 /// How far from the target it begins.

@@ -36,8 +36,9 @@ void visit_parameters(Visitor& visit, FinalApproachParameters& p) {
   visit.number(
       "approach_set_off_m", p.set_off_m, "m", {0.0, 1000.0},
       "before its first step it turns on the spot to a target within this distance behind it");
-  visit.number("approach_first_m", p.first_m, "m", {0.0, 20.0},
-               "as approach_m, until it finds the way to the target blocked for the first time");
+  visit.number(
+      "approach_first_m", p.first_m, "m", {0.0, 20.0},
+      "as approach_m, for a target that is so near when it is set, until its way is blocked");
 }
 
 /// Brings the robot in on a near target, whichever controller steers.
@@ -59,7 +60,7 @@ class FinalApproach {
  public:
   struct State {
     core::Vec2 target_odom = core::Vec2::Zero();  ///< the last
-    bool blocked = false;                         ///< the way there was, when the robot looked
+    bool blocked = false;                         ///< the way there was, or it was too far
     bool held = false;                            ///< the guard left no step of it
     bool was_there = false;  ///< the robot was where it believes the target to be
     core::Vec2 from_odom = core::Vec2::Zero();  ///< where the robot found that
@@ -85,6 +86,7 @@ class FinalApproach {
  private:
   static constexpr double kLeastStep_m = 0.002;
 
+  void note_blocked(const core::Vec2& position_odom);
   double reach_m() const;
   bool steers_still(const core::Vec2& position_odom, bool in_view) const;
   domain::Motion turn(double bearing_rad) const;

@@ -134,13 +134,22 @@ TEST(FinalApproach, GoesStraightFromAfarUntilItFindsTheWayBlocked) {
   const core::Vec2 target(3.5, 0.0);
   FinalApproach first(parameters, setup);
 
-  EXPECT_FALSE(first.step(odometry_at(-0.6, 0, 0), scan_of(), target).has_value());
   EXPECT_TRUE(first.step(odometry_at(0, 0, 0), scan_of(), target).has_value());
   EXPECT_FALSE(first.step(odometry_at(0.2, 0, 0), wall_ahead(), target).has_value());
   // From then on only from near by, though the way is free again.
   EXPECT_FALSE(first.step(odometry_at(1.0, 0, 0), scan_of(), target).has_value());
   EXPECT_TRUE(first.step(odometry_at(2.4, 0, 0), scan_of(), target).has_value());
   EXPECT_TRUE(first.step(odometry_at(1.0, 0, 0), scan_of(), {4.0, 0.0}).has_value());  // another
+}
+
+TEST(FinalApproach, ATargetThatWasFarWhenItWasSetIsTheControllersUntilItIsNear) {
+  FinalApproachParameters parameters;
+  parameters.first_m = 4.0;
+  FinalApproach first(parameters, {});
+
+  EXPECT_FALSE(first.step(odometry_at(0, 0, 0), scan_of(), {4.1, 0.0}).has_value());
+  EXPECT_FALSE(first.step(odometry_at(1.0, 0, 0), scan_of(), {4.1, 0.0}).has_value());
+  EXPECT_TRUE(first.step(odometry_at(3.0, 0, 0), scan_of(), {4.1, 0.0}).has_value());
 }
 
 TEST(FinalApproach, AfterTheGuardHeldItFromAfarItBeginsFromNearBy) {
