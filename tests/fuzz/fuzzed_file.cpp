@@ -8,12 +8,12 @@
 
 namespace clew::fuzz {
 
-FuzzedFile::FuzzedFile(const std::uint8_t* bytes, std::size_t size)
+FuzzedFile::FuzzedFile(std::string_view bytes)
     : descriptor_(::memfd_create("fuzzed", MFD_CLOEXEC)) {
   CLEW_CHECK(descriptor_ >= 0, "no file in memory can be made");
   std::size_t written = 0;
-  while (written < size) {
-    const ssize_t count = ::write(descriptor_, bytes + written, size - written);
+  while (written < bytes.size()) {
+    const ssize_t count = ::write(descriptor_, bytes.data() + written, bytes.size() - written);
     CLEW_CHECK(count > 0, "the memory is full");
     written += static_cast<std::size_t>(count);
   }

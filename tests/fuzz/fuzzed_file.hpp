@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace clew::fuzz {
 
 /// Bytes as a file that can be opened by its path: in memory, and gone with the object.
 class FuzzedFile {
  public:
-  FuzzedFile(const std::uint8_t* bytes, std::size_t size);
+  explicit FuzzedFile(std::string_view bytes);
   ~FuzzedFile();
   FuzzedFile(const FuzzedFile&) = delete;
   FuzzedFile& operator=(const FuzzedFile&) = delete;
