@@ -52,8 +52,10 @@ domain::Motion ControlComponent::steer(const runtime::TickInputs& inputs,
                                        const domain::Guidance* guidance) {
   const auto& odometry = inputs.get<domain::Odometry>();
   reacted_.reset();
+  auto steers = StepGuard::Steers::kAnybody;
   if (guidance != nullptr && guidance->has_override) {
     decider_ = Decider::kRecovery;
+    if (guidance->target_is_virtual) steers = StepGuard::Steers::kLed;
     wanted_ = guidance->override_motion;
   } else {
     const core::Vec2 target_odom = guidance != nullptr
@@ -64,7 +66,7 @@ domain::Motion ControlComponent::steer(const runtime::TickInputs& inputs,
     wanted_ = controller_->step(odometry, seen_, target_odom);
   }
   asked_ = react(inputs).value_or(wanted_);
-  return guard_.limit(asked_, odometry, seen_);
+  return guard_.limit(asked_, odometry, seen_, steers);
 }
 
 /// The motion of the final approach; nothing where the controller must steer.

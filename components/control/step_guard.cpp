@@ -36,10 +36,14 @@ domain::Motion in_kind_of(const domain::Motion& asked, const domain::Motion& lim
 }  // namespace
 
 domain::Motion StepGuard::limit(const domain::Motion& motion, const domain::Odometry& odometry,
-                                const domain::Scan& scan) {
-  if (const auto cut =
-          cut_step(motion, odometry, scan, {parameters_.margin_m, parameters_.least_step_m}))
-    return *cut;
+                                const domain::Scan& scan, Steers steers) {
+  keep_contacts(odometry);
+  Needs needs{parameters_.margin_m, parameters_.least_step_m};
+  if (const auto left = cut(motion, odometry, scan, needs)) return *left;
+  if (steers == Steers::kLed && parameters_.led_margin_m < needs.margin_m) {
+    needs.margin_m = parameters_.led_margin_m;
+    if (const auto left = cut(motion, odometry, scan, needs)) return *left;
+  }
   if (state_.turning_side == 0) {
     state_.turning_side = nearest_bearing_rad(odometry, scan) > 0.0 ? -1 : 1;
   }
@@ -54,6 +58,12 @@ std::optional<domain::Motion> StepGuard::cut_step(const domain::Motion& motion,
                                                   const domain::Odometry& odometry,
                                                   const domain::Scan& scan, const Needs& needs) {
   keep_contacts(odometry);
+  return cut(motion, odometry, scan, needs);
+}
+
+std::optional<domain::Motion> StepGuard::cut(const domain::Motion& motion,
+                                             const domain::Odometry& odometry,
+                                             const domain::Scan& scan, const Needs& needs) {
   const double wheel_base_m = 2.0 * radius_m_;
   const domain::Motion asked = domain::to_turn_and_step(motion, tick_s_, wheel_base_m);
   if (!parameters_.enabled || asked.step_m <= 0.0) return motion;

@@ -15,6 +15,7 @@ namespace clew::control {
 struct StepGuardParameters {
   bool enabled = true;
   double margin_m = 0.05;
+  double led_margin_m = 0.01;
   double least_step_m = 0.01;
   double turn_away_rad = core::radians(15.0);
 };
@@ -24,6 +25,8 @@ void visit_parameters(Visitor& visit, StepGuardParameters& p) {
   visit.flag("guard", p.enabled, "whether the step guard cuts steps to what the scan shows free");
   visit.number("guard_margin_m", p.margin_m, "m", {0.0, 0.5},
                "clearance that is kept beside and before the body");
+  visit.number("guard_led_margin_m", p.led_margin_m, "m", {0.0, 0.5},
+               "the same where that leaves no step and recovery leads the robot to a place");
   visit.number("guard_least_step_m", p.least_step_m, "m", {0.0, 0.1},
                "a step that is cut to less than this is not made");
   visit.angle("guard_turn_deg", p.turn_away_rad, {1.0, 90.0},
@@ -45,6 +48,9 @@ void visit_parameters(Visitor& visit, StepGuardParameters& p) {
 /// again; without that it deadlocks at corners. Steps that shrink toward an obstacle without end
 /// count as nothing from least_step_m down.
 ///
+/// A robot that recovery leads along a path is let through with less room where it would be held:
+/// the path leads where it fits, and what holds it there would count as closed.
+///
 /// The guard binds every motion ahead, the overrides of recovery included: velocities and wheel
 /// speeds as the turn and step that they make in a tick. A drive that brakes with a deceleration of
 /// a needs v^2 / (2 a) after the tick to come to rest, so that as much stays free.
@@ -62,9 +68,11 @@ class StepGuard {
         tick_s_(setup.tick_s),
         limits_(setup.limits) {}
 
+  /// Who steers: recovery that leads to a place knows that there is room.
+  enum class Steers : std::uint8_t { kAnybody, kLed };
   /// The motion, or what is allowed of it. Called every tick.
   domain::Motion limit(const domain::Motion& motion, const domain::Odometry& odometry,
-                       const domain::Scan& scan);
+                       const domain::Scan& scan, Steers steers = Steers::kAnybody);
   /// What a step must leave free, and what of it counts as nothing.
   struct Needs {
     double margin_m = 0.0;
@@ -80,6 +88,8 @@ class StepGuard {
   const State& state() const { return state_; }
 
  private:
+  std::optional<domain::Motion> cut(const domain::Motion& motion, const domain::Odometry& odometry,
+                                    const domain::Scan& scan, const Needs& needs);
   void keep_contacts(const domain::Odometry& odometry);
   double stopping_m(double step_m) const;
   double step_that_stops_within_m(double free_m) const;

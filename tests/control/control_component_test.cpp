@@ -135,6 +135,17 @@ TEST_F(ControlComponentTest, GuardsAnOverrideToo) {
   EXPECT_NEAR(step().step_m, 0.07, 1e-12);
 }
 
+TEST_F(ControlComponentTest, RecoveryThatLeadsToAPlaceIsLetThroughWithLessRoom) {
+  std::get<domain::Scan>(messages_).ranges_m[3] = 0.04;  // the margin is 0.05 m
+  guidance().has_override = true;
+  guidance().override_motion.kind = CommandKind::kTurnAndStep;
+  guidance().override_motion.step_m = 0.15;
+
+  EXPECT_EQ(step().step_m, 0.0);
+  guidance().target_is_virtual = true;
+  EXPECT_NEAR(step().step_m, 0.03, 1e-12);  // with 0.01 m
+}
+
 TEST_F(ControlComponentTest, AReactionTakesThePlaceOfTheController) {
   make_shy();
 

@@ -71,6 +71,25 @@ domain::Motion velocities_of(double speed_mps, double turn_rate_radps) {
   return motion;
 }
 
+TEST(StepGuard, LetsARobotThatIsLedPassWithLessRoomWhereItWouldBeHeld) {
+  // 0.18 m from the centre, and the arc's end is 37.5 degrees off the way.
+  const domain::Scan tight = scan_with(0, 0.03);
+  const double ahead_m = 0.18 * std::cos(radians(37.5));
+  const double beside_m = 0.18 * std::sin(radians(37.5));
+  const double free_m = ahead_m - std::sqrt(0.16 * 0.16 - beside_m * beside_m);
+
+  EXPECT_EQ(guard().limit(motion_of(0, 0.15), odometry_at(0), tight).step_m, 0.0);
+  const domain::Motion led =
+      guard().limit(motion_of(0, 0.15), odometry_at(0), tight, StepGuard::Steers::kLed);
+  EXPECT_EQ(led.turn_rad, 0.0);
+  EXPECT_NEAR(led.step_m, free_m, 1e-9);
+  // Where its own margin leaves a step, that is kept.
+  const domain::Scan wide = scan_with(3, 0.1);
+  EXPECT_NEAR(
+      guard().limit(motion_of(0, 0.15), odometry_at(0), wide, StepGuard::Steers::kLed).step_m, 0.05,
+      1e-9);
+}
+
 TEST(StepGuard, LetsAFreeStepPass) {
   const domain::Motion motion = guard().limit(motion_of(5, 0.15), odometry_at(0), free_scan());
 
