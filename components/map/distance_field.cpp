@@ -6,36 +6,17 @@
 #include <cstdlib>
 
 #include "core/check.hpp"
+#include "map/block_steps.hpp"
 
 namespace clew::map {
 namespace {
 
-constexpr std::uint32_t kWeightOfOne = 4;
 // A path of 8 km through the dearest cells costs less than kNone.
 constexpr float kMostWeight = 1000.0F;
 // Keys grow as the start moves; before they reach the last bucket, all is made anew.
 constexpr std::uint32_t kMostMoved = 1U << 20;
 // So many may wait for each block; some are there twice, since a lower key came later.
 constexpr std::size_t kMostWaiting = 4;
-
-/// A step from a block to a neighbour, and which cells of the two touch. Cell 1 of a block lies
-/// right of cell 0, and 2 and 3 above them.
-struct BlockStep {
-  std::int32_t columns;
-  std::int32_t rows;
-  std::uint32_t length;
-  std::uint8_t own;
-  std::uint8_t other;
-};
-constexpr std::array<BlockStep, 8> kBlockSteps = {{{1, 0, 12, 0b1010, 0b0101},
-                                                   {1, 1, 17, 0b1000, 0b0001},
-                                                   {0, 1, 12, 0b1100, 0b0011},
-                                                   {-1, 1, 17, 0b0100, 0b0010},
-                                                   {-1, 0, 12, 0b0101, 0b1010},
-                                                   {-1, -1, 17, 0b0001, 0b1000},
-                                                   {0, -1, 12, 0b0011, 0b1100},
-                                                   {1, -1, 17, 0b0010, 0b0100}}};
-constexpr std::uint8_t kAllMembers = 0b1111;
 
 std::uint16_t weight_of(float cost) {
   return static_cast<std::uint16_t>(
@@ -77,46 +58,6 @@ void DistanceField::take_in(const Costmap& costs, const std::vector<Cell>& goals
   repair();
 }
 
-/// Lays what is known out for another grid. Blocks that only this one has are blocked as yet.
-void DistanceField::lay(const Grid& grid) {
-  const Grid before = blocks_;
-  const Vec2 shift = (grid.corner - grid_.corner) / grid.cell_m;
-  const bool lies_on = grid.cell_m == grid_.cell_m && std::llround(shift.x()) % 2 == 0 &&
-                       std::llround(shift.y()) % 2 == 0;
-  grid_ = grid;
-  blocks_.cell_m = 2.0 * grid.cell_m;
-  blocks_.corner = grid.corner - Vec2(blocks_.cell_m, blocks_.cell_m);
-  blocks_.columns = (grid.columns + 1) / 2 + 2;
-  blocks_.rows = (grid.rows + 1) / 2 + 2;
-  for (std::size_t i = 0; i < kSteps; ++i) {
-    offsets_[i] =
-        static_cast<std::uint32_t>(kBlockSteps[i].rows * blocks_.columns + kBlockSteps[i].columns);
-  }
-  is_touched_.assign(blocks_.size(), 0);
-  if (lies_on && !nodes_.empty()) {
-    keep_laid_out(before);
-  } else {
-    nodes_.assign(blocks_.size(), {});
-    goals_.clear();
-    clear();
-  }
-}
-
-/// Moves blocks to where they lie now.
-void DistanceField::keep_laid_out(const Grid& before) {
-  lay_out_anew(before, blocks_, Node{}, nodes_, spare_);
-  const Vec2 shift = (blocks_.corner - before.corner) / blocks_.cell_m;
-  const auto right = static_cast<std::int32_t>(std::llround(shift.x()));
-  const auto up = static_cast<std::int32_t>(std::llround(shift.y()));
-  for (Cell& goal : goals_) goal = {goal.column - 2 * right, goal.row - 2 * up};
-  start_ = {start_.column - right, start_.row - up};
-  queue_.clear();
-  for (std::uint32_t place = 0; place < nodes_.size(); ++place) {
-    nodes_[place].queued = kNotQueued;
-    queue(place, block_at(place));
-  }
-}
-
 /// Forgets all distances; costs and goals stay.
 void DistanceField::clear() {
   queue_.clear();
@@ -132,8 +73,18 @@ void DistanceField::clear() {
 }
 
 void DistanceField::compare_all(const Costmap& costs) {
-  for (std::int32_t row = 0; row < blocks_.rows; ++row) {
-    for (std::int32_t column = 0; column < blocks_.columns; ++column) {
+  const auto columns = static_cast<std::size_t>(grid_.columns);
+  for (std::int32_t row = 1; row < blocks_.rows - 1; ++row) {
+    const bool is_whole_row = 2 * row <= grid_.rows;
+    const float* below = costs.cost.data() + grid_.index({0, 2 * (row - 1)});
+    const Node* node = &nodes_[at({1, row})];
+    for (std::int32_t column = 1; column < blocks_.columns - 1; ++column, ++node, below += 2) {
+      // Most are free, and were.
+      if (is_whole_row && 2 * column <= grid_.columns && node->weight == kWeightOfOne &&
+          (node->members & kAllMembers) == kAllMembers && below[0] == 1.0F && below[1] == 1.0F &&
+          below[columns] == 1.0F && below[columns + 1] == 1.0F) {
+        continue;
+      }
       take_block(costs, {column, row});
     }
   }

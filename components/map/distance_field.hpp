@@ -66,6 +66,10 @@ class DistanceField {
 
   void lay(const Grid& grid);
   void keep_laid_out(const Grid& before);
+  static Node free_node();
+  void close_border();
+  void open_outline(const Cell& least, const Cell& most);
+  void note_outline(const Cell& least, const Cell& most);
   void clear();
   void compare_all(const Costmap& costs);
   void take_block(const Costmap& costs, const Cell& block);
