@@ -43,7 +43,7 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME libclew-dev)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/clew)
 set(libraries)
 foreach(name core yaml domain world scan map runtime sense classify recover plan control drive stages
-        behaviours plugin wire recording plugins dds fastdds fastdds_profiles
+        behaviours plugin log wire recording plugins dds fastdds fastdds_profiles
         cyclonedds cyclonedds_configuration vendors security run line component recorder supervisor
         replay)
   set_target_properties(clew_${name} PROPERTIES EXPORT_NAME ${name})

@@ -32,7 +32,7 @@ Static libraries and headers of Clew's behaviours, runtime, recordings and
 replay: for programs that use them, and for plug-ins of the clew command.")
 set(CPACK_DEBIAN_LIBCLEW-DEV_PACKAGE_NAME libclew-dev)
 set(CPACK_DEBIAN_LIBCLEW-DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_LIBCLEW-DEV_PACKAGE_DEPENDS "clew (= ${PROJECT_VERSION}), libeigen3-dev (>= 3.4), libfmt-dev (>= 9), nlohmann-json3-dev, libssl-dev, libtinyxml2-dev, libyaml-cpp-dev, nettle-dev, libxxhash-dev, libzstd-dev, liblz4-dev, zlib1g-dev, pkg-config, libelf-dev, libfastrtps-dev, cyclonedds-dev")
+set(CPACK_DEBIAN_LIBCLEW-DEV_PACKAGE_DEPENDS "clew (= ${PROJECT_VERSION}), libeigen3-dev (>= 3.4), libfmt-dev (>= 9), libspdlog-dev (>= 1.10), nlohmann-json3-dev, libssl-dev, libtinyxml2-dev, libyaml-cpp-dev, nettle-dev, libxxhash-dev, libzstd-dev, liblz4-dev, zlib1g-dev, pkg-config, libelf-dev, libfastrtps-dev, cyclonedds-dev")
 
 set(CPACK_COMPONENT_PYTHON3-CLEW_DESCRIPTION "Sensor-based navigation of a mobile robot (Python module)
 Runs Clew's graphs in Python, reads recordings as NumPy arrays, and takes

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
@@ -24,6 +23,7 @@
 #include "component/succession_worker.hpp"
 #include "line/heartbeat.hpp"
 #include "line/link.hpp"
+#include "log/log.hpp"
 #include "plugins/plugin_loader.hpp"
 #include "run/limits.hpp"
 #include "vendors/participant_factory.hpp"
@@ -339,18 +339,17 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
 }
 
 // Says what it waits for if that takes more than a moment.
-Result<int> find_run(const std::string& stage, int domain, Clock::duration patience) {
+Result<int> find_run(int domain, Clock::duration patience) {
   const auto deadline = Clock::now() + patience;
   auto socket = Link::connect(domain, std::min(deadline, Clock::now() + kSilence));
   if (socket.ok() || Clock::now() >= deadline) return socket;
   const auto wait = std::chrono::ceil<std::chrono::seconds>(deadline - Clock::now());
-  std::fprintf(stderr, "clew component %s: waiting up to %d s for a run on domain %d\n",
-               stage.c_str(), static_cast<int>(wait.count()), domain);
+  logs::info("waiting up to {} s for a run on domain {}", wait.count(), domain);
   return Link::connect(domain, deadline);
 }
 
-int complain(const std::string& stage, const Error& error) {
-  std::fprintf(stderr, "clew component %s: %s\n", stage.c_str(), error.text().c_str());
+int complain(const Error& error) {
+  logs::error("{}", error.text());
   return 1;
 }
 
@@ -359,18 +358,20 @@ int complain(const std::string& stage, const Error& error) {
 int run_component_process(const std::string& stage, int domain, double connect_timeout_s,
                           const std::vector<runtime::StageInfo>& stages, const MeetRobots& meet) {
   const auto patience = std::chrono::duration<double>(connect_timeout_s);
-  const auto socket =
-      find_run(stage, domain, std::chrono::duration_cast<Clock::duration>(patience));
-  if (!socket.ok()) return complain(stage, socket.error());
+  const auto socket = find_run(domain, std::chrono::duration_cast<Clock::duration>(patience));
+  if (!socket.ok()) return complain(socket.error());
   Link link(*socket);
   const auto assignment = take_assignment(link, stage);
-  if (!assignment.ok()) return complain(stage, assignment.error());
+  if (!assignment.ok()) return complain(assignment.error());
+  logs::debug("takes part in run {} on domain {} over {}", assignment->run_id, assignment->domain,
+              assignment->middleware);
   const auto ended = take_part(link, *assignment, stage, stages, meet);
   if (!ended.ok()) {
     link.post(FrameType::kFatal, Text{stage + ": " + ended.error().text()});
     link.flush_until(Clock::now() + kEndGrace);
-    return complain(stage, ended.error());
+    return complain(ended.error());
   }
+  logs::debug(*ended ? "has ended with the run" : "has ended, since the run has gone");
   return *ended ? 0 : 1;
 }
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/terminal_text.hpp"
+
 namespace clew::bridge {
 namespace {
 
@@ -24,7 +26,9 @@ void say_once(void*, const dds_log_data_t* line) {
   const std::lock_guard lock(mutex);
   if (told.size() >= kMostKinds) return;
   if (!told.emplace(text.substr(0, text.find_first_of("0123456789"))).second) return;
-  std::fputs(line->message, stderr);
+  std::string shown(text.substr(0, text.find_last_not_of('\n') + 1));
+  shown = core::terminal_text(shown) + '\n';
+  std::fputs(shown.c_str(), stderr);
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <utility>
 
 #include "line/heartbeat.hpp"
 #include "line/link.hpp"
+#include "log/log.hpp"
 #include "recorder/black_box.hpp"
 #include "run/limits.hpp"
 #include "wire/codec.hpp"
@@ -113,7 +113,7 @@ Result<std::unique_ptr<RunSink>> sink_for(const RecorderAssignment& assignment) 
 }
 
 int complain(const Error& error) {
-  std::fprintf(stderr, "clew recorder: %s\n", error.text().c_str());
+  logs::error("{}", error.text());
   return 1;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "log/log.hpp"
 #include "ros2/names.hpp"
 
 namespace clew::ros2 {
@@ -112,13 +113,13 @@ void Node::on_unmatched(const bridge::RemoteEndpoint& remote) {
 
 void Node::on_incompatible_qos(const std::string& topic, bool local_is_writer,
                                const std::string& policy) {
-  fmt::print(stderr, "clew: ROS 2: a {} of {} does not match: incompatible QoS policy {}\n",
-             local_is_writer ? "reader" : "writer", topic, policy);
+  logs::warning("ROS 2: a {} of {} does not match: incompatible QoS policy {}",
+                local_is_writer ? "reader" : "writer", topic, policy);
 }
 
 void Node::on_inconsistent_type(const bridge::RemoteEndpoint& remote) {
-  fmt::print(stderr, "clew: ROS 2: a {} of {} uses type {}\n",
-             remote.is_writer ? "writer" : "reader", remote.topic, remote.type);
+  logs::warning("ROS 2: a {} of {} uses type {}", remote.is_writer ? "writer" : "reader",
+                remote.topic, remote.type);
 }
 
 }  // namespace clew::ros2

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "line/command_desk.hpp"
 #include "line/link.hpp"
+#include "log/log.hpp"
 #include "ros2/goal_input.hpp"
 #include "ros2/node.hpp"
 #include "ros2/run_publisher.hpp"
@@ -57,7 +60,7 @@ core::Result<bridge::CommandAnswer> change(const std::string& run, const std::st
 /// Hands goals on to the run, which fixes the tick and records it; says what became of it.
 void hand_on(GoalInput& goals, const RunPublisher& publisher, const std::string& run) {
   for (const std::string& notice : goals.take_notices()) {
-    fmt::print(stderr, "clew bridge: {}\n", notice);
+    logs::warning("{}", notice);
   }
   const auto poses = goals.take();
   if (!poses) return;
@@ -65,7 +68,7 @@ void hand_on(GoalInput& goals, const RunPublisher& publisher, const std::string&
   for (const PoseStamped& pose : *poses) {
     const auto place = publisher.place_in_world(pose);
     if (!place.ok()) {
-      fmt::print(stderr, "clew bridge: the goal is refused: {}\n", place.error().message);
+      logs::warning("the goal is refused: {}", place.error().message);
       return;
     }
     places.push_back({*place, std::nullopt});
@@ -73,15 +76,44 @@ void hand_on(GoalInput& goals, const RunPublisher& publisher, const std::string&
   const std::string text = runtime::goals_change(places);
   const auto answer = change(run, text);
   if (answer.ok()) {
-    fmt::print(stderr, "clew bridge: {} at tick {}\n", text, answer->tick);
+    logs::info("{} at tick {}", text, answer->tick);
   } else {
-    fmt::print(stderr, "clew bridge: {} is refused: {}\n", text, answer.error().text());
+    logs::warning("{} is refused: {}", text, answer.error().text());
   }
 }
 
+/// What this process logs, until /rosout is told of it: any thread may log, one publishes.
+class Logged {
+ public:
+  Logged() {
+    logs::listen([this](logs::Level level, const std::string& text) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (lines_.size() < kMostLines) lines_.emplace_back(level, text);
+    });
+  }
+  ~Logged() { logs::listen(nullptr); }
+  Logged(const Logged&) = delete;
+  Logged& operator=(const Logged&) = delete;
+
+  void publish(RunPublisher& publisher) {
+    std::vector<std::pair<logs::Level, std::string>> lines;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      lines.swap(lines_);
+    }
+    for (const auto& [level, text] : lines) publisher.log(level, "bridge", text);
+  }
+
+ private:
+  static constexpr std::size_t kMostLines = 1000;
+
+  std::mutex mutex_;
+  std::vector<std::pair<logs::Level, std::string>> lines_;
+};
+
 /// Publishes what comes until the run is over or a signal comes, which it returns; else 0. `goals`
 /// may be null.
-int follow(bridge::RunWatch& watch, RunPublisher& publisher, GoalInput* goals,
+int follow(bridge::RunWatch& watch, RunPublisher& publisher, GoalInput* goals, Logged& logged,
            bridge::EndSignals& signals) {
   SteadyClock::time_point heard_at = SteadyClock::now();
   SteadyClock::time_point next_report = heard_at + kReportPeriod;
@@ -90,6 +122,10 @@ int follow(bridge::RunWatch& watch, RunPublisher& publisher, GoalInput* goals,
     // What came before the run's end is published, too.
     const std::vector<bridge::Sample> samples = watch.take();
     for (const bridge::Sample& sample : samples) publisher.add(sample);
+    for (const std::string& line : watch.take_notices()) {
+      publisher.log(logs::Level::kWarning, "run", line);
+    }
+    logged.publish(publisher);
     if (!goes_on && samples.empty()) return 0;
     const SteadyClock::time_point now = SteadyClock::now();
     if (!samples.empty()) heard_at = now;
@@ -133,6 +169,7 @@ core::Result<int> run_ros2_bridge(const BridgeOptions& options,
   const Names names(options.node_namespace, options.remap);
   config.node_namespace = names.node_namespace();
   config.origin.id = (*watch)->run().run_id;
+  Logged logged;
   auto node = Node::create(config);
   if (!node.ok()) return node.error();
   auto publisher = RunPublisher::create(**node, names, config.name, *plan);
@@ -144,12 +181,10 @@ core::Result<int> run_ros2_bridge(const BridgeOptions& options,
   }
   CLEW_RETURN_IF_ERROR((*node)->announce());
   (*publisher)->begin();
-  fmt::print(stderr, "clew bridge: run {} in domain {}, ROS domain {} on {}\n", config.origin.id,
-             domain, options.network.domain,
-             options.network.on_network ? "the network" : "127.0.0.1");
-  std::fflush(stderr);
+  logs::info("run {} in domain {}, ROS domain {} on {}", config.origin.id, domain,
+             options.network.domain, options.network.on_network ? "the network" : "127.0.0.1");
 
-  const int number = follow(**watch, **publisher, goals ? &*goals : nullptr, signals);
+  const int number = follow(**watch, **publisher, goals ? &*goals : nullptr, logged, signals);
   (*publisher)->end(number == 0 ? "the run is over" : "the bridge was told to end");
   return number == 0 ? 0 : kInterruptedStatus;
 }

@@ -203,13 +203,20 @@ void RunPublisher::take(const domain::Event& event) {
   }
 }
 
-void RunPublisher::say(std::uint8_t level, const std::string& text) {
+void RunPublisher::say(std::uint8_t level, const std::string& name, const std::string& text) {
   Log log;
   log.stamp = to_time(std::get<domain::State>(messages_).stamp.sim_time_s);
   log.level = level;
-  log.name = node_name_;
+  log.name = name;
   log.msg = text;
   log_->publish(log);
+}
+
+void RunPublisher::log(logs::Level level, const std::string& speaker, const std::string& text) {
+  const std::uint8_t ros = level == logs::Level::kError     ? Log::kError
+                           : level == logs::Level::kWarning ? Log::kWarn
+                                                            : Log::kInfo;
+  say(ros, node_name_ + '.' + speaker, text);
 }
 
 void RunPublisher::publish_seen() {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/result.hpp"
+#include "log/log.hpp"
 #include "map/local_map.hpp"
 #include "ros2/conversions.hpp"
 #include "ros2/names.hpp"
@@ -39,6 +40,8 @@ class RunPublisher {
   /// Where a place of ROS lies in the world. Refused: frames other than the map's and the
   /// odometry's, and places that are none.
   core::Result<core::Vec2> place_in_world(const PoseStamped& place) const;
+  /// A line of /rosout of what somebody logged: `speaker` comes after the node's name.
+  void log(logs::Level level, const std::string& speaker, const std::string& text);
   /// The run is over, for whatever reason.
   void end(const std::string& why);
 
@@ -55,7 +58,8 @@ class RunPublisher {
   void take(const domain::Landmark&) {}
   bool has(domain::Topic topic) const { return next_sequence_[index_of(topic)] > 0; }
   void publish_transforms();
-  void say(std::uint8_t level, const std::string& text);
+  void say(std::uint8_t level, const std::string& text) { say(level, node_name_, text); }
+  void say(std::uint8_t level, const std::string& name, const std::string& text);
   void publish_seen();
   DiagnosticArray diagnostics(double idle_s, std::uint64_t dropped) const;
 

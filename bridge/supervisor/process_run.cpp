@@ -4,7 +4,6 @@
 #include <poll.h>
 
 #include <chrono>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 
 #include "line/acceptor.hpp"
 #include "line/domain_lock.hpp"
+#include "log/log.hpp"
 #include "run/end_signals.hpp"
 #include "run/limits.hpp"
 #include "supervisor/run_participants.hpp"
@@ -87,8 +87,9 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
   if (!security.ok()) return security.error();
   Doors doors{Acceptor(listening), {}};
   EndSignals signals;  // before any thread of a vendor's
-  const auto say = [](const std::string& line) {
-    std::fprintf(stderr, "clew: %s\n", line.c_str());
+  const auto say = [&doors](const std::string& line) {
+    logs::warning("{}", line);
+    doors.watchers.tell(line);
   };
   Supervisor supervisor(plan, layout, lock->domain(), recording, start,
                         {say, display, ChildProcess::start, activity_of, control, *security},

@@ -42,6 +42,10 @@ void Watchers::turn() {
   links_.erase(std::remove_if(links_.begin(), links_.end(), has_gone), links_.end());
 }
 
+void Watchers::tell(const std::string& line) {
+  for (const auto& link : links_) link->post(FrameType::kNotice, Text{line});
+}
+
 void Watchers::add_descriptors(std::vector<pollfd>& descriptors) const {
   for (const auto& link : links_) {
     descriptors.push_back({link->socket(), link->poll_events(), 0});

@@ -4,6 +4,7 @@
 #include <poll.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "line/frames.hpp"
@@ -19,6 +20,8 @@ class Watchers {
   void welcome(std::unique_ptr<Link> link, const Hello& hello, Assignment run);
   /// Sends what waits, and forgets those that have gone.
   void turn();
+  /// A line of the run's log, for those that pass it on.
+  void tell(const std::string& line);
   void add_descriptors(std::vector<pollfd>& descriptors) const;
 
  private:

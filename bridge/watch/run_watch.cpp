@@ -13,6 +13,12 @@
 #include "wire/codec.hpp"
 
 namespace clew::bridge {
+namespace {
+
+/// Who takes none shall not fill memory with them.
+constexpr std::size_t kMostNotices = 1000;
+
+}  // namespace
 
 core::Result<Assignment> ask_what_runs(Link& line, std::chrono::steady_clock::time_point deadline) {
   line.post(FrameType::kHello, Hello{kWatcherName, ::getpid(), std::string(idl_fingerprint())});
@@ -81,7 +87,9 @@ void RunWatch::keep(domain::Topic topic, std::string_view cdr, const RemoteEndpo
 
 bool RunWatch::goes_on() {
   const bool open = line_.receive();
-  while (line_.next()) {
+  while (const auto frame = line_.next()) {
+    const auto text = frame->type == FrameType::kNotice ? frame->as<Text>() : std::nullopt;
+    if (text && notices_.size() < kMostNotices) notices_.push_back(text->text);
   }
   return open;
 }

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/result.hpp"
@@ -46,6 +47,8 @@ class RunWatch : private DiscoveryListener {
   void wait(std::vector<int> descriptors, std::chrono::nanoseconds most) const;
   /// What has come since the last call, of each topic in order.
   std::vector<Sample> take();
+  /// What the run has logged since it was joined, or the last call.
+  std::vector<std::string> take_notices() { return std::exchange(notices_, {}); }
   /// Samples that came faster than they were taken, and were dropped.
   std::uint64_t dropped() const;
 
@@ -74,6 +77,7 @@ class RunWatch : private DiscoveryListener {
 
   Link line_;
   Assignment run_;
+  std::vector<std::string> notices_;
   WakeUp arrived_;
   mutable std::mutex mutex_;
   std::vector<Sample> samples_;

@@ -303,7 +303,12 @@ class Ros2Bridge(unittest.TestCase):
         finally:
             far_side.close()
         self.assertEqual(run.status, 0, run.err)
-        self.assertIn("outcome: reached", [log["msg"] for log in far_side.samples()["rt/rosout"]])
+        told = [(log["name"], log["msg"]) for log in far_side.samples()["rt/rosout"]]
+        self.assertIn("outcome: reached", [message for _, message in told])
+        # What the bridge tells itself, which standard error has as well.
+        self.assertTrue(any(name == "clew.bridge" and "ROS domain" in message
+                            for name, message in told), told)
+        self.assertIn("clew bridge: run ", run.err)
         composed = Run(["run", "reactive", "--ros2", "--layout", "composed"])
         self.assertEqual(composed.status, 2)
         self.assertIn("--ros2 need --layout processes", composed.err)

@@ -19,6 +19,7 @@
 #include "clew/plugin_options.hpp"
 #include "clew/terminal.hpp"
 #include "clew/version.hpp"
+#include "log/log.hpp"
 #include "runtime/plugin_list.hpp"
 #include "stages/all.hpp"
 #include "view/page_file.hpp"
@@ -126,7 +127,7 @@ Result<bench::BenchPlan> make_plan(
 
 /// A line on the terminal, now and then; nothing in a pipe.
 std::function<void(std::size_t, std::size_t, std::size_t)> terminal_progress() {
-  if (!is_terminal(STDERR_FILENO)) return {};
+  if (!shows_progress()) return {};
   const auto started_at = Clock::now();
   return [started_at, shown_at = started_at](std::size_t found, std::size_t done,
                                              std::size_t total) mutable {
@@ -141,7 +142,7 @@ std::function<void(std::size_t, std::size_t, std::size_t)> terminal_progress() {
 }
 
 void clear_progress() {
-  if (is_terminal(STDERR_FILENO)) std::fputs("\r\033[K", stderr);
+  if (shows_progress()) std::fputs("\r\033[K", stderr);
 }
 
 int write_worlds_of(const bench::BenchPlan& plan, const std::string& directory) {
@@ -167,8 +168,7 @@ Result<void> print_runs(const std::string& directory) {
 /// Says what has come out.
 int tell(const bench::BenchEnd& end, const bench::BenchOptions& bench, bool as_json) {
   if (end.interrupted_by != 0) {
-    std::fprintf(stderr, "clew: interrupted; the same command goes on from %s\n",
-                 bench.directory.c_str());
+    logs::info("interrupted; the same command goes on from {}", bench.directory);
     return kExitInterrupted;
   }
   if (as_json) {

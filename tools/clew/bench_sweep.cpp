@@ -16,6 +16,7 @@
 #include "clew/json_line.hpp"
 #include "clew/own_program.hpp"
 #include "clew/terminal.hpp"
+#include "log/log.hpp"
 #include "stages/all.hpp"
 #include "sweep/slurm.hpp"
 #include "sweep/sweep.hpp"
@@ -43,7 +44,7 @@ Result<std::unique_ptr<sweep::JobQueue>> queue_of(const std::string& on) {
 
 /// A line on the terminal; nothing in a pipe.
 std::function<void(const sweep::SweepProgress&)> sweep_progress() {
-  if (!is_terminal(STDERR_FILENO)) return [](const sweep::SweepProgress&) {};
+  if (!shows_progress()) return [](const sweep::SweepProgress&) {};
   return [started_at = Clock::now()](const sweep::SweepProgress& progress) {
     const double spent_s = std::chrono::duration<double>(Clock::now() - started_at).count();
     const auto run = static_cast<double>(progress.done - progress.found);
@@ -59,8 +60,8 @@ std::function<void(const sweep::SweepProgress&)> sweep_progress() {
 }
 
 void say(const std::string& sentence) {
-  if (is_terminal(STDERR_FILENO)) std::fputs("\r\033[K", stderr);
-  std::fprintf(stderr, "clew: %s\n", sentence.c_str());
+  if (shows_progress()) std::fputs("\r\033[K", stderr);
+  logs::info("{}", sentence);
 }
 
 /// How a bench is spread: over tasks of a cluster, or over workers here.

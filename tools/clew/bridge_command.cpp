@@ -9,10 +9,11 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
-#include "clew/terminal_text.hpp"
+#include "core/terminal_text.hpp"
 #include "dds/rtps_ports.hpp"
 #include "domains/bridge_process.hpp"
 #include "line/command_desk.hpp"
+#include "log/log.hpp"
 #include "ros2/ros2_bridge.hpp"
 #include "runtime/config_source.hpp"
 #include "stages/all.hpp"
@@ -113,15 +114,14 @@ int domains_command(const DomainsOptions& options) {
   if (!file.ok()) return complain(file.error());
   domains::BridgeProcess process;
   process.status_s = options.status_s;
-  process.tell = [](const std::string& what) {
-    fmt::print(stderr, "clew bridge: {}\n", terminal_text(what));
-  };
+  process.tell = [](const std::string& what) { logs::info("{}", what); };
   process.report = [&](const domains::DomainBridge& bridge) {
     if (options.json) {
       fmt::print("{}", passages_json(bridge));
     } else {
       std::istringstream lines(passages_text(bridge));
-      for (std::string line; std::getline(lines, line);) fmt::print("{}\n", terminal_text(line));
+      for (std::string line; std::getline(lines, line);)
+        fmt::print("{}\n", core::terminal_text(line));
     }
     std::fflush(stdout);
   };

@@ -9,6 +9,7 @@
 #include "clew/difference_output.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "log/log.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/recording_diff.hpp"
 
@@ -72,7 +73,7 @@ void print(const RecordingDiff& diff) {
 /// A recording that ends early shows as missing samples: said so that nobody wonders.
 void note_early_end(const bridge::RunRecording& recording) {
   if (const std::string why = recording.cut_off(); !why.empty()) {
-    fmt::print(stderr, "clew: {}: {}; compared is what is there\n", recording.path(), why);
+    logs::warning("{}: {}; compared is what is there", recording.path(), why);
   }
 }
 

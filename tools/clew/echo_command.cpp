@@ -9,6 +9,7 @@
 #include "clew/recorded_fields.hpp"
 #include "clew/sample_output.hpp"
 #include "core/nearest_name.hpp"
+#include "log/log.hpp"
 #include "replay/live_checks.hpp"
 #include "replay/recorded_plan.hpp"
 
@@ -116,7 +117,7 @@ int echo_command(const EchoOptions& options) {
   const auto echoed = echo(*recording, options);
   if (!echoed.ok()) return complain(echoed.error());
   if (const std::string why = recording->cut_off(); !why.empty()) {
-    fmt::print(stderr, "clew: {}: {}; told is what is there\n", recording->path(), why);
+    logs::warning("{}: {}; told is what is there", recording->path(), why);
   }
   return kExitGood;
 }

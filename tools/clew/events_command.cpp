@@ -14,6 +14,7 @@
 #include "clew/json_line.hpp"
 #include "clew/recorded_fields.hpp"
 #include "clew/waypoint_marks.hpp"
+#include "log/log.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"
 
@@ -197,8 +198,7 @@ Result<std::size_t> print_events(const bridge::RunRecording& recording, bool jso
   CLEW_RETURN_IF_ERROR(bridge::check_message_types(recording));
   auto marks = WaypointMarks::create(recording);
   if (!marks.ok()) {
-    fmt::print(stderr, "clew: {}: its way-points cannot be told: {}\n", recording.path(),
-               marks.error().text());
+    logs::info("{}: its way-points cannot be told: {}", recording.path(), marks.error().text());
   }
   IncidentPrinter incidents(recording, json);
   std::size_t count = 0;
@@ -228,10 +228,10 @@ int events_command(const EventsOptions& options) {
   const auto count = print_events(*recording, options.json);
   if (!count.ok()) return complain(count.error());
   if (const std::string why = recording->cut_off(); !why.empty()) {
-    fmt::print(stderr, "clew: {}: {}; told is what is there\n", recording->path(), why);
+    logs::warning("{}: {}; told is what is there", recording->path(), why);
   }
   if (recording->description().schemas.count(domain::Topic::kEvent) == 0) {
-    fmt::print(stderr, "clew: {}: its graph has no recover, which alone tells traps and escapes\n",
+    logs::info("{}: its graph has no recover, which alone tells traps and escapes",
                recording->path());
   } else if (*count == 0 && !options.json) {
     fmt::print("no events\n");

@@ -3,10 +3,12 @@
 
 #include <cstdio>
 
+#include "log/log.hpp"
+
 namespace clew::tools {
 
 int complain(const core::Error& error, int status) {
-  std::fprintf(stderr, "clew: %s\n", error.text().c_str());
+  logs::complain(error.text());
   return status;
 }
 

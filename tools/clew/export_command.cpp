@@ -9,6 +9,7 @@
 #include "export/csv_export.hpp"
 #include "export/rosbag2_export.hpp"
 #include "gateway/foxglove_export.hpp"
+#include "log/log.hpp"
 #include "ros2/names.hpp"
 #include "stages/all.hpp"
 
@@ -51,7 +52,7 @@ int export_command(const ExportOptions& options) {
   const auto exported = export_all(options, *recording);
   if (!exported.ok()) return complain(exported.error());
   if (const std::string why = recording->cut_off(); !why.empty()) {
-    fmt::print(stderr, "clew: {}: {}; exported is what is there\n", recording->path(), why);
+    logs::warning("{}: {}; exported is what is there", recording->path(), why);
   }
   return kExitGood;
 }

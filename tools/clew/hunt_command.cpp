@@ -18,6 +18,7 @@
 #include "hunt/case_file.hpp"
 #include "hunt/hunt.hpp"
 #include "hunt/hunt_space.hpp"
+#include "log/log.hpp"
 #include "stages/all.hpp"
 
 namespace clew::tools {
@@ -110,7 +111,7 @@ void print(const HuntEnd& end, const HuntCommandOptions& options,
   std::vector<const HuntRun*> failures;
   for (const HuntRun& run : end.runs) {
     if (run.failed()) failures.push_back(&run);
-    if (!run.refused.empty()) fmt::print(stderr, "clew: run {}: {}\n", run.index, run.refused);
+    if (!run.refused.empty()) logs::warning("run {}: {}", run.index, run.refused);
   }
   if (!failures.empty()) {
     fmt::print("\nfailures:\n");
@@ -137,7 +138,7 @@ Result<void> prepare_directory(const HuntCommandOptions& options) {
 }
 
 std::function<void(std::size_t, std::size_t)> terminal_progress(std::size_t total) {
-  if (!is_terminal(STDERR_FILENO)) return {};
+  if (!shows_progress()) return {};
   return [total](std::size_t done, std::size_t failed) {
     std::fprintf(stderr, "\r\033[K%zu of %zu runs, %zu failures", done, total, failed);
   };

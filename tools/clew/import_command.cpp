@@ -10,6 +10,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "log/log.hpp"
 #include "stages/all.hpp"
 
 namespace clew::tools {
@@ -30,10 +31,10 @@ int import_command(ImportOptions options) {
   const auto imported = bag_import::import_bag(options.order, stages::all());
   if (!imported.ok()) return complain(imported.error());
   if (!imported->laser_is_known) {
-    fmt::print(stderr,
-               "clew: {}: its /tf_static does not tell where the laser stands; taken is the "
-               "robot's centre\n",
-               options.order.bag);
+    logs::warning(
+        "{}: its /tf_static does not tell where the laser stands; taken is the "
+        "robot's centre",
+        options.order.bag);
   }
   if (options.json) {
     fmt::print("{}\n", json_line({{"ticks", imported->ticks},

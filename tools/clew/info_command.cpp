@@ -16,6 +16,7 @@
 #include "clew/signature_facts.hpp"
 #include "clew/stage_text.hpp"
 #include "clew/waypoint_marks.hpp"
+#include "log/log.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"
@@ -300,7 +301,7 @@ int info_command(const InfoOptions& options) {
   if (!recording.ok()) {
     // What cannot be read may be what somebody changed.
     if (signature.ok() && !signature->good()) {
-      std::fprintf(stderr, "clew: signature %s\n", signature->text().c_str());
+      logs::warning("signature {}", signature->text());
     }
     return complain(recording.error());
   }
@@ -322,7 +323,7 @@ int info_command(const InfoOptions& options) {
       if (marks.ok()) {
         facts.waypoints = std::move(marks).value();
       } else {
-        fmt::print(stderr, "clew: {}: its way-points cannot be told: {}\n", recording->path(),
+        logs::info("{}: its way-points cannot be told: {}", recording->path(),
                    marks.error().text());
       }
     }

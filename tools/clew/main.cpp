@@ -8,12 +8,14 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/log_options.hpp"
 #include "clew/stack_limit.hpp"
 #include "clew/train_commands.hpp"
 #include "clew/version.hpp"
@@ -103,6 +105,11 @@ std::string parse_error_text(const CLI::ParseError& error) {
   return text;
 }
 
+/// CLI11's callbacks return nothing; this one comes before the command's.
+struct LogRefusal {
+  core::Error error;
+};
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app("Sensor-based navigation of a mobile robot as a graph of DDS components", "clew");
   app.require_subcommand(1);
@@ -119,11 +126,18 @@ int parse_and_run(int argc, char** argv) {
     add(app, status);
   }
   add_versions(app);
+  const auto log = std::make_shared<LogOptions>();
+  add_log_options(app, log);
+  app.parse_complete_callback([&] {
+    if (const auto opened = open_log(app, *log); !opened.ok()) throw LogRefusal{opened.error()};
+  });
   if (const auto known = check_commands(app, argc, argv); !known.ok()) {
     return complain(known.error());
   }
   try {
     app.parse(argc, argv);
+  } catch (const LogRefusal& refusal) {
+    return complain(refusal.error);
   } catch (const CLI::ParseError& error) {
     const auto all_known = check_options(app);
     if (!all_known.ok()) return complain(all_known.error());

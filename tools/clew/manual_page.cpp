@@ -33,6 +33,12 @@ up after those that are installed.
 .TP
 .B CLEW_DOMAIN_ID
 The DDS domain of the run that a component belongs to, where \-\-domain does not say it.
+.TP
+.B CLEW_LOG_LEVEL
+The least that is told: debug, info, warning, error or off. Options \-v and \-q outrank it.
+.TP
+.B CLEW_LOG_DIR
+A directory where each process writes what it tells to a file of its own, with times.
 .SH FILES
 .TP
 .I share/clew

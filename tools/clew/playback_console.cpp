@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "clew/terminal.hpp"
+#include "log/log.hpp"
 
 namespace clew::tools {
 
@@ -22,8 +23,7 @@ constexpr std::uint64_t kMostSteps = 1000000000;
 
 /// Reading a terminal from the background would stop the process.
 bool terminal_is_ours() {
-  return is_terminal(STDIN_FILENO) && is_terminal(STDERR_FILENO) &&
-         ::tcgetpgrp(STDIN_FILENO) == ::getpgrp();
+  return is_terminal(STDIN_FILENO) && shows_progress() && ::tcgetpgrp(STDIN_FILENO) == ::getpgrp();
 }
 
 std::string rate_text(double rate) {
@@ -92,8 +92,7 @@ std::optional<PlaybackRequest> read_playback_command(const std::string& line) {
   return request;
 }
 
-PlaybackTerminal::PlaybackTerminal(Input input)
-    : input_(input), display_(is_terminal(STDERR_FILENO)) {
+PlaybackTerminal::PlaybackTerminal(Input input) : input_(input), display_(shows_progress()) {
   if (input_ != Input::kKeys) return;
   termios settings{};
   if (!terminal_is_ours() || ::tcgetattr(STDIN_FILENO, &settings) != 0) {
@@ -179,7 +178,7 @@ void PlaybackTerminal::tell_halt(const bridge::LiveReplayStatus& status) {
 
 void PlaybackTerminal::log(const std::string& line) {
   clear();
-  fmt::print(stderr, "clew: {}\n", line);
+  logs::info("{}", line);
 }
 
 void PlaybackTerminal::clear() {

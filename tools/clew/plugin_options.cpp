@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "log/log.hpp"
 #include "plugins/plugin_loader.hpp"
 #include "runtime/config_source.hpp"
 
@@ -27,7 +28,7 @@ core::Result<void> load_plugins_for(const bridge::RunRecording& recording,
   const auto graph = runtime::BundleSource(recording.description().bundle).find("graphs", "graph");
   if (!graph.ok()) return {};
   for (const std::string& note : bridge::other_plugins(*graph)) {
-    std::fprintf(stderr, "clew: %s: %s\n", recording.path().c_str(), note.c_str());
+    logs::info("{}: {}", recording.path(), note);
   }
   return {};
 }

@@ -11,6 +11,7 @@
 #include "clew/foreign_programs.hpp"
 #include "clew/own_program.hpp"
 #include "clew/run_output.hpp"
+#include "log/log.hpp"
 #include "recorder/recording_sink.hpp"
 #include "recording/output_file.hpp"
 #include "replay/black_box_past.hpp"
@@ -47,7 +48,7 @@ void settle_bundle(const bridge::RunRecording& recording, const runtime::RunPlan
 
 int print_report(const ReplayOptions& options, const bridge::RunReport& report,
                  const runtime::RunPlan& plan, const char* layout, const char* middleware) {
-  if (!report.aborted.empty()) fmt::print(stderr, "clew: {}\n", report.aborted);
+  if (!report.aborted.empty()) logs::error("{}", report.aborted);
   const RunFacts facts{layout, middleware, options.record, options.branch_tick};
   fmt::print("{}\n", options.json ? report_json(report, plan, facts) : report_line(report, plan));
   return exit_status(report);

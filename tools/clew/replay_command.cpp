@@ -14,6 +14,7 @@
 #include "clew/replay_options.hpp"
 #include "clew/replay_output.hpp"
 #include "clew/replay_publish.hpp"
+#include "log/log.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/playback.hpp"
 #include "replay/recorded_plan.hpp"
@@ -64,7 +65,7 @@ std::vector<std::string> stages_of(const ReplayOptions& options, const runtime::
     if (stage.deployment.is_ours()) {
       names.push_back(stage.info->name);
     } else {
-      fmt::print(stderr, "clew: {} is a {}, and is left out\n", stage.info->name,
+      logs::info("{} is a {}, and is left out", stage.info->name,
                  stage.deployment.ros2 ? "robot of ROS 2" : "third-party component");
     }
   }
@@ -110,8 +111,8 @@ Result<std::vector<ReplayReport>> replay_all(const bridge::RunRecording& recordi
   }
   range.rate = options.rate;
   if (!options.first_tick && own_tick > 0) {
-    fmt::print(stderr, "clew: {}: branched at tick {} off another run; compared from there\n",
-               recording.path(), own_tick);
+    logs::info("{}: branched at tick {} off another run; compared from there", recording.path(),
+               own_tick);
   }
   // At a rate they go on side by side, each on a thread of its own; else one after another.
   const auto policy = range.rate > 0.0 ? std::launch::async : std::launch::deferred;
@@ -143,7 +144,7 @@ int replay_command(const ReplayOptions& options) {
                                          runtime::ConfigPath::from_environment(), stages::all());
   if (!plan.ok()) return complain(plan.error());
   if (const std::string why = recording->cut_off(); !why.empty()) {
-    fmt::print(stderr, "clew: {}: {}; used is what is there\n", recording->path(), why);
+    logs::warning("{}: {}; used is what is there", recording->path(), why);
   }
   if (options.branch_tick) return replay_branch(options, *recording, *recorded, *plan);
   if (options.publishes) return replay_publish(options, *recording, *recorded, *plan);

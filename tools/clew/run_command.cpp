@@ -21,6 +21,7 @@
 #include "clew/watched_run.hpp"
 #include "core/nearest_name.hpp"
 #include "files/whole_file.hpp"
+#include "log/log.hpp"
 #include "recorder/recorder_process.hpp"
 #include "recorder/recording_sink.hpp"
 #include "robot/robots.hpp"
@@ -169,7 +170,7 @@ Result<void> claim_recording(const RunOptions& options, Job& job) {
   if (described.ok()) return {};
   bridge::mcap::OutputFile::discard(options.record);
   if (options.on_record_error == "stop") return described.error();
-  std::fprintf(stderr, "clew: the run is not recorded: %s\n", described.error().text().c_str());
+  logs::warning("the run is not recorded: {}", described.error().text());
   job.recording.reset();
   return {};
 }
@@ -258,7 +259,7 @@ void judge_recording(const bridge::ProcessLayout& layout, bridge::RunReport& rep
   if (layout.on_record_error == bridge::OnRecordError::kStop && report.aborted.empty()) {
     report.aborted = what;
   } else {
-    std::fprintf(stderr, "clew: %s\n", what.c_str());
+    logs::warning("{}", what);
   }
 }
 
@@ -266,7 +267,7 @@ void print_result(const RunOptions& options, const bridge::RunReport& report,
                   const runtime::RunPlan& plan, const RunFacts& facts) {
   if (!options.json) {
     for (const std::string& note : notes_on(report, plan, facts)) {
-      std::fprintf(stderr, "clew: %s\n", note.c_str());
+      logs::info("{}", note);
     }
   }
   fmt::print("{}\n", options.json ? report_json(report, plan, facts) : report_line(report, plan));
@@ -333,10 +334,10 @@ int run_command(const RunOptions& options) {
   if (!report.ok() || !report->statistics.truth) bridged->stop();
   if (!report.ok()) return complain(report.error());
   judge_recording(*layout, *report);
-  if (!report->aborted.empty()) std::fprintf(stderr, "clew: %s\n", report->aborted.c_str());
+  if (!report->aborted.empty()) logs::error("{}", report->aborted);
   const bool wrote = job->recording && !(report->recording && report->recording->nothing);
   if (job->recording && !wrote) {
-    std::fputs("clew: nothing happened that the black box writes for: no recording\n", stderr);
+    logs::info("nothing happened that the black box writes for: no recording");
   }
   RunFacts facts{layout_name, composed ? "inprocess" : middleware_text(job->plan.graph, *layout),
                  wrote ? job->recording->path : ""};

@@ -237,7 +237,7 @@ std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {
 }
 
 bridge::ProgressDisplay terminal_display(const runtime::RunPlan& plan) {
-  if (!is_terminal(STDERR_FILENO)) return {};
+  if (!shows_progress()) return {};
   const core::Vec2 target = plan.setup.world->target();
   return [target](const RunStatistics& statistics, double ticks_per_s) {
     if (!statistics.truth) return;
@@ -250,7 +250,7 @@ bridge::ProgressDisplay terminal_display(const runtime::RunPlan& plan) {
 }
 
 void clear_display() {
-  if (is_terminal(STDERR_FILENO)) std::fputs("\r\033[K", stderr);
+  if (shows_progress()) std::fputs("\r\033[K", stderr);
 }
 
 }  // namespace clew::tools

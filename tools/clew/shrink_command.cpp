@@ -153,7 +153,7 @@ int shrink_command(const ShrinkCommandOptions& options) {
   const hunt::Workshop workshop{configs, stages::all()};
   hunt::ShrinkOptions how;
   how.most_runs = options.most_runs;
-  const bool shows = is_terminal(STDERR_FILENO);
+  const bool shows = shows_progress();
   if (shows) {
     how.progress = [](std::size_t runs, std::size_t left) {
       std::fprintf(stderr, "\r\033[K%zu runs, %zu parts left", runs, left);

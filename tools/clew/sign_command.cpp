@@ -18,6 +18,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "files/whole_file.hpp"
+#include "log/log.hpp"
 #include "recording/run_recording.hpp"
 #include "security/kept_file.hpp"
 #include "security/signature.hpp"
@@ -88,7 +89,7 @@ Result<CertifiedKey> own_key() {
   CertifiedKey key = bridge::make_signing_key(own_name(), {now - kDay_s, now + kOwnKey_s});
   CLEW_RETURN_IF_ERROR(
       bridge::write_kept_file(*file, key.private_key + key.certificate, Secrecy::kSecret));
-  std::fprintf(stderr, "clew: made a key to sign with: %s\n", file->c_str());
+  logs::info("made a key to sign with: {}", *file);
   return key;
 }
 

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "log/log.hpp"
+
 namespace clew::tools {
 
 bool is_terminal(int file) {
@@ -13,5 +15,7 @@ bool is_terminal(int file) {
   const char* const kind = std::getenv("TERM");
   return kind == nullptr || std::string_view(kind) != "dumb";
 }
+
+bool shows_progress() { return is_terminal(STDERR_FILENO) && logs::shows(logs::Level::kInfo); }
 
 }  // namespace clew::tools

@@ -18,6 +18,7 @@
 #include "clew/terminal.hpp"
 #include "line/command_desk.hpp"
 #include "line/wake_up.hpp"
+#include "log/log.hpp"
 #include "run/end_signals.hpp"
 
 namespace clew::tools {
@@ -165,7 +166,7 @@ int top_command(const TopOptions& options) {
     auto now = look_at(options.run);
     if (!now.ok() && options.once) return complain(now.error());
     if (!now.ok()) {
-      fmt::print(stderr, "clew: run {} is over\n", options.run);
+      logs::info("run {} is over", options.run);
       return kExitGood;
     }
     print_rows(*now, rows_between(*before, *now), options, clears);

@@ -10,10 +10,10 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
-#include "clew/terminal_text.hpp"
 #include "clew/topic_options.hpp"
 #include "clew/topic_reading.hpp"
 #include "core/nearest_name.hpp"
+#include "core/terminal_text.hpp"
 #include "line/user_data.hpp"
 
 namespace clew::tools {
@@ -54,12 +54,12 @@ void print_topics(const std::vector<TopicOnWire>& topics, const ListOptions& opt
     if (options.json) {
       fmt::print("{}\n", json_line(topic_json(topic)));
     } else if (options.verbose) {
-      fmt::print("{} [{}], writers: {}, readers: {}\n", terminal_text(topic.name),
-                 terminal_text(topic.type), topic.writers.size(), topic.readers.size());
+      fmt::print("{} [{}], writers: {}, readers: {}\n", core::terminal_text(topic.name),
+                 core::terminal_text(topic.type), topic.writers.size(), topic.readers.size());
     } else if (options.show_types) {
-      fmt::print("{} [{}]\n", terminal_text(topic.name), terminal_text(topic.type));
+      fmt::print("{} [{}]\n", core::terminal_text(topic.name), core::terminal_text(topic.type));
     } else {
-      fmt::print("{}\n", terminal_text(topic.name));
+      fmt::print("{}\n", core::terminal_text(topic.name));
     }
   }
 }
@@ -97,7 +97,7 @@ ordered_json endpoint_json(const RemoteEndpoint& endpoint) {
 void print_endpoint(const RemoteEndpoint& endpoint) {
   const std::string stage = bridge::UserData::parse(endpoint.user_data).stage;
   fmt::print("  {} of {}, process {}, {}, {}, {}\n", endpoint.is_writer ? "writer" : "reader",
-             stage.empty() ? "no stage" : terminal_text(stage),
+             stage.empty() ? "no stage" : core::terminal_text(stage),
              endpoint.process_id == 0 ? "unknown" : std::to_string(endpoint.process_id),
              reliability_of(endpoint), durability_of(endpoint), endpoint.guid);
 }
@@ -117,7 +117,7 @@ int info_command(const ListOptions& options) {
     fmt::print("{}\n", json_line(json));
     return kExitGood;
   }
-  fmt::print("type: {}\nwriters: {}\nreaders: {}\n", terminal_text(topic->type),
+  fmt::print("type: {}\nwriters: {}\nreaders: {}\n", core::terminal_text(topic->type),
              topic->writers.size(), topic->readers.size());
   if (!options.verbose) return kExitGood;
   for (const RemoteEndpoint& endpoint : topic->writers) print_endpoint(endpoint);
@@ -133,7 +133,7 @@ int type_command(const ListOptions& options) {
   if (options.json) {
     fmt::print("{}\n", json_line({{"topic", topic->name}, {"type", topic->type}}));
   } else {
-    fmt::print("{}\n", terminal_text(topic->type));
+    fmt::print("{}\n", core::terminal_text(topic->type));
   }
   return kExitGood;
 }

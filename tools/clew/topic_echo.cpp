@@ -10,9 +10,10 @@
 #include "clew/json_line.hpp"
 #include "clew/recorded_fields.hpp"
 #include "clew/sample_output.hpp"
-#include "clew/terminal_text.hpp"
 #include "clew/topic_reading.hpp"
 #include "core/nearest_name.hpp"
+#include "core/terminal_text.hpp"
+#include "log/log.hpp"
 
 namespace clew::tools {
 namespace {
@@ -32,7 +33,7 @@ class EchoVerb : public TopicVerb {
       const auto known = check_type(topic, "; --raw shows its bytes");
       if (!known.ok()) return known.error();
       topic_ = *known;
-      name_ = terminal_text(topic.name);
+      name_ = core::terminal_text(topic.name);
       CLEW_RETURN_IF_ERROR(check_fields());
     }
     return watch.read(topic.name, topic.type);
@@ -59,14 +60,14 @@ class EchoVerb : public TopicVerb {
 
   void end() override {
     if (malformed_ > 1) {
-      fmt::print(stderr, "clew: {} samples were no {}\n", malformed_, domain::type_name(topic_));
+      logs::warning("{} samples were no {}", malformed_, domain::type_name(topic_));
     }
-    if (lost_ > 0) fmt::print(stderr, "clew: {} samples were lost on the way\n", lost_);
+    if (lost_ > 0) logs::warning("{} samples were lost on the way", lost_);
     if (cut_ > 0) {
-      fmt::print(stderr,
-                 "clew: {} samples have longer lists than the first one, whose columns "
-                 "these are; --json tells all\n",
-                 cut_);
+      logs::info(
+          "{} samples have longer lists than the first one, whose columns "
+          "these are; --json tells all",
+          cut_);
     }
   }
 
@@ -159,15 +160,15 @@ class EchoVerb : public TopicVerb {
   /// Anybody may write anything: such a sample is left out, and the others are shown.
   void note_malformed(const Error& why) {
     if (++malformed_ > 1) return;
-    fmt::print(stderr, "clew: a sample of {} is no {} and is left out: {}\n", name_,
-               domain::type_name(topic_), why.message);
+    logs::warning("a sample of {} is no {} and is left out: {}", name_, domain::type_name(topic_),
+                  why.message);
   }
 
   void note_sequence(std::uint64_t sequence) {
     if (last_sequence_ && sequence > *last_sequence_ + 1) {
       const std::uint64_t gap = sequence - *last_sequence_ - 1;
       lost_ += gap;
-      if (options_.tell_lost) fmt::print(stderr, "clew: {} samples lost\n", gap);
+      if (options_.tell_lost) logs::warning("{} samples lost", gap);
     }
     last_sequence_ = sequence;
   }

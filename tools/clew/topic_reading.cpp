@@ -8,6 +8,7 @@
 #include "clew/command_line.hpp"
 #include "clew/exit_status.hpp"
 #include "line/user_data.hpp"
+#include "log/log.hpp"
 #include "run/end_signals.hpp"
 #include "wire/codec.hpp"
 
@@ -53,7 +54,7 @@ class Patience {
       had_writer_ = true;
     }
     if (had_writer_ && now - last_writer_ > kGoneAfter) {
-      fmt::print(stderr, "clew: nobody writes {} any more\n", topic_.name);
+      logs::info("nobody writes {} any more", topic_.name);
       return came_ ? kExitGood : kExitFailed;
     }
     if (came_) return std::nullopt;
@@ -155,7 +156,7 @@ int read_topic(const ReaderOptions& options, TopicVerb& verb) {
   const int status = follow(options, **watch, *topic, signals, verb);
   verb.end();
   if ((*watch)->dropped() > 0) {
-    fmt::print(stderr, "clew: {} samples came faster than they were taken\n", (*watch)->dropped());
+    logs::warning("{} samples came faster than they were taken", (*watch)->dropped());
   }
   return status;
 }

@@ -8,6 +8,7 @@
 #include "clew/json_line.hpp"
 #include "clew/train_commands.hpp"
 #include "files/whole_file.hpp"
+#include "log/log.hpp"
 #include "plot/line_chart.hpp"
 #include "train/training_groups.hpp"
 
@@ -104,8 +105,7 @@ int train_neuro_fuzzy_command(const TrainNeuroFuzzyOptions& options) {
                                   {"error_before_mps", trained->begun_mps},
                                   {"error_after_mps", trained->ended_mps}}));
   } else {
-    fmt::print(stderr,
-               "clew: error over the test groups: {:.3f} m/s before training, {:.3f} after\n",
+    logs::info("error over the test groups: {:.3f} m/s before training, {:.3f} after",
                trained->begun_mps, trained->ended_mps);
   }
   if (trained->ended_mps <= trained->begun_mps) return kExitGood;

@@ -15,6 +15,7 @@
 #include "clew/own_program.hpp"
 #include "clew/plugin_options.hpp"
 #include "clew/terminal.hpp"
+#include "log/log.hpp"
 #include "runtime/plugin_list.hpp"
 #include "stages/all.hpp"
 #include "tune/tune.hpp"
@@ -89,7 +90,7 @@ void print(const Tuned& tuned, const TuneCommandOptions& options) {
 }
 
 std::function<void(std::size_t, std::optional<double>)> terminal_progress() {
-  if (!is_terminal(STDERR_FILENO)) return {};
+  if (!shows_progress()) return {};
   return [](std::size_t runs, std::optional<double> best) {
     const std::string cost = best ? fmt::format(", least cost {:.3f}", *best) : std::string();
     std::fprintf(stderr, "\r\033[K%zu runs%s", runs, cost.c_str());
@@ -122,8 +123,7 @@ int tune_command(TuneCommandOptions& options) {
   if (how.progress) std::fputs("\r\033[K", stderr);
   if (!tuned.ok()) return complain(tuned.error());
   if (tuned->interrupted_by != 0) {
-    std::fprintf(stderr, "clew: interrupted; the same command goes on from %s\n",
-                 options.out.c_str());
+    logs::info("interrupted; the same command goes on from {}", options.out);
     return kExitInterrupted;
   }
   if (options.json) {

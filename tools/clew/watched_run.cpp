@@ -8,6 +8,7 @@
 
 #include "clew/own_program.hpp"
 #include "clew/run_output.hpp"
+#include "log/log.hpp"
 #include "recorder/recording_sink.hpp"
 #include "runtime/plugin_list.hpp"
 #include "view/page_file.hpp"
@@ -44,12 +45,12 @@ void end_view(const RunOptions& options, const bridge::RunView& view,
   if (feed == nullptr) return;
   feed->end(outcome_word(report));
   if (feed->dropped_batches() > 0) {
-    fmt::print(stderr, "clew: the view was too slow: {} batches of samples were not shown\n",
-               feed->dropped_batches());
+    logs::warning("the view was too slow: {} batches of samples were not shown",
+                  feed->dropped_batches());
   }
   const bool asked_to_end = report.interrupted_by != 0 || !options.view;
   if (asked_to_end || ::isatty(STDIN_FILENO) == 0 || ::isatty(STDOUT_FILENO) == 0) return;
-  fmt::print(stderr, "clew: the page stays until Ctrl-C\n");
+  logs::info("the page stays until Ctrl-C");
   feed->wait(signals);
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "log/log.hpp"
 #include "runtime/run_plan.hpp"
 #include "world_analysis/reachability.hpp"
 #include "world_analysis/shortest_path.hpp"
@@ -26,8 +27,8 @@ constexpr double kManyPlaces = 5e6;
 void tell_long_wait(const world::World& world) {
   const double places = world_analysis::lattice_nodes(world);
   if (places < kManyPlaces) return;
-  fmt::print(stderr, "clew: {} has {:.0f} million places to look at, a few seconds a million\n",
-             world.name(), 1e-6 * places);
+  logs::info("{} has {:.0f} million places to look at, a few seconds a million", world.name(),
+             1e-6 * places);
 }
 
 }  // namespace
