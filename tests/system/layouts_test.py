@@ -74,6 +74,16 @@ class Layouts(unittest.TestCase):
                 self.assertEqual(done.returncode, 3, done.stderr)
                 self.assertEqual(json.loads(done.stdout)["hash"], wanted)
 
+    def test_stacks_that_no_run_fits_in_are_refused(self):
+        # It crashed with 64 KiB, as processes and in a bench.
+        done = subprocess.run(["sh", "-c", 'ulimit -S -s 64; ulimit -H -s 64; exec "$@"', "sh", CLEW,
+                               "run", "default", "--max-ticks", "5"],
+                              capture_output=True, text=True, timeout=60, check=False)
+
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stderr, "clew: the hard limit of the stack is 64 KiB; allowed: at least "
+                                      "256 KiB ('ulimit -H -s' shows it)\n")
+
     def test_every_shipped_graph_gives_one_hash_however_often_it_runs(self):
         ticks = ["--max-ticks", "1000" if SOAK else "300"]
         for graph in sorted(path.stem for path in (SOURCE / "configs/graphs").glob("*.yaml")):

@@ -166,7 +166,7 @@ int complain_of_output(int number) {
 
 int main(int argc, char** argv) {
   using namespace clew::tools;
-  raise_small_stacks();
+  if (const auto raised = raise_small_stacks(); !raised.ok()) return complain(raised.error());
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   // Writing reports these instead: a reader that has gone, a file that has reached its limit.
   std::signal(SIGPIPE, SIG_IGN);
