@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -57,12 +58,18 @@ struct MotionLimits {
   double turn_acceleration_radps2 = std::numeric_limits<double>::infinity();
 };
 
+/// In one world.
+inline constexpr std::uint32_t kMostRobots = 64;
+
 struct BehaviourSetup {
   double tick_s = 0.3;
   Robot robot;
   ScanLayout scan;  ///< empty for the sensor itself
   MotionLimits limits;
   core::Resources resources;
+  /// Which robot of its world it is, from 0. Between two that are in each other's way, the lower
+  /// index has the way and the higher one gives it. A robot that is alone is 0.
+  std::uint32_t robot_index = 0;
 };
 
 }  // namespace clew::domain

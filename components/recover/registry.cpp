@@ -17,6 +17,7 @@
 #include "recover/escapes/local_minimum_planner.hpp"
 #include "recover/escapes/map_following.hpp"
 #include "recover/escapes/none.hpp"
+#include "recover/escapes/right_of_way.hpp"
 
 namespace clew::recover {
 
@@ -75,6 +76,10 @@ runtime::Registry<Escape>& escapes() {
       runtime::registration<Escape, RememberedAStar>(
           "remembered_astar",
           "a path on the local map, by replanning A* (Hart, Nilsson & Raphael 1968)"),
+      runtime::registration<Escape, RightOfWay>(
+          "right_of_way",
+          "between robots: the lower robot_index has the way, the higher one goes back and aside "
+          "(ours)"),
       runtime::registration<Escape, NoEscape>("none",
                                               "ends at once; the robot goes on seeking the target"),
   };

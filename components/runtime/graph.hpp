@@ -24,6 +24,7 @@ struct GraphOverrides {
   std::vector<std::string> set;   ///< `STAGE[.PART][.NAME].PARAM=VALUE`
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> max_ticks;
+  std::optional<std::uint64_t> robot_index;
   std::optional<world::Goals> goals;
 };
 
@@ -91,6 +92,7 @@ struct Graph {
   std::string robot;
   std::uint64_t seed = 1;
   std::uint64_t max_ticks = 20000;
+  std::uint64_t robot_index = 0;  ///< among the robots of its world
   double start_timeout_s = 10.0;
   std::optional<world::Goals> goals;  ///< in the place of the world's way-points and target
   std::string layout = "processes";   ///< or `composed`; the command line outranks it

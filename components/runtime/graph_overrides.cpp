@@ -276,6 +276,7 @@ Result<void> apply_overrides(const GraphOverrides& overrides, RawGraph& graph) {
   }
   if (overrides.seed) graph.head.seed = *overrides.seed;
   if (overrides.max_ticks) graph.head.max_ticks = *overrides.max_ticks;
+  if (overrides.robot_index) graph.head.robot_index = *overrides.robot_index;
   for (const std::string& text : overrides.with) CLEW_RETURN_IF_ERROR(apply_with(text, graph));
   for (const std::string& text : overrides.set) CLEW_RETURN_IF_ERROR(apply_set(text, graph));
   return {};

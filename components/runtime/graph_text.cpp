@@ -108,6 +108,7 @@ std::string GraphStage::expanded_yaml() const {
 std::string Graph::expanded_yaml() const {
   std::string text = fmt::format("world: {}\nrobot: {}\nseed: {}\nmax_ticks: {}\n", quote(world),
                                  quote(robot), seed, max_ticks);
+  if (robot_index > 0) text += fmt::format("robot_index: {}\n", robot_index);
   text += plugins_text(*this);
   text += goals_yaml(goals);
   for (const GraphStage& stage : stages) text += stage.expanded_yaml();

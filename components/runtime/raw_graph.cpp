@@ -213,6 +213,12 @@ Result<void> read_head(const YamlNode& root, Graph& head) {
   };
   CLEW_RETURN_IF_ERROR(count("seed", head.seed));
   CLEW_RETURN_IF_ERROR(count("max_ticks", head.max_ticks));
+  CLEW_RETURN_IF_ERROR(count("robot_index", head.robot_index));
+  if (head.robot_index >= domain::kMostRobots) {
+    return root.find("robot_index")
+        ->error("found " + std::to_string(head.robot_index) + "; allowed: 0 to " +
+                std::to_string(domain::kMostRobots - 1));
+  }
   if (const auto node = root.find("start_timeout_s")) {
     const auto value = node->number();
     if (!value.ok()) return value.error();
@@ -351,13 +357,18 @@ Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& n
                                 const std::vector<StageInfo>& stages) {
   const auto root = YamlNode::parse(file.text, file.file);
   if (!root.ok()) return root.error();
-  std::vector<std::string> keys = {"name", "about",     "world",           "robot",
-                                   "seed", "max_ticks", "start_timeout_s", "mission",
-                                   "goal", "layout",    "security",        "plugins"};
+  std::vector<std::string> keys = {"name",      "about",           "world",      "robot", "seed",
+                                   "max_ticks", "start_timeout_s", "mission",    "goal",  "layout",
+                                   "security",  "plugins",         "robot_index"};
   for (const StageInfo& stage : stages) keys.push_back(stage.name);
   if (const auto format = root->find("format")) {
     return format->error("found a file of the format " + format->found() +
                          ", expected a graph, which has none");
+  }
+  if (const auto robots = root->find("robots")) {
+    return robots->error(
+        "found a fleet, expected a graph of one robot; `clew run` runs fleets, and each robot's "
+        "recording is one of a graph");
   }
   CLEW_RETURN_IF_ERROR(root->check_keys(keys));
   // Before the behaviours: an unknown one is explained by a plug-in that is missing.

@@ -68,6 +68,8 @@ Result<void> load_data_files(const ConfigSource& source, RunPlan& plan) {
 void fill_setup(RunPlan& plan) {
   plan.setup.seed = plan.graph.seed;
   plan.setup.max_ticks = plan.graph.max_ticks;
+  plan.setup.robot_index = static_cast<std::uint32_t>(plan.graph.robot_index);
+  plan.setup.behaviour.robot_index = plan.setup.robot_index;
   plan.setup.behaviour.tick_s = plan.graph.tick_s;
   for (const GraphStage& stage : plan.graph.stages) {
     if (stage.info->scan_layout) {

@@ -22,7 +22,7 @@ namespace clew::runtime {
 /// What holds for a whole run, and every component may know.
 struct RunSetup {
   std::uint64_t seed = 1;
-  std::uint32_t robot_index = 0;  ///< for random numbers, where there are several robots
+  std::uint32_t robot_index = 0;  ///< that of BehaviourSetup; random numbers depend on it
   std::uint64_t max_ticks = 20000;
   std::shared_ptr<const world::World> world;  ///< null for a stage that may not know it
   /// What behaviours may know of it, the layout of the scans included.

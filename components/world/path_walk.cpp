@@ -46,7 +46,16 @@ void PathWalk::advance() {
   }
 }
 
+std::size_t point_after(const MovingObstacle& obstacle, double time_s) {
+  const auto& path = obstacle.path;
+  const auto next = std::upper_bound(
+      path.begin() + 1, path.end(), time_s,
+      [](double time, const MovingObstacle::Waypoint& waypoint) { return time < waypoint.time_s; });
+  return static_cast<std::size_t>(next - path.begin()) - 1;
+}
+
 Vec2 MovingObstacle::position_at(double time_s) const {
+  if (jumps) return path[point_after(*this, time_s - kJumpTolerance_s)].position;
   return PathWalk(*this, time_s).position_at(time_s);
 }
 

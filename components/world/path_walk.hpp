@@ -28,4 +28,10 @@ class PathWalk {
   double offset_s_ = 0.0;  // when this round of the loop began
 };
 
+/// Times of a path that jumps are those of ticks, which are summed up in several ways.
+inline constexpr double kJumpTolerance_s = 1e-6;
+
+/// The point of a path that jumps, at which the obstacle stands right after a time.
+std::size_t point_after(const MovingObstacle& obstacle, double time_s);
+
 }  // namespace clew::world

@@ -96,8 +96,46 @@ double contact_bound(const Motion& motion, double radius_m, const Box& box) {
   return hit ? enter : kNever;
 }
 
+namespace {
+
+// An obstacle that jumps stands at each of its points for a part of the way.
+void sweep_against_jumping(const MovingObstacle& obstacle, const Motion& motion, double radius_m,
+                           double time_s, double duration_s, Sweep& sweep) {
+  const double end_s = time_s + duration_s;
+  const World::Segment origin;
+  std::size_t point = point_after(obstacle, time_s + kJumpTolerance_s);
+  double begin = 0.0;  // of its stay, as a fraction of the way
+  while (begin < sweep.free_fraction) {
+    const Vec2& place = obstacle.path[point].position;
+    const bool last = point + 1 == obstacle.path.size() ||
+                      obstacle.path[point + 1].time_s >= end_s - kJumpTolerance_s;
+    const double end = last ? 1.0 : (obstacle.path[point + 1].time_s - time_s) / duration_s;
+    const Motion relative{motion.from + begin * motion.way - place, (end - begin) * motion.way};
+    const double fraction =
+        begin + contact_fraction(relative, radius_m + obstacle.radius_m, origin) * (end - begin);
+    if (fraction < sweep.free_fraction) {
+      sweep.free_fraction = fraction;
+      sweep.contact = true;
+      sweep.moving_obstacle = true;
+      const Vec2 outward = motion.from + fraction * motion.way - place;
+      const double length = core::length(outward);
+      sweep.contact_point =
+          length > 0.0 ? Vec2(place + outward * (obstacle.radius_m / length)) : place;
+      return;
+    }
+    if (last) return;
+    ++point;
+    begin = end;
+  }
+}
+
+}  // namespace
+
 void sweep_against(const MovingObstacle& obstacle, const Motion& motion, double radius_m,
                    double time_s, double duration_s, Sweep& sweep) {
+  if (obstacle.jumps) {
+    return sweep_against_jumping(obstacle, motion, radius_m, time_s, duration_s, sweep);
+  }
   const double end_s = time_s + duration_s;
   const double reach = radius_m + obstacle.radius_m;
   const World::Segment origin;

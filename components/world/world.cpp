@@ -123,10 +123,10 @@ core::Result<World> World::parse(std::string_view yaml, const std::string& file,
   auto world = read_world_file(yaml, file);
   if (!world.ok()) return world.error();
   if (goals) CLEW_RETURN_IF_ERROR(set_goals(*goals, *world));
-  return World(std::make_unique<const Content>(*std::move(world)));
+  return World(std::make_unique<Content>(*std::move(world)));
 }
 
-World::World(std::unique_ptr<const Content> content) : content_(std::move(content)) {}
+World::World(std::unique_ptr<Content> content) : content_(std::move(content)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
@@ -146,6 +146,10 @@ const std::vector<World::Segment>& World::walls() const { return content_->file.
 const std::vector<std::vector<Vec2>>& World::polygons() const { return content_->file.polygons; }
 const std::vector<World::Circle>& World::circles() const { return content_->file.circles; }
 const std::vector<MovingObstacle>& World::moving() const { return content_->file.moving; }
+
+void World::place_moving(std::size_t index, const Vec2& place) {
+  content_->file.moving.at(index).path.front().position = place;
+}
 
 core::Result<void> World::check_robot_fits(double radius_m) const {
   const WorldFile& file = content_->file;

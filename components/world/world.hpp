@@ -17,7 +17,8 @@ namespace clew::world {
 using core::Pose2;
 using core::Vec2;
 
-/// A disc that moves along a polyline, linear in time between the points.
+/// A disc that moves along a polyline, linear in time between the points; or that jumps from one to
+/// the next.
 struct MovingObstacle {
   struct Waypoint {
     double time_s = 0.0;
@@ -26,6 +27,9 @@ struct MovingObstacle {
   double radius_m = 0.0;
   std::vector<Waypoint> path;  ///< at least one; times rise from 0
   bool loop = false;           ///< wraps at the last time, else stays there
+  /// Stands at each point until after the time of the next: at that time itself it is not yet
+  /// there. So other robots are known, a tick at a time; see bridge/fleet.
+  bool jumps = false;
 
   Vec2 position_at(double time_s) const;
 };
@@ -71,9 +75,9 @@ struct Waypoint {
   double radius_m = 0.0;
 };
 
-/// A world file (`clew-world/1`), checked and indexed for queries. Immutable; safe to share between
-/// threads. Obstacles are the boundary, walls, polygons and circles (filled), and moving discs; all
-/// queries take the simulated time, which only moving ones need.
+/// A world file (`clew-world/1`), checked and indexed for queries. Immutable, but for place_moving;
+/// safe to share between threads. Obstacles are the boundary, walls, polygons and circles (filled),
+/// and moving discs; all queries take the simulated time, which only moving ones need.
 class World {
  public:
   /// Reads a world from YAML. `file` is named in errors. Refused, with file, line and what is
@@ -105,6 +109,10 @@ class World {
   const std::vector<Vec2>& subgoals() const;
   std::optional<bool> solvable() const;
   std::optional<double> shortest_path_m() const;
+
+  /// Puts an obstacle of moving() at the first point of its path, and nowhere else: for whoever
+  /// knows where it is only as time goes on. Nobody else may look at the world meanwhile.
+  void place_moving(std::size_t index, const Vec2& place);
 
   /// Whether a disc of this radius stands free at the start at time 0; else the error names the
   /// obstacle and its distance, and the place of the start in the file.
@@ -166,8 +174,8 @@ class World {
 
  private:
   struct Content;
-  explicit World(std::unique_ptr<const Content> content);
-  std::unique_ptr<const Content> content_;
+  explicit World(std::unique_ptr<Content> content);
+  std::unique_ptr<Content> content_;
 };
 
 }  // namespace clew::world

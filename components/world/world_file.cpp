@@ -160,11 +160,15 @@ Result<void> read_optional(const YamlNode& map, const char* key, T& value) {
 }
 
 Result<void> read(const YamlNode& node, MovingObstacle& moving) {
-  CLEW_RETURN_IF_ERROR(node.check_keys({"circle", "path", "loop"}));
+  CLEW_RETURN_IF_ERROR(node.check_keys({"circle", "path", "loop", "jumps"}));
   World::Circle circle;
   CLEW_RETURN_IF_ERROR(read_required(node, "circle", circle));
   CLEW_RETURN_IF_ERROR(read_required(node, "path", moving.path));
   CLEW_RETURN_IF_ERROR(read_optional(node, "loop", moving.loop));
+  CLEW_RETURN_IF_ERROR(read_optional(node, "jumps", moving.jumps));
+  if (moving.loop && moving.jumps) {
+    return node.find("jumps")->error("an obstacle that jumps cannot loop; allowed: one of the two");
+  }
   moving.radius_m = circle.radius_m;
   const Vec2& first = moving.path.front().position;
   if (circle.centre == first) return {};

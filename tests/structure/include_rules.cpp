@@ -52,6 +52,8 @@ const std::map<std::string, Folders> kLayers = {
     {"bridge/supervisor",
      {"core", "log", "domain", "runtime", "wire", "recording", "dds", "vendors", "security",
       "plugins", "run", "line", "component", "recorder"}},
+    {"bridge/fleet",
+     {"core", "domain", "world", "runtime", "wire", "recording", "run", "line", "recorder"}},
     {"bridge/replay",
      {"core", "log", "domain", "world", "runtime", "stages", "wire", "recording", "dds", "vendors",
       "run", "line", "component", "recorder", "supervisor"}},

@@ -31,6 +31,8 @@ void add_export(CLI::App& main, int& status);
 void add_world(CLI::App& main, int& status);
 /// To the command `world`.
 void add_world_import(CLI::App& world, int& status);
+/// Robots that meet.
+void add_encounters(CLI::App& main, int& status);
 void add_hunt(CLI::App& main, int& status);
 void add_bisect(CLI::App& main, int& status);
 void add_tune(CLI::App& main, int& status);

@@ -36,8 +36,8 @@ using runtime::StageInfo;
 using runtime::VariantInfo;
 
 /// Those of configs/ that have names to choose from.
-const std::vector<std::string> kFolders = {"graphs", "worlds",    "suites",  "robots",
-                                           "maps",   "rulebases", "training"};
+const std::vector<std::string> kFolders = {"graphs", "fleets", "worlds",    "suites",
+                                           "robots", "maps",   "rulebases", "training"};
 constexpr char kTopics[] = "topics";
 
 void print_parameters(const std::vector<core::ParameterInfo>& infos) {

@@ -40,6 +40,10 @@ void add_ways(CLI::App& app, RunOptions& options) {
                  "run from that tick on; may be repeated")
       ->allow_extra_args(false)
       ->group("How it runs");
+  app.add_option("--threads", options.threads,
+                 "of a fleet: threads that its robots share; the result is the same with any (1)")
+      ->check(number_between(1, 64))
+      ->group("How it runs");
   app.add_option("--external", options.external, "wait for a STAGE that you start yourself")
       ->allow_extra_args(false)
       ->group("Debugging");
@@ -56,7 +60,7 @@ void add_recording(CLI::App& app, RunOptions& options) {
   const auto add = [&](const char* name, auto& value, const char* about) {
     return app.add_option(name, value, about)->group("Recording");
   };
-  add("--record", options.record, "write a recording (MCAP)")->check(given_name());
+  add("--record", options.record, "write a recording (MCAP); of a fleet: one a robot into this folder")->check(given_name());
   app.add_flag("--force", options.force, "overwrite the recording")->group("Recording");
   add("--record-on", options.record_on,
       "trap: a black box. If a trap is detected, a collision happens or the run ends badly, it "

@@ -11,6 +11,7 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/fleet_run.hpp"
 #include "clew/foreign_programs.hpp"
 #include "clew/plugin_options.hpp"
 #include "clew/resumed_run.hpp"
@@ -302,6 +303,10 @@ Result<Speed> speed_of(const RunOptions& options, const runtime::Graph& graph) {
 int run_command(const RunOptions& options) {
   // From here on a signal ends the run with a report, also one that comes before the first tick.
   bridge::EndSignals signals;
+  if (const auto fleet = fleet_of(options)) return run_fleet_command(options, *fleet, signals);
+  if (options.threads) {
+    return complain({"needs a fleet: a graph runs in one thread, or in processes", "--threads"});
+  }
   if (const auto checked = check_options(options); !checked.ok()) return complain(checked.error());
   auto job = options.resume.empty() ? new_job(options) : resumed_job(options);
   if (!job.ok()) return complain(job.error());
@@ -354,8 +359,10 @@ int run_command(const RunOptions& options) {
 
 void add_run(CLI::App& main, int& status) {
   const auto options = std::make_shared<RunOptions>();
-  CLI::App* app = main.add_subcommand("run", "Run a graph with a simulated robot");
-  app->add_option("graph", options->graph, "a name or a path; see 'clew list graphs'");
+  CLI::App* app =
+      main.add_subcommand("run", "Run a graph with a simulated robot, or a fleet of them");
+  app->add_option("graph", options->graph,
+                  "a name or a path; see 'clew list graphs' and 'clew list fleets'");
   add_overrides(*app, options->overrides);
   add_plugins(*app, options->plugins);
   add_run_arguments(*app, *options);

@@ -25,6 +25,7 @@ struct RunOptions {
   std::string resume;             ///< a recording to go on with, in the graph's place
   std::vector<std::string> exec;  ///< with resume, the programs that it may start
   bool force = false;
+  std::optional<int> threads;           ///< that a fleet's robots share
   std::string record_on;                ///< `trap`: a black box
   std::optional<double> record_last_s;  ///< that a black box keeps; none: 30
   std::string compression;  ///< empty: as the recording that is gone on with has it, else none

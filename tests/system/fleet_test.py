@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Several robots in one world: one hash, recordings that replay by themselves, and encounters."""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+from clew_command import CLEW, SOURCE, Run
+
+FLEETS = sorted((SOURCE / "configs/fleets").glob("*.yaml"))
+
+
+class Fleet(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.directory = pathlib.Path(scratch.name)
+
+    def test_shipped_fleets_have_one_hash_and_recordings_that_replay(self):
+        self.assertGreaterEqual(len(FLEETS), 2)
+        listed = Run(["list", "fleets", "--names"])
+        self.assertEqual(listed.out.split(), [file.stem for file in FLEETS])
+        for file in FLEETS:
+            with self.subTest(file.stem):
+                folder = self.directory / file.stem
+                one = Run(["run", file.stem, "--max-ticks", 120, "--threads", 1, "--json"])
+                two = Run(["run", file, "--max-ticks", 120, "--threads", 2, "--json",
+                           "--record", folder])
+                self.assertEqual(one.report["hash"], two.report["hash"], one.err + two.err)
+                self.assertEqual(one.report["contacts"], 0)
+                for robot in two.report["robots"][:4]:
+                    info = Run(["info", robot["recording"], "--json"])
+                    self.assertEqual(info.report["hash"], robot["hash"])
+                    replay = Run(["replay", robot["recording"]])
+                    self.assertEqual(replay.status, 0, replay.out + replay.err)
+
+    def test_recordings_are_not_overwritten_unasked(self):
+        order = ["run", "two_at_a_gap", "--max-ticks", 5, "--record", self.directory, "--json"]
+        self.assertEqual(Run(order).status, 3)
+        again = Run(order)
+        self.assertEqual(again.status, 2)
+        self.assertIn("west.mcap", again.err)
+        self.assertEqual(Run([*order, "--force"]).status, 3)
+
+    def test_options_of_one_robot_are_refused(self):
+        for option in (["--layout", "processes"], ["--with", "recover.detector=none"],
+                       ["--world", "u-trap"], ["--pace", "realtime"]):
+            refused = Run(["run", "two_at_a_gap", *option])
+            self.assertEqual(refused.status, 2)
+            self.assertIn(option[0], refused.err)
+            self.assertIn("allowed: --record", refused.err)
+        self.assertEqual(Run(["run", "reactive", "--threads", 2]).status, 2)
+        checked = Run(["check", SOURCE / "configs/fleets/two_at_a_gap.yaml"])
+        self.assertEqual(checked.status, 2)
+
+    def test_an_interrupt_closes_the_recordings(self):
+        folder = self.directory / "cut"
+        process = subprocess.Popen(
+            [CLEW, "run", "twenty_in_a_hall", "--max-ticks", "200000", "--json", "--record",
+             str(folder)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 60
+        while not folder.is_dir() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        time.sleep(0.5)
+        os.kill(process.pid, signal.SIGINT)
+        out, err = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 130, err)
+        report = json.loads(out)
+        self.assertEqual(report["outcome"], "aborted")
+        self.assertEqual(len(report["robots"]), 20)
+        info = Run(["info", report["robots"][0]["recording"]])
+        self.assertEqual(info.status, 0, info.err)
+
+    def test_encounters_are_repeatable_and_can_be_written(self):
+        order = ["encounters", "--robots", "2", "--count", 1, "--families", "crossing,door"]
+        first = Run([*order, "--json"])
+        self.assertEqual(first.status, 0, first.err)
+        results = [json.loads(line) for line in first.out.splitlines()]
+        self.assertEqual([result["robots"] for result in results], [2, 2])
+        for result in results:
+            self.assertEqual((result["reached"], result["contacts"]), (2, 0))
+        folder = self.directory / "it's \"mine\""
+        self.assertEqual(Run([*order, "--write", folder]).status, 0)
+        self.assertEqual(Run([*order, "--write", folder]).status, 2)
+        self.assertEqual(Run([*order, "--write", folder, "--force"]).status, 0)
+        for result in results:
+            run = Run(["run", folder / (result["encounter"] + ".yaml"), "--json"])
+            self.assertEqual(run.status, 0, run.err)
+            self.assertEqual(run.report["hash"], result["hash"])
+        self.assertIn("crossing, corridor, door", Run(["encounters", "--families", "gap"]).err)
+
+
+if __name__ == "__main__":
+    unittest.main()
