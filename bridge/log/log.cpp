@@ -132,7 +132,7 @@ class Outputs {
   }
 
   void complain(std::string_view text) {
-    std::fprintf(stderr, "clew: %s\n", core::terminal_text(text, core::LineEnds::kKept).c_str());
+    std::fprintf(stderr, "clew: %s\n", core::terminal_lines(text).c_str());
     const auto level = spdlog::level::err;
     const std::string name = logger()->name();
     const std::string line = core::terminal_text(text);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/result.hpp"
 
+#include "core/terminal_text.hpp"
+
 namespace clew::core {
 
 std::string Error::text() const {
@@ -9,7 +11,7 @@ std::string Error::text() const {
     place += ':' + std::to_string(line);
     if (column > 0) place += ':' + std::to_string(column);
   }
-  return place.empty() ? message : place + ": " + message;
+  return terminal_lines(place.empty() ? message : place + ": " + message);
 }
 
 }  // namespace clew::core

@@ -18,7 +18,7 @@ struct Error {
   int line = 0;
   int column = 0;
 
-  /// `file:line:column: message`, leaving out what is unknown.
+  /// `file:line:column: message`, leaving out what is unknown; it steers no terminal.
   std::string text() const;
 };
 

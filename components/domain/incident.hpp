@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "core/terminal_text.hpp"
+
 namespace clew::domain {
 
 // Kinds of incidents.
@@ -30,9 +32,7 @@ inline constexpr std::size_t kMostIncidentBytes = 400;
 
 /// A text that may hold what strangers say, as a line of bounded length that steers no terminal.
 inline std::string as_one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
-  }
+  text = core::terminal_text(text);
   if (text.size() <= kMostIncidentBytes) return text;
   std::size_t end = kMostIncidentBytes;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;  // of UTF-8

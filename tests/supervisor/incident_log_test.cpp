@@ -37,7 +37,7 @@ TEST(IncidentLog, IsNotFilledByAStrangerWhoDoesANewThingEachTime) {
 TEST(IncidentLog, SteersNoTerminalAndKeepsALineShort) {
   IncidentLog log;
 
-  EXPECT_EQ(log.note(refused("a\n\x1b[2Jb"))->text, "a  [2Jb");
+  EXPECT_EQ(log.note(refused("a\n\x1b[2Jb"))->text, "a\\x0a\\x1b[2Jb");
   EXPECT_EQ(log.note(refused(std::string(100'000, 'x')))->text.size(),
             domain::kMostIncidentBytes + 3);
 }

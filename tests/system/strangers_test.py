@@ -49,6 +49,15 @@ class Strangers(unittest.TestCase):
             self.assertIn("it is run only if you name it, too", refused.err)
         self.assertEqual(Run([*replay, "--exec", program]).status, 0)
 
+    def test_texts_of_a_strangers_file_steer_no_terminal(self):
+        graph = write_file("world: open-field\nrobot: disc-015\n\"a\\e[2Jb\\x9b\": 1\n")
+
+        refused = Run(["check", graph])
+
+        self.assertEqual(refused.status, 2)
+        self.assertIn(r"unknown key 'a\x1b[2Jb\xc2\x9b'", refused.err)
+        self.assertNotRegex(refused.err, "[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+
     def test_a_run_that_dies_at_once_can_be_gone_on_with(self):
         whole = run_graph(*RUN, "--layout", "composed")
         process = start(["run", *RUN, "--record", self.recording], start_new_session=True)

@@ -9,7 +9,7 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
-#include "core/terminal_text.hpp"
+#include "clew/print_text.hpp"
 #include "dds/rtps_ports.hpp"
 #include "domains/bridge_process.hpp"
 #include "line/command_desk.hpp"

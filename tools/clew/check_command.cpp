@@ -10,6 +10,7 @@
 #include "clew/graph_text.hpp"
 #include "clew/json_line.hpp"
 #include "clew/plugin_options.hpp"
+#include "clew/print_text.hpp"
 #include "clew/stage_text.hpp"
 #include "robot/robots.hpp"
 #include "runtime/run_plan.hpp"
@@ -40,7 +41,7 @@ void print_wiring(const Graph& graph) {
           readers += " (next tick)";
         }
       }
-      fmt::print("  {:<9} --{}--> {}\n", stage.info->name, domain::topic_name(topic),
+      print_text("  {:<9} --{}--> {}\n", stage.info->name, domain::topic_name(topic),
                  readers.empty() ? "nobody" : readers);
     }
   }
@@ -48,9 +49,9 @@ void print_wiring(const Graph& graph) {
 
 /// How the graph is spread over processes, where it is not one for each stage.
 void print_layout(const Graph& graph) {
-  if (graph.layout != "processes") fmt::print("layout: {}\n", graph.layout);
+  if (graph.layout != "processes") print_text("layout: {}\n", graph.layout);
   if (graph.security) {
-    fmt::print("security: {}\n",
+    print_text("security: {}\n",
                graph.security->empty() ? "keys for each run alone" : "keys in " + *graph.security);
   }
   std::map<std::string, std::string> stages_of;
@@ -59,7 +60,7 @@ void print_layout(const Graph& graph) {
     stages += (stages.empty() ? "" : ", ") + stage.info->name;
   }
   for (const auto& [group, stages] : stages_of) {
-    if (!group.empty()) fmt::print("group {}: {} in one process\n", group, stages);
+    if (!group.empty()) print_text("group {}: {} in one process\n", group, stages);
   }
 }
 
@@ -73,23 +74,23 @@ int check_command(const CheckOptions& options) {
   const auto robots = robot::check_robots(graph);
   if (!robots.ok()) return complain(robots.error());
   if (options.expand) {
-    fmt::print("{}", graph.expanded_yaml());
+    print_text("{}", graph.expanded_yaml());
     return kExitGood;
   }
   if (options.json || options.dot) {
-    fmt::print("{}", options.json ? json_line(json_of(*plan)) + '\n' : dot_of(graph));
+    print_text("{}", options.json ? json_line(json_of(*plan)) + '\n' : dot_of(graph));
     return kExitGood;
   }
-  fmt::print("graph {}: world {}, robot {} ({} m), tick {} s\n", graph.name, graph.world,
+  print_text("graph {}: world {}, robot {} ({} m), tick {} s\n", graph.name, graph.world,
              graph.robot, plan->setup.behaviour.robot.radius_m, graph.tick_s);
   for (const GraphStage& stage : graph.stages) {
-    fmt::print("  {:<9} {}\n", stage.info->name, stage_text(stage));
+    print_text("  {:<9} {}\n", stage.info->name, stage_text(stage));
   }
   print_layout(graph);
-  fmt::print("wiring:\n");
+  print_text("wiring:\n");
   print_wiring(graph);
-  for (const std::string& port : graph.unwired) fmt::print("unwired: {} (optional)\n", port);
-  fmt::print("good\n");
+  for (const std::string& port : graph.unwired) print_text("unwired: {} (optional)\n", port);
+  print_text("good\n");
   return kExitGood;
 }
 

@@ -12,6 +12,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/print_text.hpp"
 #include "clew/recorded_fields.hpp"
 #include "clew/waypoint_marks.hpp"
 #include "log/log.hpp"
@@ -127,7 +128,7 @@ class IncidentPrinter {
     const std::size_t first = next_;
     for (; next_ < incidents_.size() && incidents_[next_].tick <= tick; ++next_) {
       const double time_s = static_cast<double>(incidents_[next_].tick) * tick_s_;
-      fmt::print("{}\n",
+      print_text("{}\n",
                  json_ ? to_json(incidents_[next_], time_s) : to_text(incidents_[next_], time_s));
     }
     return next_ - first;
@@ -181,7 +182,7 @@ class EventPrinter {
   void print(const domain::TickStamp& stamp, const domain::EventEntry& entry,
              const std::string& stage, const char* kind) {
     ++count_;
-    fmt::print("{}\n", json_ ? to_json(stamp, entry, stage, kind) : to_text(stamp, entry, kind));
+    print_text("{}\n", json_ ? to_json(stamp, entry, stage, kind) : to_text(stamp, entry, kind));
   }
 
   WaypointMarks marks_;
@@ -234,7 +235,7 @@ int events_command(const EventsOptions& options) {
     logs::info("{}: its graph has no recover, which alone tells traps and escapes",
                recording->path());
   } else if (*count == 0 && !options.json) {
-    fmt::print("no events\n");
+    print_text("no events\n");
   }
   return kExitGood;
 }

@@ -6,6 +6,7 @@
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/plugin_options.hpp"
+#include "clew/print_text.hpp"
 #include "insides/explanation.hpp"
 #include "insides/inside_json.hpp"
 #include "replay/recorded_plan.hpp"
@@ -39,7 +40,7 @@ int explain_command(const ExplainOptions& options) {
   bool first = true;
   for (const insides::Explanation& each : *explanations) {
     if (options.json) {
-      fmt::print("{}\n", json_line({{"stage", each.stage},
+      print_text("{}\n", json_line({{"stage", each.stage},
                                     {"behaviour", each.behaviour},
                                     {"tick", options.tick},
                                     {"text", each.inside.text},
@@ -47,7 +48,7 @@ int explain_command(const ExplainOptions& options) {
                                     {"picture", insides::to_json(each.inside.picture)}}));
       continue;
     }
-    fmt::print(
+    print_text(
         "{}{}\n", first ? "" : "\n",
         insides::wrapped(fmt::format("{} ({}): {}", each.stage, each.behaviour, each.inside.text),
                          kColumns));

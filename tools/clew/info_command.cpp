@@ -13,6 +13,7 @@
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/plugin_options.hpp"
+#include "clew/print_text.hpp"
 #include "clew/signature_facts.hpp"
 #include "clew/stage_text.hpp"
 #include "clew/waypoint_marks.hpp"
@@ -142,65 +143,65 @@ Result<runtime::Graph> graph_of(const RunRecording& recording) {
 void print_configuration(const RunRecording& recording) {
   const auto graph = graph_of(recording);
   if (!graph.ok()) {
-    fmt::print("graph      not one of this version: {}\n", graph.error().text());
+    print_text("graph      not one of this version: {}\n", graph.error().text());
     return;
   }
-  fmt::print("graph      {}\nworld      {}\nrobot      {}\n", graph->name, graph->world,
+  print_text("graph      {}\nworld      {}\nrobot      {}\n", graph->name, graph->world,
              graph->robot);
   for (const auto& stage : graph->stages) {
-    fmt::print("{:<10} {}\n", stage.info->name, stage_text(stage));
+    print_text("{:<10} {}\n", stage.info->name, stage_text(stage));
   }
 }
 
 void print(const RunRecording& recording, const RecordingFacts& facts) {
   const auto& description = recording.description();
-  fmt::print("{}: {}\n", recording.path(), state_text(recording, facts));
+  print_text("{}: {}\n", recording.path(), state_text(recording, facts));
   if (facts.ticks > 0) {
-    fmt::print("ticks      {} to {}, {} s each: {:.1f} s\n", facts.first_tick, facts.last_tick,
+    print_text("ticks      {} to {}, {} s each: {:.1f} s\n", facts.first_tick, facts.last_tick,
                description.tick_s, static_cast<double>(facts.last_tick) * description.tick_s);
   } else {
-    fmt::print("ticks      none\n");
+    print_text("ticks      none\n");
   }
   if (const auto& box = description.black_box) {
-    fmt::print("black box  {}; can be replayed from tick {} on\n", box->why, box->tick);
+    print_text("black box  {}; can be replayed from tick {} on\n", box->why, box->tick);
   }
   if (const auto counts = count_incidents(recording); !counts.empty()) {
     std::vector<std::string> texts;
     for (const auto& [kind, count] : counts) texts.push_back(fmt::format("{} {}", count, kind));
-    fmt::print("incidents  {}; 'clew events' tells them\n", fmt::join(texts, ", "));
+    print_text("incidents  {}; 'clew events' tells them\n", fmt::join(texts, ", "));
   }
   for (const auto& change : recording.interventions()) {
-    fmt::print(
+    print_text(
         "changed    at tick {}: {}\n", change.tick,
         change.order.empty() ? fmt::format("{}", fmt::join(change.changes, ", ")) : change.order);
   }
   for (const WaypointMark& mark : facts.waypoints) {
-    fmt::print("way-point  {} of {} reached at tick {}, at ({:.2f}, {:.2f})\n", mark.number,
+    print_text("way-point  {} of {} reached at tick {}, at ({:.2f}, {:.2f})\n", mark.number,
                mark.of, mark.tick, mark.place.x(), mark.place.y());
   }
   if (facts.branch_tick) {
-    fmt::print("branched   at tick {}; the ticks before are those of another run\n",
+    print_text("branched   at tick {}; the ticks before are those of another run\n",
                *facts.branch_tick);
   }
-  fmt::print("hash       {}\nseed       {}\n", hash_text(recording, facts), description.seed);
+  print_text("hash       {}\nseed       {}\n", hash_text(recording, facts), description.seed);
   if (const std::string text = facts.signature.text(); !text.empty()) {
-    fmt::print("signature  {}\n", text);
+    print_text("signature  {}\n", text);
   }
   for (const auto& [program, version] : description.versions) {
-    fmt::print("version    {} {}\n", program, version);
+    print_text("version    {} {}\n", program, version);
   }
-  fmt::print("IDL        {}{}\n", description.idl_fingerprint,
+  print_text("IDL        {}{}\n", description.idl_fingerprint,
              facts.types_match ? "" : ", not that of this version");
   print_configuration(recording);
-  fmt::print("topic      {:<22} {:>9} {:>9} {:>9} {:>9}\n", "type", "samples", "first", "last",
+  print_text("topic      {:<22} {:>9} {:>9} {:>9} {:>9}\n", "type", "samples", "first", "last",
              "missing");
   for (const TopicFacts& topic : facts.topics) {
-    fmt::print("{:<10} {:<22} {:>9} {:>9} {:>9} {:>9}\n", domain::topic_name(topic.topic),
+    print_text("{:<10} {:<22} {:>9} {:>9} {:>9} {:>9}\n", domain::topic_name(topic.topic),
                domain::type_name(topic.topic), topic.survey.samples, topic.survey.first_tick,
                topic.survey.last_tick, topic.missing_ticks);
   }
   for (const auto& [name, text] : description.bundle) {
-    fmt::print("file       {} ({} bytes)\n", name, text.size());
+    print_text("file       {} ({} bytes)\n", name, text.size());
   }
 }
 
@@ -329,7 +330,7 @@ int info_command(const InfoOptions& options) {
     }
   }
   if (options.json) {
-    fmt::print("{}\n", json_line(to_json(*recording, facts)));
+    print_text("{}\n", json_line(to_json(*recording, facts)));
   } else {
     print(*recording, facts);
   }

@@ -9,6 +9,7 @@
 #include "clew/list_json.hpp"
 #include "clew/parameter_table.hpp"
 #include "clew/plugin_options.hpp"
+#include "clew/print_text.hpp"
 #include "core/nearest_name.hpp"
 #include "core/yaml_reader.hpp"
 #include "runtime/config_source.hpp"
@@ -44,7 +45,7 @@ void print_parameters(const std::vector<core::ParameterInfo>& infos) {
   for (const core::ParameterInfo& info : infos) {
     const std::string unit = info.unit.empty() || info.unit == "1" ? "" : ' ' + info.unit;
     const std::string allowed = allowed_text(info);
-    fmt::print("    {} = {}{}{}  {}\n", info.name, default_text(info), unit,
+    print_text("    {} = {}{}{}  {}\n", info.name, default_text(info), unit,
                allowed.empty() ? "" : " (" + allowed + ")", info.doc);
   }
 }
@@ -60,28 +61,28 @@ void print_port(const PortInfo& port) {
                 : ", if there is no " + std::string(domain::topic_name(port.instead_of));
   }
   if (port.delayed) kind += ", of the tick before";
-  fmt::print("    {} ({}, {})  {}\n", domain::topic_name(port.topic), kind,
+  print_text("    {} ({}, {})  {}\n", domain::topic_name(port.topic), kind,
              domain::type_name(port.topic), port.doc);
 }
 
 void print_variant(const StageInfo& stage, const PartInfo& part, const VariantInfo& variant) {
   const auto* plugin = runtime::plugin_of({stage.name, part.name, variant.name});
   const std::string from = plugin == nullptr ? "" : " (plug-in " + plugin->name + ')';
-  fmt::print("  {}.{} {}{}: {}\n", stage.name, part.name, variant.name, from, variant.summary);
+  print_text("  {}.{} {}{}: {}\n", stage.name, part.name, variant.name, from, variant.summary);
   print_parameters(variant.parameters);
 }
 
 // The parameters of a stage itself, or of one behaviour, as a table.
 int print_table(const StageInfo& stage, const std::string& part_name, const std::string& name) {
   if (name.empty()) {
-    fmt::print("{}", parameter_table(stage.parameters));
+    print_text("{}", parameter_table(stage.parameters));
     return kExitGood;
   }
   for (const PartInfo& part : stage.parts) {
     if (!part_name.empty() && part.name != part_name) continue;
     for (const VariantInfo& variant : part.variants) {
       if (variant.name != name) continue;
-      fmt::print("{}", parameter_table(variant.parameters));
+      print_text("{}", parameter_table(variant.parameters));
       return kExitGood;
     }
   }
@@ -106,13 +107,13 @@ int list_files(const ListOptions& options) {
     if (options.json) {
       ordered_json json = {{"name", known}, {"file", file->file}, {"about", about_of(*file)}};
       if (!options.name.empty()) json["text"] = file->text;
-      fmt::print("{}\n", json_line(json));
+      print_text("{}\n", json_line(json));
     } else if (options.names) {
-      fmt::print("{}\n", known);
+      print_text("{}\n", known);
     } else if (options.name.empty()) {
-      fmt::print("{:<32} {}\n", known, about_of(*file));
+      print_text("{:<32} {}\n", known, about_of(*file));
     } else {
-      fmt::print("{}", file->text);
+      print_text("{}", file->text);
     }
     if (!options.name.empty()) return kExitGood;
   }
@@ -129,14 +130,14 @@ int list_topics(const ListOptions& options) {
     if (!options.name.empty() && name != options.name) continue;
     found = true;
     if (options.json) {
-      fmt::print("{}\n", json_line(topic));
+      print_text("{}\n", json_line(topic));
     } else if (options.names) {
-      fmt::print("{}\n", name);
+      print_text("{}\n", name);
     } else {
       const auto words = [&](const char* key) {
         return fmt::format("{}", fmt::join(topic[key].get<std::vector<std::string>>(), ", "));
       };
-      fmt::print("{:<9} {:<22} {} to {}\n", name, topic["type"].get<std::string>(),
+      print_text("{:<9} {:<22} {} to {}\n", name, topic["type"].get<std::string>(),
                  words("writers"), words("readers"));
     }
   }
@@ -165,14 +166,14 @@ int list_stage(const StageInfo& stage, const std::string& part_name, const ListO
   const auto checked = check_choice(stage, part_name, options.name);
   if (!checked.ok()) return complain(checked.error());
   if (options.json) {
-    fmt::print("{}\n", json_line(json_of(stage, part_name, options.name)));
+    print_text("{}\n", json_line(json_of(stage, part_name, options.name)));
     return kExitGood;
   }
   const bool whole = part_name.empty() && options.name.empty() && !options.names;
   if (whole) {
-    fmt::print("{}: {}\n  ports:\n", stage.name, stage.summary);
+    print_text("{}: {}\n  ports:\n", stage.name, stage.summary);
     for (const PortInfo& port : stage.ports) print_port(port);
-    if (!stage.parameters.empty()) fmt::print("  parameters of every {}:\n", stage.name);
+    if (!stage.parameters.empty()) print_text("  parameters of every {}:\n", stage.name);
     print_parameters(stage.parameters);
   }
   for (const PartInfo& part : stage.parts) {
@@ -180,7 +181,7 @@ int list_stage(const StageInfo& stage, const std::string& part_name, const ListO
     for (const VariantInfo& variant : part.variants) {
       if (!options.name.empty() && variant.name != options.name) continue;
       if (options.names) {
-        fmt::print("{}\n", variant.name);
+        print_text("{}\n", variant.name);
       } else {
         print_variant(stage, part, variant);
       }
@@ -192,15 +193,15 @@ int list_stage(const StageInfo& stage, const std::string& part_name, const ListO
 int list_all(const ListOptions& options) {
   std::vector<std::string> folders = kFolders;
   folders.emplace_back(kTopics);
-  if (!options.json && !options.names) fmt::print("{}, or a stage:\n", fmt::join(folders, ", "));
-  if (options.names) fmt::print("{}\n", fmt::join(folders, "\n"));
+  if (!options.json && !options.names) print_text("{}, or a stage:\n", fmt::join(folders, ", "));
+  if (options.names) print_text("{}\n", fmt::join(folders, "\n"));
   ordered_json all = ordered_json::array();
   for (const StageInfo& stage : stages::all()) {
     all.push_back({{"stage", stage.name}, {"about", stage.summary}});
-    if (options.names) fmt::print("{}\n", stage.name);
-    if (!options.json && !options.names) fmt::print("  {:<9} {}\n", stage.name, stage.summary);
+    if (options.names) print_text("{}\n", stage.name);
+    if (!options.json && !options.names) print_text("  {:<9} {}\n", stage.name, stage.summary);
   }
-  if (options.json) fmt::print("{}\n", json_line({{"lists", folders}, {"stages", all}}));
+  if (options.json) print_text("{}\n", json_line({{"lists", folders}, {"stages", all}}));
   return kExitGood;
 }
 

@@ -10,6 +10,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/print_text.hpp"
 #include "clew/topic_options.hpp"
 #include "clew/topic_reading.hpp"
 #include "core/nearest_name.hpp"
@@ -52,14 +53,14 @@ int complain_of_silence(const bridge::DomainWatch& watch) {
 void print_topics(const std::vector<TopicOnWire>& topics, const ListOptions& options) {
   for (const TopicOnWire& topic : topics) {
     if (options.json) {
-      fmt::print("{}\n", json_line(topic_json(topic)));
+      print_text("{}\n", json_line(topic_json(topic)));
     } else if (options.verbose) {
-      fmt::print("{} [{}], writers: {}, readers: {}\n", core::terminal_text(topic.name),
-                 core::terminal_text(topic.type), topic.writers.size(), topic.readers.size());
+      print_text("{} [{}], writers: {}, readers: {}\n", terminal_text(topic.name),
+                 terminal_text(topic.type), topic.writers.size(), topic.readers.size());
     } else if (options.show_types) {
-      fmt::print("{} [{}]\n", core::terminal_text(topic.name), core::terminal_text(topic.type));
+      print_text("{} [{}]\n", terminal_text(topic.name), terminal_text(topic.type));
     } else {
-      fmt::print("{}\n", core::terminal_text(topic.name));
+      print_text("{}\n", terminal_text(topic.name));
     }
   }
 }
@@ -69,7 +70,7 @@ int list_command(const ListOptions& options) {
   if (!watch.ok()) return complain(watch.error());
   const auto topics = topics_of(**watch);
   if (options.count) {
-    fmt::print("{}\n", topics.size());
+    print_text("{}\n", topics.size());
   } else {
     print_topics(topics, options);
   }
@@ -96,8 +97,8 @@ ordered_json endpoint_json(const RemoteEndpoint& endpoint) {
 
 void print_endpoint(const RemoteEndpoint& endpoint) {
   const std::string stage = bridge::UserData::parse(endpoint.user_data).stage;
-  fmt::print("  {} of {}, process {}, {}, {}, {}\n", endpoint.is_writer ? "writer" : "reader",
-             stage.empty() ? "no stage" : core::terminal_text(stage),
+  print_text("  {} of {}, process {}, {}, {}, {}\n", endpoint.is_writer ? "writer" : "reader",
+             stage.empty() ? "no stage" : terminal_text(stage),
              endpoint.process_id == 0 ? "unknown" : std::to_string(endpoint.process_id),
              reliability_of(endpoint), durability_of(endpoint), endpoint.guid);
 }
@@ -114,10 +115,10 @@ int info_command(const ListOptions& options) {
       json["endpoints"].push_back(endpoint_json(endpoint));
     for (const auto& endpoint : topic->readers)
       json["endpoints"].push_back(endpoint_json(endpoint));
-    fmt::print("{}\n", json_line(json));
+    print_text("{}\n", json_line(json));
     return kExitGood;
   }
-  fmt::print("type: {}\nwriters: {}\nreaders: {}\n", core::terminal_text(topic->type),
+  print_text("type: {}\nwriters: {}\nreaders: {}\n", terminal_text(topic->type),
              topic->writers.size(), topic->readers.size());
   if (!options.verbose) return kExitGood;
   for (const RemoteEndpoint& endpoint : topic->writers) print_endpoint(endpoint);
@@ -131,9 +132,9 @@ int type_command(const ListOptions& options) {
   const auto topic = find_topic(**watch, options);
   if (!topic.ok()) return complain(topic.error());
   if (options.json) {
-    fmt::print("{}\n", json_line({{"topic", topic->name}, {"type", topic->type}}));
+    print_text("{}\n", json_line({{"topic", topic->name}, {"type", topic->type}}));
   } else {
-    fmt::print("{}\n", core::terminal_text(topic->type));
+    print_text("{}\n", terminal_text(topic->type));
   }
   return kExitGood;
 }
@@ -156,7 +157,7 @@ int find_command(const ListOptions& options) {
                               [&](const auto& t) { return !is_type(t.type, options.type); }),
                topics.end());
   if (options.count) {
-    fmt::print("{}\n", topics.size());
+    print_text("{}\n", topics.size());
   } else {
     print_topics(topics, options);
   }

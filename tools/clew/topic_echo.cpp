@@ -8,6 +8,7 @@
 #include "clew/command_line.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/print_text.hpp"
 #include "clew/recorded_fields.hpp"
 #include "clew/sample_output.hpp"
 #include "clew/topic_reading.hpp"
@@ -98,7 +99,7 @@ class EchoVerb : public TopicVerb {
 
   void print(const bridge::SampleView& sample, const std::vector<Field>& fields) {
     if (options_.json) {
-      fmt::print("{}\n", sample_json(sample, fields, options_.fields));
+      print_text("{}\n", sample_json(sample, fields, options_.fields));
     } else if (options_.csv) {
       print_row(sample, chosen_fields(fields, options_.fields));
     } else {
@@ -136,14 +137,14 @@ class EchoVerb : public TopicVerb {
   void print_row(const bridge::SampleView& sample, const std::vector<Field>& fields) {
     if (columns_.paths().empty()) {
       columns_.add(fields);
-      fmt::print("tick,sequence");
-      for (const std::string& path : columns_.paths()) fmt::print(",{}", path);
-      fmt::print("\n");
+      print_text("tick,sequence");
+      for (const std::string& path : columns_.paths()) print_text(",{}", path);
+      print_text("\n");
     }
     FieldColumns own = columns_;
     own.add(fields);
     if (own.paths().size() > columns_.paths().size()) ++cut_;
-    fmt::print("{},{}{}{}\n", sample.tick, sample.sequence, columns_.paths().empty() ? "" : ",",
+    print_text("{},{}{}{}\n", sample.tick, sample.sequence, columns_.paths().empty() ? "" : ",",
                columns_.row(fields));
   }
 
@@ -151,9 +152,9 @@ class EchoVerb : public TopicVerb {
     std::string hex;
     for (const char byte : cdr) hex += fmt::format("{:02x}", static_cast<unsigned char>(byte));
     if (options_.json) {
-      fmt::print("{}\n", json_line({{"bytes", hex}}));
+      print_text("{}\n", json_line({{"bytes", hex}}));
     } else {
-      fmt::print("{}\n", hex);
+      print_text("{}\n", hex);
     }
   }
 

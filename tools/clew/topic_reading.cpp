@@ -7,6 +7,7 @@
 
 #include "clew/command_line.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/print_text.hpp"
 #include "line/user_data.hpp"
 #include "log/log.hpp"
 #include "run/end_signals.hpp"

@@ -7,6 +7,7 @@
 
 #include "clew/command_line.hpp"
 #include "clew/json_line.hpp"
+#include "clew/print_text.hpp"
 #include "clew/topic_reading.hpp"
 #include "watch/arrival_window.hpp"
 
@@ -59,7 +60,7 @@ class RateVerb : public TopicVerb {
   void report_rate() const {
     const auto intervals = window_.intervals_s();
     if (options_.json) {
-      fmt::print("{}\n", json_line({{"topic", name_},
+      print_text("{}\n", json_line({{"topic", name_},
                                     {"rate_hz", *window_.rate_hz()},
                                     {"min_s", intervals->min},
                                     {"max_s", intervals->max},
@@ -68,7 +69,7 @@ class RateVerb : public TopicVerb {
                                     {"lost", window_.lost()}}));
       return;
     }
-    fmt::print(
+    print_text(
         "average rate: {:.3f} Hz\n  min: {:.6f} s max: {:.6f} s std dev: {:.6f} s window: "
         "{} lost: {}\n",
         *window_.rate_hz(), intervals->min, intervals->max, intervals->stddev, window_.count(),
@@ -78,7 +79,7 @@ class RateVerb : public TopicVerb {
   void report_bandwidth() const {
     const auto sizes = window_.sizes_bytes();
     if (options_.json) {
-      fmt::print("{}\n", json_line({{"topic", name_},
+      print_text("{}\n", json_line({{"topic", name_},
                                     {"bytes_per_s", *window_.bytes_per_s()},
                                     {"mean_bytes", sizes->mean},
                                     {"min_bytes", sizes->min},
@@ -86,7 +87,7 @@ class RateVerb : public TopicVerb {
                                     {"window", window_.count()}}));
       return;
     }
-    fmt::print("{:.0f} B/s from {} samples\n  size mean: {:.1f} B min: {:.0f} B max: {:.0f} B\n",
+    print_text("{:.0f} B/s from {} samples\n  size mean: {:.1f} B min: {:.0f} B max: {:.0f} B\n",
                *window_.bytes_per_s(), window_.count(), sizes->mean, sizes->min, sizes->max);
   }
 
@@ -140,14 +141,14 @@ class DelayVerb : public TopicVerb {
     const auto delay = delays_.spread();
     if (!delay) return true;
     if (options_.json) {
-      fmt::print("{}\n", json_line({{"topic", name_},
+      print_text("{}\n", json_line({{"topic", name_},
                                     {"mean_s", delay->mean},
                                     {"min_s", delay->min},
                                     {"max_s", delay->max},
                                     {"stddev_s", delay->stddev},
                                     {"window", delay->count}}));
     } else {
-      fmt::print(
+      print_text(
           "average delay since the tick began: {:.6f} s\n  min: {:.6f} s max: {:.6f} s std "
           "dev: {:.6f} s window: {}\n",
           delay->mean, delay->min, delay->max, delay->stddev, delay->count);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "core/terminal_text.hpp"
+
+namespace clew::tools {
+
+using core::terminal_text;
+
+/// As fmt::print, of what strangers may have written: it steers no terminal.
+template <typename... Values>
+void print_text(std::FILE* file, fmt::format_string<Values...> format, Values&&... values) {
+  const std::string text =
+      core::terminal_lines(fmt::format(format, std::forward<Values>(values)...));
+  std::fwrite(text.data(), 1, text.size(), file);
+}
+template <typename... Values>
+void print_text(fmt::format_string<Values...> format, Values&&... values) {
+  print_text(stdout, format, std::forward<Values>(values)...);
+}
+
+}  // namespace clew::tools
