@@ -78,6 +78,7 @@ void InputAccount::deliver(Message& message) {
   const std::uint64_t tick = message.stamp.tick;
   std::uint64_t& end = ends_[domain::index_of(domain::topic_of<Message>())];
   end = std::max(end, tick + 1);
+  check_count(message);
   if (buffer_.offer(message) == runtime::InputBuffer::Offer::kAhead) {
     fatal_ = name_ + " is at tick " + std::to_string(buffer_.next_tick()) + " and lost '" +
              std::string(domain::topic_name(domain::topic_of<Message>())) + "' of tick " +
@@ -86,6 +87,32 @@ void InputAccount::deliver(Message& message) {
   }
   // In real time it goes on without what was lost; the recording tells.
   while (buffer_.ready() || (!lockstep_ && buffer_.rest_is_lost())) take_tick();
+}
+
+// The first sample of a tick holds, whatever comes after it. That one comes again is no fault: its
+// writer may have been started anew.
+template <typename Message>
+void InputAccount::check_count(const Message& message) {
+  constexpr auto topic = domain::index_of(domain::topic_of<Message>());
+  const domain::TickStamp& stamp = message.stamp;
+  const auto sample = [&] {
+    return name_ + " has a sample of '" +
+           std::string(domain::topic_name(domain::topic_of<Message>())) + "' of tick " +
+           std::to_string(stamp.tick);
+  };
+  if (stamp.sequence != stamp.tick && !miscounts_[topic]) {
+    miscounts_[topic] = true;
+    notices_.push_back(sample() + " that its writer counts as number " +
+                       std::to_string(stamp.sequence) +
+                       "; expected: " + std::to_string(stamp.tick));
+  }
+  const core::Hash128 content = core::hash128(std::get<topic>(codecs_).encode(message));
+  auto& seen = seen_[topic];
+  const auto [known, is_new] = seen.emplace(stamp.tick, content);
+  if (!is_new && known->second != content) {
+    notices_.push_back(sample() + " once more, and otherwise; the first one holds");
+  }
+  if (seen.size() > static_cast<std::size_t>(history_depth_)) seen.erase(seen.begin());
 }
 
 void InputAccount::take_tick() {

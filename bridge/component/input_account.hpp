@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "component/start_barrier.hpp"
+#include "core/hash128.hpp"
 #include "dds/participant.hpp"
 #include "line/frames.hpp"
 #include "run/sample_account.hpp"
@@ -66,6 +68,9 @@ class InputAccount {
   void deliver(Message& message);
   void refuse(domain::Topic topic, const core::Error& error);
   void take_tick();
+  /// Tells of a sample that its writer has counted wrongly, or has written before and otherwise.
+  template <typename Message>
+  void check_count(const Message& message);
 
   const std::string name_;
   const runtime::TopicSet topics_;
@@ -80,6 +85,9 @@ class InputAccount {
   Codecs codecs_;
   SampleAccount account_;
   std::array<std::uint64_t, domain::kTopicCount> ends_{};  ///< behind the newest sample, by topic
+  std::array<bool, domain::kTopicCount> miscounts_{};      ///< it was told that they do
+  /// Of the last ticks of each topic, as many as a history holds: tick and content.
+  std::array<std::map<std::uint64_t, core::Hash128>, domain::kTopicCount> seen_;
   OnTick on_tick_;
   std::uint64_t refused_samples_ = 0;
   std::vector<std::string> notices_;

@@ -14,9 +14,11 @@ namespace {
 
 using domain::Topic;
 
-std::string command_of(std::uint64_t tick) {
+std::string command_of(std::uint64_t tick, std::uint64_t miscounted = 0, double turn_rad = 0.0) {
   domain::Command command;
-  command.stamp = {tick, 0.1 * static_cast<double>(tick), tick};
+  command.stamp = {tick, 0.1 * static_cast<double>(tick), tick + miscounted};
+  if (turn_rad != 0.0) command.motion.kind = domain::CommandKind::kTurnAndStep;
+  command.motion.turn_rad = turn_rad;
   Codec<domain::Command> codec;
   return std::string(codec.encode(command));
 }
@@ -116,6 +118,35 @@ TEST_F(RealtimeAccount, OnlyTellsOfItInRealTime) {
   EXPECT_FALSE(account_->fatal());
   EXPECT_EQ(account_->take_notices().size(), 1u);
   EXPECT_TRUE(account_->take_notices().empty());
+}
+
+TEST_F(Account, TellsOnceOfAWriterThatCountsWrongly) {
+  deliver(0);
+  participant_.deliver("command", command_of(1, 1000), &writer_);
+  participant_.deliver("command", command_of(2, 1000), &writer_);
+
+  EXPECT_EQ(account_->take_notices(),
+            std::vector<std::string>{"the run has a sample of 'command' of tick 1 that its writer "
+                                     "counts as number 1001; expected: 1"});
+  EXPECT_EQ(account_->progress().ticks, 3u);
+}
+
+TEST_F(Account, TellsOfASampleThatIsWrittenAgainAndOtherwiseAndKeepsTheFirst) {
+  SampleAccount first(true, true);
+  domain::Command command;
+  Codec<domain::Command> codec;
+  ASSERT_TRUE(codec.decode(command_of(0), command).ok());
+  first.add(command, command_of(0));
+
+  deliver(0);
+  deliver(0);
+  EXPECT_TRUE(account_->take_notices().empty()) << "the same again is what a new process writes";
+  participant_.deliver("command", command_of(0, 0, 0.5), &writer_);
+
+  EXPECT_EQ(account_->take_notices(),
+            std::vector<std::string>{"the run has a sample of 'command' of tick 0 once more, and "
+                                     "otherwise; the first one holds"});
+  EXPECT_EQ(account_->finished(0)->chains, first.chains());
 }
 
 TEST_F(Account, TurnsAwaySamplesOfStrangers) {
