@@ -45,10 +45,18 @@ void DistanceField::take_in(const Costmap& costs, const std::vector<Cell>& goals
   const bool follows = costs.revision == revision_ || costs.revision == revision_ + 1;
   if (same_grid && costs.revision > 0 && follows) {
     const auto columns = static_cast<std::uint32_t>(grid_.columns);
+    touched_.clear();
     for (const std::size_t index : costs.changed) {
       const auto cell = static_cast<std::uint32_t>(index);
-      take_block(costs, block_of({static_cast<std::int32_t>(cell % columns),
-                                  static_cast<std::int32_t>(cell / columns)}));
+      const std::uint32_t place = at(block_of(
+          {static_cast<std::int32_t>(cell % columns), static_cast<std::int32_t>(cell / columns)}));
+      if (is_touched_[place] != 0) continue;
+      is_touched_[place] = 1;
+      touched_.push_back(place);
+    }
+    for (const std::uint32_t place : touched_) {
+      is_touched_[place] = 0;
+      take_block(costs, block_at(place));
     }
   } else {
     compare_all(costs);
@@ -187,10 +195,11 @@ std::uint32_t DistanceField::settle(const Cell& start) {
   start_ = block;
   const Node& here = nodes_[at(block)];
   if (here.weight == 0) return kNone;
-  while (const auto waiting = queue_.take_up_to(here.look_ahead + moved_)) {
+  while (const auto waiting = queue_.take_up_to(last_key())) {
     Node& node = nodes_[waiting->who];
     if (node.queued != waiting->key) continue;
     node.queued = kNotQueued;
+    if (node.look_ahead == kVoid) node.look_ahead = best_look_ahead(waiting->who);
     if (node.distance == node.look_ahead) continue;
     const Cell next = block_at(waiting->who);
     // The start has moved since.
@@ -201,6 +210,17 @@ std::uint32_t DistanceField::settle(const Cell& start) {
     }
   }
   return here.look_ahead;
+}
+
+/// Up to here, blocks may lie on a best path from the start.
+std::uint32_t DistanceField::last_key() {
+  const std::uint32_t place = at(start_);
+  Node& here = nodes_[place];
+  if (here.look_ahead == kVoid) {
+    here.look_ahead = best_look_ahead(place);
+    queue(place, start_);
+  }
+  return here.look_ahead + moved_;
 }
 
 void DistanceField::expand(std::uint32_t at, const Cell& block) {
@@ -225,8 +245,13 @@ void DistanceField::lower_around(std::uint32_t at, const Cell& block) {
     const std::uint32_t weights = std::uint32_t{node.weight} + next.weight;
     const std::uint32_t offered = node.distance + kBlockSteps[i].length * weights;
     if (offered >= next.look_ahead) return;
+    const Cell there = beside(block, kBlockSteps[i]);
+    if (next.look_ahead == kVoid) {
+      queue_with(offered + estimate(start_, there) + moved_, near);
+      return;
+    }
     next.look_ahead = offered;
-    queue(near, beside(block, kBlockSteps[i]));
+    queue(near, there);
   });
 }
 
@@ -238,19 +263,23 @@ void DistanceField::raise_around(std::uint32_t at, const Cell& block, std::uint3
     Node& next = nodes_[near];
     const std::uint32_t weights = std::uint32_t{node.weight} + next.weight;
     if (next.look_ahead != before + kBlockSteps[i].length * weights) return;
-    next.look_ahead = best_look_ahead(near);
+    next.look_ahead = kVoid;
     queue(near, beside(block, kBlockSteps[i]));
   });
 }
 
 /// A block that is not settled waits, with the least of its keys.
 void DistanceField::queue(std::uint32_t at, const Cell& block) {
-  Node& node = nodes_[at];
+  const Node& node = nodes_[at];
   if (node.distance == node.look_ahead) return;
-  const std::uint32_t with = key(node, block);
-  if (with >= node.queued) return;
-  node.queued = with;
-  queue_.push({with, at});
+  queue_with(key(node, block), at);
+}
+
+void DistanceField::queue_with(std::uint32_t key, std::uint32_t at) {
+  Node& node = nodes_[at];
+  if (key >= node.queued) return;
+  node.queued = key;
+  queue_.push({key, at});
 }
 
 /// A path from the start over that block costs at least this, but for moved_.

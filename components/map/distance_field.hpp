@@ -27,7 +27,9 @@ namespace clew::map {
 ///
 /// *Deviations* from D* Lite. It stops when the start is settled; here every block is settled
 /// through which a best path from the start may lead, so which of several equally good ones path()
-/// takes depends on the costs alone. And blocks wait in buckets of keys, not in a heap.
+/// takes depends on the costs alone. Blocks wait in buckets of keys, not in a heap. And where a
+/// distance became void, look-aheads that led over it are found anew only when it is their block's
+/// turn: once, after all that they led over.
 ///
 /// 16 bytes a block.
 class DistanceField {
@@ -51,11 +53,13 @@ class DistanceField {
 
  private:
   static constexpr std::uint32_t kNotQueued = std::numeric_limits<std::uint32_t>::max();
+  /// Of a look-ahead that is void; the block waits, and finds it anew when it is its turn.
+  static constexpr std::uint32_t kVoid = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::size_t kSteps = 8;
 
   struct Node {
     std::uint32_t distance = kNone;     ///< g
-    std::uint32_t look_ahead = kNone;   ///< rhs: over the best neighbour
+    std::uint32_t look_ahead = kNone;   ///< rhs: over the best neighbour; or kVoid
     std::uint32_t queued = kNotQueued;  ///< the least key that it waits with
     std::uint16_t weight = 0;           ///< cost in quarters; 0: blocked
     std::uint8_t members = 0;           ///< bit i: cell i is not blocked; bit 4 + i: it is a goal
@@ -81,6 +85,8 @@ class DistanceField {
   void lower_around(std::uint32_t at, const Cell& block);
   void raise_around(std::uint32_t at, const Cell& block, std::uint32_t before);
   void queue(std::uint32_t at, const Cell& block);
+  void queue_with(std::uint32_t key, std::uint32_t at);
+  std::uint32_t last_key();
   std::uint32_t key(const Node& node, const Cell& block) const;
   std::uint32_t estimate(const Cell& from, const Cell& to) const;
   std::size_t best_step(std::uint32_t at) const;

@@ -86,8 +86,14 @@ void DistanceField::keep_laid_out(const Grid& before) {
   open_outline({-right, -up}, {before.columns - 1 - right, before.rows - 1 - up});
   queue_.clear();
   for (std::uint32_t place = 0; place < nodes_.size(); ++place) {
-    nodes_[place].queued = kNotQueued;
-    queue(place, block_at(place));
+    Node& node = nodes_[place];
+    node.queued = kNotQueued;
+    const Cell block = block_at(place);
+    if (node.look_ahead == kVoid) {
+      queue_with(estimate(start_, block) + moved_, place);  // before all others
+    } else {
+      queue(place, block);
+    }
   }
 }
 

@@ -16,6 +16,18 @@ bool same(const SeenMap::Tile& a, const SeenMap::Tile& b) {
   return std::memcmp(a.rows.data(), b.rows.data(), sizeof(a.rows)) == 0;
 }
 
+/// Whether neither of two cells that follow each other is marked: most are not.
+bool is_unmarked_pair(const NearestMarks::Surroundings* cells) {
+  constexpr NearestMarks::Surroundings kMarked{{0, 0}, 0xFF, false};
+  constexpr std::array<NearestMarks::Surroundings, 2> kBoth = {kMarked, kMarked};
+  std::uint64_t asked = 0;
+  std::uint64_t pair = 0;
+  static_assert(sizeof(kBoth) == sizeof(pair));
+  std::memcpy(&asked, kBoth.data(), sizeof(asked));
+  std::memcpy(&pair, cells, sizeof(pair));
+  return (pair & asked) == 0;
+}
+
 /// The columns of a tile's row from `first` to before `end`, which are cells of the grid.
 std::uint64_t columns_between(std::int64_t first, std::int64_t end) {
   if (first >= end) return 0;
@@ -204,8 +216,13 @@ void NearestMarks::look_around(std::size_t index) {
   for (std::int32_t row = std::max(0, cell.row - reach_cells_); row <= last_row; ++row) {
     // Seen from the mark, the cell lies on the other side.
     const std::int32_t rows = (cell.row - row + reach_cells_) * side;
+    const Surroundings* cells = &cells_[grid_.index({0, row})];
     for (std::int32_t column = first; column <= last; ++column) {
-      std::uint32_t marked = cells_[grid_.index({column, row})].marked;
+      if (column < last && is_unmarked_pair(cells + column)) {
+        ++column;
+        continue;
+      }
+      std::uint32_t marked = cells[column].marked;
       if (marked == 0) continue;
       const auto offset = static_cast<std::size_t>(rows + cell.column - column + reach_cells_);
       for (; marked != 0; marked &= marked - 1) {

@@ -223,8 +223,10 @@ void SeenWindow::mark_row_free(std::int32_t row, std::int32_t first, std::int32_
     const std::int32_t count = std::min(SeenMap::kTileCells - bit, end - first);
     const std::uint64_t bits = ~std::uint64_t{0} >> (SeenMap::kTileCells - count) << bit;
     const std::size_t index = index_of({first, row});
-    if (tiles_[index] != nullptr) {
-      seen_->mark_free(key_of(index), *tiles_[index], line_of(row), bits, is_gone);
+    SeenMap::Tile* tile = tiles_[index];
+    constexpr auto kFree = static_cast<std::size_t>(Mark::kFree);
+    if (tile != nullptr && (bits & ~tile->rows[kFree][line_of(row)]) != 0) {
+      seen_->mark_free(key_of(index), *tile, line_of(row), bits, is_gone);
     }
     first += count;
   }
