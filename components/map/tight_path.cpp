@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "map/tight_path.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace clew::map {
 namespace {
@@ -19,15 +21,30 @@ double straight_cost_m(const Costmap& costs, const Vec2& from, const Vec2& to, d
   const Vec2 piece = (to - from) / (grid.cell_m * pieces);  // in cells
   const Vec2 first = (from - grid.corner) / grid.cell_m + 0.5 * piece;
   const double most = most_m * pieces / length_m * kSameCost_ratio;
+  const float* cost = costs.cost.data();
+  const auto index_at = [&](double i) {
+    const auto column = static_cast<std::int32_t>(first.x() + i * piece.x());
+    const auto row = static_cast<std::int32_t>(first.y() + i * piece.y());
+    return row * grid.columns + column;  // at most 2^24 cells
+  };
+  // Costs are multiples of 2^-23 and few, so their sums are exact, whatever the order.
   double sum = 0.0;
-  for (int i = 0; i < pieces; ++i) {
-    const Cell cell{static_cast<std::int32_t>(first.x() + i * piece.x()),
-                    static_cast<std::int32_t>(first.y() + i * piece.y())};
-    const float cost = costs.cost[grid.index(cell)];
-    if (cost == Costmap::kBlocked) return HUGE_VAL;
-    sum += cost;
+  double i = 0.0;
+  for (; i + 4.0 <= pieces; i += 4.0) {
+    const float a = cost[index_at(i)];
+    const float b = cost[index_at(i + 1.0)];
+    const float c = cost[index_at(i + 2.0)];
+    const float d = cost[index_at(i + 3.0)];
+    if (std::min(std::min(a, b), std::min(c, d)) == Costmap::kBlocked) return HUGE_VAL;
+    sum += (double{a} + double{b}) + (double{c} + double{d});
     if (sum > most) return HUGE_VAL;
   }
+  for (; i < pieces; i += 1.0) {
+    const float last = cost[index_at(i)];
+    if (last == Costmap::kBlocked) return HUGE_VAL;
+    sum += last;
+  }
+  if (sum > most) return HUGE_VAL;
   return sum * length_m / pieces;
 }
 
