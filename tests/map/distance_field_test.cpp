@@ -200,6 +200,50 @@ TEST(DistanceField, RepairsToWhatANewOneComputes) {
   EXPECT_GT(found, 300);
 }
 
+TEST(DistanceField, MovesWithItsGridToWhatANewOneComputes) {
+  std::uint32_t state = 7;
+  const auto below = [&](std::int32_t end) {
+    state = state * 1664525U + 1013904223U;
+    return static_cast<std::int32_t>((state >> 8) % static_cast<std::uint32_t>(end));
+  };
+  Costmap costs = open_costs(40, 37);
+  std::vector<float> spare;
+  Cell shift{0, 0};  // of the grid, in cells
+  DistanceField field;
+  int with_path = 0;
+  for (int round = 0; round < 400; ++round) {
+    if (round % 4 == 3) {
+      const Grid before = costs.grid;
+      shift = {2 * (below(9) - 4), 2 * (below(9) - 4)};
+      costs.grid.corner = kCell_m * Vec2(shift.column, shift.row);
+      costs.grid.columns = 28 + below(20);
+      costs.grid.rows = 28 + below(20);
+      lay_out_anew(before, costs.grid, 1.0F, costs.cost, spare);
+      costs.clearance.assign(costs.grid.size(), Clearance::kOpen);
+    }
+    for (int i = 0; i < 12; ++i) {
+      const Cell cell{below(costs.grid.columns), below(costs.grid.rows)};
+      const int drawn = below(6);
+      costs.cost[costs.grid.index(cell)] = static_cast<float>(drawn);  // 0: blocked
+    }
+    const std::vector<Cell> goals = {{20 - shift.column, 18 - shift.row}};
+    const Cell start{below(costs.grid.columns), below(costs.grid.rows)};
+    DistanceField fresh;
+    field.take_in(costs, goals);
+    fresh.take_in(costs, goals);
+    const std::uint32_t distance = fresh.settle(start);
+    ASSERT_EQ(field.settle(start), distance) << "round " << round;
+    if (distance == DistanceField::kNone) continue;
+    ++with_path;
+    std::vector<Vec2> places;
+    std::vector<Vec2> fresh_places;
+    field.path(costs, places);
+    fresh.path(costs, fresh_places);
+    ASSERT_EQ(places, fresh_places) << "round " << round;
+  }
+  EXPECT_GT(with_path, 100);
+}
+
 /// What is certainly cut on cells is cut on blocks, and nothing else: `unreachable` is a proof.
 TEST(DistanceField, FindsAPathWhereCellsAreConnectedAndNowhereElse) {
   int cut = 0;
