@@ -27,13 +27,14 @@ void RightOfWay::watch(const Situation& situation) {
   if (state_.phase != Phase::kNone) return;
   auto& trail = state_.trail_odom;
   const core::Vec2 here = situation.pose().position();
-  if (!trail.empty() && core::length(trail[trail.size() - 1] - here) < kTrailSpacing_m) return;
+  if (!trail.empty() && core::length(trail[trail.size() - 1].position() - here) < kTrailSpacing_m)
+    return;
   if (trail.full()) {
     const std::size_t half = kTrailPoints / 2;
     for (std::size_t i = half; i < kTrailPoints; ++i) trail[i - half] = trail[i];
     trail.resize(kTrailPoints - half);
   }
-  trail.push_back(here);
+  trail.push_back({here.x(), here.y()});
 }
 
 void RightOfWay::begin(const Situation& situation, const TrapEvidence&) {
@@ -69,8 +70,8 @@ EscapeStatus RightOfWay::step(const Situation& situation, domain::Guidance& guid
     return EscapeStatus::kActive;
   }
   const bool back = state_.phase == Phase::kBack;
-  const core::Vec2& goal =
-      back ? state_.trail_odom[state_.trail_odom.size() - 1] : state_.goal_odom;
+  const core::Vec2 goal =
+      back ? state_.trail_odom[state_.trail_odom.size() - 1].position() : state_.goal_odom;
   guidance.why = back ? "goes back: others have the way" : "goes aside: others have the way";
   guidance.target_x_m = goal.x();
   guidance.target_y_m = goal.y();
@@ -82,7 +83,7 @@ EscapeStatus RightOfWay::step(const Situation& situation, domain::Guidance& guid
 void RightOfWay::go_back(const Situation& situation) {
   auto& trail = state_.trail_odom;
   while (!trail.empty() &&
-         core::distance_m(situation.pose(), trail[trail.size() - 1]) <= kClose_m) {
+         core::distance_m(situation.pose(), trail[trail.size() - 1].position()) <= kClose_m) {
     trail.resize(trail.size() - 1);
   }
   const double back_m = situation.odometry.travel_m - state_.begin_travel_m;

@@ -51,6 +51,12 @@ class RightOfWay final : public Escape {
 
   enum class Phase : std::uint8_t { kNone, kBack, kAside, kHold };
   static constexpr std::size_t kTrailPoints = 128;
+  struct TrailPoint {
+    double x_m = 0.0;
+    double y_m = 0.0;
+
+    core::Vec2 position() const { return {x_m, y_m}; }
+  };
   struct State {
     Phase phase = Phase::kNone;
     std::uint64_t tick = 0;           ///< of the last step at work
@@ -59,7 +65,7 @@ class RightOfWay final : public Escape {
     core::Vec2 progress_odom = core::Vec2::Zero();
     double begin_travel_m = 0.0;
     core::Vec2 goal_odom = core::Vec2::Zero();                 ///< of kAside
-    core::BoundedVector<core::Vec2, kTrailPoints> trail_odom;  ///< the way it came, the last behind
+    core::BoundedVector<TrailPoint, kTrailPoints> trail_odom;  ///< the way it came, the last behind
   };
 
   static core::Result<std::unique_ptr<RightOfWay>> create(const Parameters& parameters,
@@ -97,6 +103,10 @@ class RightOfWay final : public Escape {
   State state_;
 };
 
+template <typename Visitor>
+void visit_fields(Visitor& visit, RightOfWay::TrailPoint& p) {
+  visit(p.x_m, p.y_m);
+}
 template <typename Visitor>
 void visit_fields(Visitor& visit, RightOfWay::State& s) {
   visit(s.phase, s.tick, s.phase_tick, s.progress_tick, s.progress_odom, s.begin_travel_m,
