@@ -81,5 +81,17 @@ TEST(Recipe, NamesTheRegistryAndTheTableOfParameters) {
   }
 }
 
+/// Who tries something is not held up by warnings; tools/test makes them errors.
+TEST(Presets, ForPeopleLeaveWarningsWarnings) {
+  const std::string presets = text_of("CMakePresets.json");
+  for (const std::string name : {"release", "debug", "relwithdebinfo"}) {
+    const auto begin = presets.find("{\"name\": \"" + name + "\"");
+    ASSERT_NE(begin, std::string::npos) << name;
+    const std::string preset = presets.substr(begin, presets.find("}}", begin) - begin);
+    EXPECT_TRUE(says(preset, "\"CLEW_WERROR\": \"OFF\"")) << name;
+  }
+  EXPECT_TRUE(says(text_of("tools/test"), "--preset release -DBUILD_TESTING=ON -DCLEW_WERROR=ON"));
+}
+
 }  // namespace
 }  // namespace clew::structure

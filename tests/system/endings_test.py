@@ -5,6 +5,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 from clew_command import (CLEW, SOURCE, THIRD_PARTY, Run, command_line, components_of,
@@ -87,6 +88,19 @@ class Endings(unittest.TestCase):
 
         self.assertEqual(process.returncode, 130, err)
         self.assertIn('"outcome":"aborted"', out)
+
+    def test_an_aborted_run_says_where_it_was_and_compares_no_path(self):
+        process = subprocess.Popen([CLEW, "run", "krishna_kalra", "--world", "open-field", "--pace",
+                                    "5x", "--layout", "composed"], text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.assertTrue(wait_until(lambda: treats(process.pid, signal.SIGINT, "SigBlk")))
+        time.sleep(1.5)  # some ticks
+
+        process.send_signal(signal.SIGINT)
+        out = process.communicate(timeout=10)[0]
+
+        self.assertRegex(out, r"aborted in open-field: \d+ ticks? .*, at \(-?\d")
+        self.assertNotIn("x shortest", out)
 
     def test_a_signal_before_the_first_tick(self):
         circles = "\n".join(f"  - [{1 + i % 500 * 0.01}, {8 + i // 500 * 0.01}, 0.005]"

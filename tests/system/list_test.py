@@ -7,13 +7,24 @@ import subprocess
 import tempfile
 import unittest
 
-from clew_command import Run, run_graph
+from clew_command import CLEW, Run, run_graph
 
 
 def lines_of(*arguments):
     run = Run(arguments)
     assert run.status == 0, run.err
     return run.out.splitlines()
+
+
+class Loading(unittest.TestCase):
+    def test_a_command_maps_no_graphics(self):
+        # Pictures are a module: each process of a run paid for 18 libraries of them.
+        libraries = subprocess.run(["ldd", CLEW], capture_output=True, text=True, timeout=60,
+                                   check=True).stdout
+
+        self.assertIn("libc.so", libraries)
+        for graphics in ("rsvg", "cairo", "pango", "libX11"):
+            self.assertNotIn(graphics, libraries)
 
 
 class ListForPrograms(unittest.TestCase):
