@@ -87,10 +87,12 @@ class FleetLoop {
 
   /// Where robot `i` has the others in this tick: where they were at the end of the one before.
   void place_others(std::size_t i) {
-    if (report_.ticks == 0) return;
     std::size_t obstacle = plan_.moving_before_others();
     for (std::size_t j = 0; j < runs_.size(); ++j) {
-      if (j != i) plan_.robots()[i].world->place_moving(obstacle++, ways_[j].back());
+      if (j == i) continue;
+      const Vec2 place =
+          report_.ticks == 0 ? plan_.robots()[j].entry.start.position() : ways_[j].back();
+      plan_.robots()[i].world->place_moving(obstacle++, place);
     }
   }
 

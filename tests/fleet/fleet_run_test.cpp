@@ -65,14 +65,25 @@ TEST_F(FleetRunTest, NoTwoRobotsEverOverlap) {
   EXPECT_LT(report.least_gap_m, 0.15);  // they do come near
 }
 
-/// Two at a gap for one: with the rule both arrive, without it neither.
-TEST_F(FleetRunTest, TheRuleOfWayEndsADeadlockAtAGap) {
-  const auto plan = shipped("two_at_a_gap", 3000);
+/// Two meet in a gap for one. Without the rule it is the higher index that happens to get through.
+TEST_F(FleetRunTest, TheLowerIndexHasTheWayThroughAGap) {
+  const auto gap = [](const std::string& graph) {
+    return fleet_of("  - {name: west, graph: " + graph +
+                        ", start: [1.5, 3, 0], target: [6.5, 3]}\n"
+                        "  - {name: east, graph: " +
+                        graph + ", start: [6.5, 3.4, 3.1416], target: [1.5, 3.4]}\n",
+                    "narrow-gap");
+  };
+  const auto plan = prepare(gap("among_robots"), 350);
   ASSERT_TRUE(plan.ok()) << plan.error().text();
   const FleetReport report = run(*plan, 2);
-  EXPECT_TRUE(report.all_reached());
+  EXPECT_EQ(report.robots[0].statistics.truth->outcome, domain::Outcome::kReached);
   EXPECT_GE(report.robots[1].statistics.traps_detected, 1u);
   EXPECT_EQ(report.contacts, 0u);
+
+  const auto without = prepare(gap("planner"), 350);
+  ASSERT_TRUE(without.ok()) << without.error().text();
+  EXPECT_EQ(run(*without, 2).robots[0].statistics.truth->outcome, domain::Outcome::kTimeout);
 }
 
 TEST_F(FleetRunTest, ARobotByItselfDoesWhatItDidAmongTheOthers) {

@@ -63,6 +63,9 @@ Result<void> check_black_box(const RunOptions& options) {
 }
 
 Result<void> check_options(const RunOptions& options) {
+  if (options.threads) {
+    return Error{"needs a fleet: a graph runs in one thread, or in processes", "--threads"};
+  }
   CLEW_RETURN_IF_ERROR(check_black_box(options));
   if (!options.exec.empty() && options.resume.empty()) {
     return Error{"needs --resume: a graph names its programs itself", "--exec"};
@@ -304,9 +307,6 @@ int run_command(const RunOptions& options) {
   // From here on a signal ends the run with a report, also one that comes before the first tick.
   bridge::EndSignals signals;
   if (const auto fleet = fleet_of(options)) return run_fleet_command(options, *fleet, signals);
-  if (options.threads) {
-    return complain({"needs a fleet: a graph runs in one thread, or in processes", "--threads"});
-  }
   if (const auto checked = check_options(options); !checked.ok()) return complain(checked.error());
   auto job = options.resume.empty() ? new_job(options) : resumed_job(options);
   if (!job.ok()) return complain(job.error());
