@@ -100,10 +100,10 @@ TEST_F(FleetRunTest, ARobotByItselfDoesWhatItDidAmongTheOthers) {
 
 TEST_F(FleetRunTest, RefusesRobotsInWallsAndInEachOther) {
   EXPECT_EQ(refusal(fleet_of(robot("a", "[1, 1, 0]") + robot("b", "[1.2, 1, 0]"))),
-            "fleet.yaml:4:44: robot a at [1, 1] is 0.2 m from robot b at [1.2, 1]; allowed: "
+            "fleet.yaml:4:43: robot a at [1, 1] is 0.2 m from robot b at [1.2, 1]; allowed: "
             "0.37096 m and more, both radii and the way of a tick");
   const std::string walled = refusal(fleet_of(robot("a", "[0.1, 1, 0]")));
-  EXPECT_NE(walled.find("fleet.yaml:4:44: robot a: a robot of radius 0.15 m does not fit at the "
+  EXPECT_NE(walled.find("fleet.yaml:4:43: robot a: a robot of radius 0.15 m does not fit at the "
                         "start [0.1, 1]: the boundary is 0.1 m away"),
             std::string::npos)
       << walled;
