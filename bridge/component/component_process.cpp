@@ -26,6 +26,7 @@
 #include "log/log.hpp"
 #include "plugins/plugin_loader.hpp"
 #include "run/limits.hpp"
+#include "vendors/network_addresses.hpp"
 #include "vendors/participant_factory.hpp"
 #include "wire/codec.hpp"
 
@@ -35,6 +36,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using core::Error;
 using core::Result;
+using Allowed = std::optional<std::vector<std::string>>;
 
 // The run is over for this component when its supervisor says so, or is gone.
 class ComponentLoop {
@@ -219,16 +221,32 @@ Result<runtime::Node> make_node_of(const runtime::MakeNode& make, const runtime:
   return make(plan, *graph_stage);
 }
 
+/// A run from elsewhere starts components here, and nothing that this host does not allow.
+Result<void> check_programs(const runtime::Graph& graph, const std::vector<std::string>& own,
+                            const Allowed& allowed) {
+  if (!allowed) return {};
+  for (const std::string& stage : own) {
+    const runtime::GraphStage* const found = graph.find(stage);
+    if (found == nullptr || found->deployment.exec.empty()) continue;
+    const std::string& program = found->deployment.exec.front();
+    if (std::count(allowed->begin(), allowed->end(), program) > 0) continue;
+    return Error{"this host does not start it for others; see --allow of 'clew host'", program};
+  }
+  return {};
+}
+
 Result<Prepared> prepare(const runtime::MakeNode& make, const Assignment& assignment,
-                         const std::vector<runtime::StageInfo>& stages) {
+                         const Allowed& allowed, const std::vector<runtime::StageInfo>& stages) {
   const auto plugins = assignment.bundle.find(kPluginLines);
   if (plugins != assignment.bundle.end()) {
+    if (allowed) CLEW_RETURN_IF_ERROR(check_plugin_lines(plugins->second, *allowed));
     CLEW_RETURN_IF_ERROR(load_plugin_lines(plugins->second));
   }
   if (assignment.stages.empty()) return Error{"the run has assigned no stage"};
   const std::string reader = most_demanding(assignment.stages, stages);
   auto plan = runtime::read_prepared_run(assignment.bundle, stages, reader);
   if (!plan.ok()) return plan.error();
+  CLEW_RETURN_IF_ERROR(check_programs(plan->graph, assignment.stages, allowed));
   auto plans = runtime::change_all(*plan, assignment.interventions, stages, reader);
   if (!plans.ok()) return plans.error();
   Prepared prepared{{}, std::move(plan).value(), reader, {}};
@@ -264,8 +282,11 @@ Result<std::unique_ptr<Participant>> join(const Assignment& assignment, const st
                                           StartBarrier& barrier) {
   const auto vendor = vendor_from_name(assignment.middleware);
   if (!vendor) return Error{"unknown middleware '" + assignment.middleware + "'"};
+  const auto hosts = network_of(assignment.hosts);
+  if (!hosts.ok()) return hosts.error();
   auto participant = create_unsettled_participant(
-      *vendor, {assignment.domain, name, assignment.lease_s, {}, false, assignment.security},
+      *vendor,
+      {assignment.domain, name, assignment.lease_s, {}, false, assignment.security, *hosts},
       barrier);
   if (participant.ok()) {
     // Those that are late are found, too, if not as fast.
@@ -289,7 +310,8 @@ Result<void> open_stages(ProcessHost& host, const Assignment& assignment, Partic
 }
 
 Result<bool> take_part(Link& link, const Assignment& assignment, const std::string& name,
-                       const std::vector<runtime::StageInfo>& stages, const MeetRobots& meet) {
+                       const Allowed& allowed, const std::vector<runtime::StageInfo>& stages,
+                       const MeetRobots& meet) {
   const auto still_preparing = [&] {
     link.post(FrameType::kPreparing, Text{name + " still makes its component"});
   };
@@ -298,7 +320,7 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
   const RobotMaker robots = meet({assignment.run_id, assignment.domain,
                                   say(link, FrameType::kNotice), say(link, FrameType::kFatal)});
   const runtime::MakeNode make = node_maker(link, robots);
-  auto prepared = prepare(make, assignment, stages);
+  auto prepared = prepare(make, assignment, allowed, stages);
   if (!prepared.ok()) return prepared.error();
   // A heartbeat of ordinary priority would wait behind the steps, and the process be killed.
   alive.reset();
@@ -355,17 +377,19 @@ int complain(const Error& error) {
 
 }  // namespace
 
-int run_component_process(const std::string& stage, int domain, double connect_timeout_s,
+int run_component_process(const std::string& stage, const RunPlace& place,
                           const std::vector<runtime::StageInfo>& stages, const MeetRobots& meet) {
-  const auto patience = std::chrono::duration<double>(connect_timeout_s);
-  const auto socket = find_run(domain, std::chrono::duration_cast<Clock::duration>(patience));
-  if (!socket.ok()) return complain(socket.error());
+  const auto patience = std::chrono::duration<double>(place.connect_timeout_s);
+  const auto socket = place.line ? Result<int>(*place.line)
+                                 : find_run(stage, place.domain,
+                                            std::chrono::duration_cast<Clock::duration>(patience));
+  if (!socket.ok()) return complain(stage, socket.error());
   Link link(*socket);
   const auto assignment = take_assignment(link, stage);
-  if (!assignment.ok()) return complain(assignment.error());
+  if (!assignment.ok()) return complain(stage, assignment.error());
   logs::debug("takes part in run {} on domain {} over {}", assignment->run_id, assignment->domain,
               assignment->middleware);
-  const auto ended = take_part(link, *assignment, stage, stages, meet);
+  const auto ended = take_part(link, *assignment, stage, place.allowed, stages, meet);
   if (!ended.ok()) {
     link.post(FrameType::kFatal, Text{stage + ": " + ended.error().text()});
     link.flush_until(Clock::now() + kEndGrace);

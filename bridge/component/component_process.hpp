@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,21 @@ struct RobotMaker {
 };
 using MeetRobots = std::function<RobotMaker(RobotHost)>;
 
-/// Runs one stage as a process of its own: takes its assignment from the run that holds `domain`,
-/// meets the other components on the wire, and steps until the run is over. `connect_timeout_s`
-/// says how long to wait for the run. Returns the exit status: 0 when the run ended as it should,
-/// 1 otherwise; what went wrong is on stderr.
-int run_component_process(const std::string& stage, int domain, double connect_timeout_s,
+/// Where a component finds its run.
+struct RunPlace {
+  int domain = 0;
+  double connect_timeout_s = 0.0;  ///< how long to wait for the run that holds the domain
+  /// A connected line to it, by the descriptor's number, and no run of this host.
+  std::optional<int> line = {};
+  /// The programs that the run may start here, and the plug-ins that it may load, as paths; none:
+  /// any, as the user's own run may.
+  std::optional<std::vector<std::string>> allowed = {};
+};
+
+/// Runs one stage as a process of its own: takes its assignment from its run, meets the other
+/// components on the wire, and steps until the run is over. Returns the exit status: 0 when the run
+/// ended as it should, 1 otherwise; what went wrong is on stderr.
+int run_component_process(const std::string& stage, const RunPlace& place,
                           const std::vector<runtime::StageInfo>& stages, const MeetRobots& meet);
 
 }  // namespace clew::bridge

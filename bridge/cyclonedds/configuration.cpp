@@ -37,6 +37,26 @@ std::string security_settings(const SecurityFiles& files) {
          "</Security>";
 }
 
+/// What it speaks on; without multicast unless it speaks on every network.
+std::string general_settings(const ParticipantConfig& config) {
+  if (config.on_network) return "";
+  const std::string interface =
+      config.hosts ? fmt::format("address=\"{}\"", config.hosts->own) : "name=\"lo\"";
+  return fmt::format(
+      "<General><Interfaces><NetworkInterface {} multicast=\"false\"/></Interfaces>"
+      "<AllowMulticast>false</AllowMulticast></General>",
+      interface);
+}
+
+std::string peer_settings(const ParticipantConfig& config) {
+  if (!config.hosts) return fmt::format("<Peer Address=\"{}\"/>", kLoopbackAddress);
+  std::string peers;
+  for (const std::string& address : config.hosts->peers) {
+    peers += fmt::format("<Peer Address=\"{}\"/>", address);
+  }
+  return peers;
+}
+
 }  // namespace
 
 // Why each setting:
@@ -50,15 +70,12 @@ std::string security_settings(const SecurityFiles& files) {
 // - Watermarks: a writer takes what it is given until this much is not acknowledged, and does not
 //   lower the mark after a lost packet.
 std::string cyclonedds_configuration(const ParticipantConfig& config) {
-  constexpr char kLoopback[] =
-      "<General><Interfaces><NetworkInterface name=\"lo\" multicast=\"false\"/></Interfaces>"
-      "<AllowMulticast>false</AllowMulticast></General>";
   return fmt::format(
       "<CycloneDDS><Domain Id=\"any\">{}"
       "<Discovery><ExternalDomainId>{}</ExternalDomainId>"
       "<ParticipantIndex>auto</ParticipantIndex>"
       "<MaxAutoParticipantIndex>{}</MaxAutoParticipantIndex>"
-      "<Peers><Peer Address=\"{}\"/></Peers>"
+      "<Peers>{}</Peers>"
       "<SPDPInterval>200 ms</SPDPInterval>"
       "<LeaseDuration>{} ms</LeaseDuration></Discovery>"
       "<Internal><GenerateKeyhash>true</GenerateKeyhash>"
@@ -66,7 +83,8 @@ std::string cyclonedds_configuration(const ParticipantConfig& config) {
       "<Watermarks><WhcHigh>1 MiB</WhcHigh><WhcHighInit>1 MiB</WhcHighInit>"
       "<WhcAdaptive>false</WhcAdaptive></Watermarks></Internal>{}"
       "</Domain></CycloneDDS>",
-      config.on_network ? "" : kLoopback, config.domain, kMaxParticipantIndex, kLoopbackAddress,
+      general_settings(config), config.domain,
+      config.hosts ? kMaxIndexOverHosts : kMaxParticipantIndex, peer_settings(config),
       static_cast<std::int64_t>(config.lease_s * 1e3), kLinger.count(),
       config.security ? security_settings(*config.security) : "");
 }

@@ -112,7 +112,7 @@ class CycloneParticipant : public Participant {
     const dds_entity_t handle = dds_create_participant(domain, qos.get(), nullptr);
     if (handle < 0) return cyclone_error("creating participant " + config.name, handle);
     participant_ = CycloneEntity(handle);
-    if (!config.on_network) confine_to_loopback(config.domain);
+    if (!config.on_network && !config.hosts) confine_to_loopback(config.domain);
     discovery_ = std::make_unique<CycloneDiscovery>(handle, listener_);
     return discovery_->start();
   }

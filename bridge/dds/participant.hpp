@@ -111,6 +111,12 @@ class SampleReader {
   virtual std::string guid() const = 0;
 };
 
+/// Where a participant of a run over several hosts speaks, by unicast: IPv4 addresses.
+struct NetworkAddresses {
+  std::string own;                 ///< of an interface of this host
+  std::vector<std::string> peers;  ///< of all hosts of the run, this one among them
+};
+
 struct ParticipantConfig {
   int domain = 0;           ///< 0..99
   std::string name;         ///< for people: `sense`
@@ -120,10 +126,12 @@ struct ParticipantConfig {
   bool on_network = false;
   /// With it, the participant takes part in a secured domain only; without, in an open one.
   std::optional<SecurityFiles> security{};
+  /// With it, the participant speaks at that address instead of 127.0.0.1.
+  std::optional<NetworkAddresses> hosts{};
 };
 
 /// A participant that speaks on 127.0.0.1 only, by unicast, and finds up to 100 others there,
-/// unless it was told to speak on the network.
+/// unless it was told to speak on the network, or with the hosts of its run.
 /// Destruction closes every endpoint; endpoints must be destroyed before.
 class Participant {
  public:

@@ -23,6 +23,9 @@ inline constexpr int kPortsPerDomain = 250;
 /// The last participant index of a domain: its ports end where those of the next domain begin.
 inline constexpr int kMaxParticipantIndex = 119;
 
+/// The same of a run over several hosts, where each announcement goes to every port of every host.
+inline constexpr int kMaxIndexOverHosts = 31;
+
 /// The port on which participant `index` of `domain` listens for discovery.
 constexpr std::uint32_t discovery_port(int domain, int index) {
   return static_cast<std::uint32_t>(kPortBase + kPortsPerDomain * domain + 10 + 2 * index);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <vector>
 
 #include "dds/rtps_ports.hpp"
 #include "fastdds/security_properties.hpp"
@@ -26,9 +27,21 @@ std::string security_properties(const std::optional<SecurityFiles>& security) {
   return text + "</properties></propertiesPolicy>";
 }
 
+std::string locator_of(const std::string& address) {
+  return fmt::format("<locator><udpv4><address>{}</address></udpv4></locator>", address);
+}
+
+std::string own_address(const ParticipantConfig& config) {
+  return config.hosts ? config.hosts->own : kLoopbackAddress;
+}
+
 std::string participant_profile(const ParticipantConfig& config) {
-  const std::string loopback =
-      fmt::format("<locator><udpv4><address>{}</address></udpv4></locator>", kLoopbackAddress);
+  const std::string own = locator_of(own_address(config));
+  std::string peers;
+  for (const std::string& peer :
+       config.hosts ? config.hosts->peers : std::vector<std::string>{kLoopbackAddress}) {
+    peers += locator_of(peer);
+  }
   return fmt::format(
       "<participant profile_name=\"clew\" is_default_profile=\"true\">"
       "<domainId>{}</domainId><rtps>"
@@ -42,8 +55,8 @@ std::string participant_profile(const ParticipantConfig& config) {
       "<metatrafficUnicastLocatorList>{}</metatrafficUnicastLocatorList>"
       "<initialPeersList>{}</initialPeersList></builtin>{}"
       "</rtps></participant>",
-      config.domain, loopback, duration(config.lease_s), duration(0.4), duration(0.02), loopback,
-      loopback, security_properties(config.security));
+      config.domain, own, duration(config.lease_s), duration(0.4), duration(0.02), own, peers,
+      security_properties(config.security));
 }
 
 /// `tag` is data_writer or data_reader; `times` what only one of them has.
@@ -71,7 +84,8 @@ std::string fastdds_profiles(const ParticipantConfig& config) {
       "<interfaceWhiteList><address>{}</address></interfaceWhiteList>"
       "<maxInitialPeersRange>{}</maxInitialPeersRange>"
       "</transport_descriptor></transport_descriptors>{}{}{}</profiles></dds>\n",
-      kLoopbackAddress, kMaxParticipantIndex + 1, participant_profile(config),
+      own_address(config), (config.hosts ? kMaxIndexOverHosts : kMaxParticipantIndex) + 1,
+      participant_profile(config),
       endpoint_profile("data_writer", fmt::format("<times><heartbeatPeriod>{}</heartbeatPeriod>"
                                                   "</times>",
                                                   duration(0.02))),

@@ -28,20 +28,23 @@ namespace {
 
 const Duration_t kHeartbeatPeriod(0.02L);
 
-Locator_t loopback_locator(std::uint32_t port) {
+Locator_t locator_of(const std::string& address, std::uint32_t port) {
   Locator_t locator;
   locator.kind = LOCATOR_KIND_UDPv4;
-  IPLocator::setIPv4(locator, kLoopbackAddress);
+  IPLocator::setIPv4(locator, address);
   locator.port = port;
   return locator;
 }
 
 /// Port 0: the one that belongs to the participant's index. Naming locators keeps multicast out.
-void confine_to_loopback(WireProtocolConfigQos& wire, int domain) {
-  wire.builtin.metatrafficUnicastLocatorList.push_back(loopback_locator(0));
-  wire.default_unicast_locator_list.push_back(loopback_locator(0));
-  for (int index = 0; index <= kMaxParticipantIndex; ++index) {
-    wire.builtin.initialPeersList.push_back(loopback_locator(discovery_port(domain, index)));
+void confine(WireProtocolConfigQos& wire, const NetworkAddresses& hosts, int last_index,
+             int domain) {
+  wire.builtin.metatrafficUnicastLocatorList.push_back(locator_of(hosts.own, 0));
+  wire.default_unicast_locator_list.push_back(locator_of(hosts.own, 0));
+  for (const std::string& peer : hosts.peers) {
+    for (int index = 0; index <= last_index; ++index) {
+      wire.builtin.initialPeersList.push_back(locator_of(peer, discovery_port(domain, index)));
+    }
   }
 }
 
@@ -88,11 +91,15 @@ DomainParticipantQos fastdds_participant_qos(const ParticipantConfig& config) {
   // No shared memory: its segments outlive a kill. Only the loopback interface, unless others are
   // wanted.
   auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
-  if (!config.on_network) udp->interfaceWhiteList.emplace_back(kLoopbackAddress);
+  const NetworkAddresses hosts =
+      config.hosts.value_or(NetworkAddresses{kLoopbackAddress, {kLoopbackAddress}});
+  if (!config.on_network) udp->interfaceWhiteList.emplace_back(hosts.own);
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.push_back(udp);
   auto& wire = qos.wire_protocol();
-  if (!config.on_network) confine_to_loopback(wire, config.domain);
+  if (!config.on_network) {
+    confine(wire, hosts, config.hosts ? kMaxIndexOverHosts : kMaxParticipantIndex, config.domain);
+  }
   auto& discovery = wire.builtin.discovery_config;
   discovery.leaseDuration = Duration_t(static_cast<long double>(config.lease_s));
   discovery.leaseDuration_announcementperiod = Duration_t(0.4L);

@@ -123,6 +123,8 @@ struct Assignment {
   /// The file in which each stage keeps its inputs of late, and finds those of the process before
   /// this one; none: they are not kept.
   std::map<std::string, std::string> input_histories;
+  /// The addresses of a run over several hosts, of which its host has one; none: all are here.
+  std::vector<std::string> hosts = {};
 };
 
 /// What somebody wants of a run while it goes on.
@@ -236,7 +238,7 @@ void visit_fields(V& v, Assignment& m) {
   v(m.run_id, m.run_key, m.stages, m.bundle, m.middleware, m.security, m.domain, m.lease_s, m.pace,
     m.pace_factor, m.realtime_priority, m.hash, m.spooling, m.history_depth, m.lead, m.expected,
     m.waits_for_go, m.has_lead, m.peers, m.resumes, m.checkpoint, m.interventions,
-    m.input_histories);
+    m.input_histories, m.hosts);
 }
 template <typename V>
 void visit_fields(V& v, RunCommand& m) {

@@ -3,6 +3,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <utility>
@@ -114,6 +115,16 @@ Result<void> load_plugin_lines(const std::string& lines) {
       return Error{"has changed since the run began", file->path};
     }
     CLEW_RETURN_IF_ERROR(load(*file));
+  }
+  return {};
+}
+
+Result<void> check_plugin_lines(const std::string& lines, const std::vector<std::string>& allowed) {
+  std::istringstream stream(lines);
+  for (std::string line; std::getline(stream, line);) {
+    const std::string path = line.substr(line.find(' ') + 1);
+    if (std::count(allowed.begin(), allowed.end(), path) > 0) continue;
+    return Error{"this host does not load it for others; see --allow of 'clew host'", path};
   }
   return {};
 }

@@ -32,6 +32,10 @@ std::string plugin_lines();
 /// Loads those of such lines. Refused: a file that has changed since.
 core::Result<void> load_plugin_lines(const std::string& lines);
 
+/// Refuses lines of a plug-in whose file is not among the `allowed` paths.
+core::Result<void> check_plugin_lines(const std::string& lines,
+                                      const std::vector<std::string>& allowed);
+
 /// What a user should know of a recorded graph whose plug-ins are loaded: each that has another
 /// digest than it had, a sentence each.
 std::vector<std::string> other_plugins(const core::Resource& recorded_graph);

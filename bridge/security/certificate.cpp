@@ -17,6 +17,7 @@ namespace {
 using core::Error;
 using core::Result;
 
+const std::string kHostUri = "clew:";
 constexpr char kCurve[] = "P-256";
 /// Of a serial number: RFC 5280 allows 20, and asks for a positive number.
 constexpr std::size_t kSerialBytes = 16;
@@ -157,6 +158,45 @@ Result<CertifiedKey> issue_certificate(const CertifiedKey& authority, const std:
   add_extension(*certificate, NID_ext_key_usage, "clientAuth,serverAuth");
   finish_certificate(*certificate, *issuer, *issuer_key);
   return CertifiedKey{to_pem(*certificate), to_pem(*key)};
+}
+
+std::string_view role_name(HostRole role) { return role == HostRole::kHost ? "host" : "run"; }
+
+Result<CertifiedKey> issue_host_certificate(const CertifiedKey& authority, HostRole role,
+                                            const std::string& name, const Validity& validity) {
+  const CertificatePtr issuer = parse_certificate(authority.certificate);
+  const KeyPtr issuer_key = parse_private_key(authority.private_key);
+  if (issuer == nullptr || issuer_key == nullptr) return Error{openssl_reason(), {}};
+  const KeyPtr key = make_key();
+  const CertificatePtr certificate = begin_certificate(*key, validity);
+  const std::string who = std::string(role_name(role)) + ':' + name;
+  set_subject(*certificate, who);
+  add_extension(*certificate, NID_basic_constraints, "critical,CA:FALSE");
+  add_extension(*certificate, NID_key_usage, "critical,digitalSignature");
+  add_extension(*certificate, NID_ext_key_usage,
+                role == HostRole::kHost ? "serverAuth" : "clientAuth");
+  add_extension(*certificate, NID_subject_alt_name, (kHostUri + who).insert(0, "URI:").c_str());
+  finish_certificate(*certificate, *issuer, *issuer_key);
+  return CertifiedKey{to_pem(*certificate), to_pem(*key)};
+}
+
+std::optional<std::string> host_name_in(X509& certificate, HostRole role) {
+  auto* const names = static_cast<GENERAL_NAMES*>(
+      X509_get_ext_d2i(&certificate, NID_subject_alt_name, nullptr, nullptr));
+  const std::string beginning = kHostUri + std::string(role_name(role)) + ':';
+  std::optional<std::string> found;
+  for (int i = 0; i < sk_GENERAL_NAME_num(names); ++i) {
+    const GENERAL_NAME* const one = sk_GENERAL_NAME_value(names, i);
+    if (one->type != GEN_URI) continue;
+    const auto* const bytes = ASN1_STRING_get0_data(one->d.uniformResourceIdentifier);
+    const std::string uri(
+        reinterpret_cast<const char*>(bytes),
+        static_cast<std::size_t>(ASN1_STRING_length(one->d.uniformResourceIdentifier)));
+    if (uri.rfind(beginning, 0) == 0) found = uri.substr(beginning.size());
+  }
+  GENERAL_NAMES_free(names);
+  static_cast<void>(openssl_reason());
+  return found;
 }
 
 Result<std::string> sign_text(const std::string& text, const CertifiedKey& authority) {

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <ctime>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/result.hpp"
 #include "security/openssl.hpp"
@@ -43,6 +45,18 @@ const EVP_MD* digest_for(const EVP_PKEY& key);
 /// number that puts it into `half`.
 core::Result<CertifiedKey> issue_certificate(const CertifiedKey& authority, const std::string& name,
                                              SubjectHalf half, const Validity& validity);
+
+/// What a computer does in a run over several hosts: it starts components for others, or it runs
+/// graphs and has others start components.
+enum class HostRole : std::uint8_t { kHost, kRunner };
+std::string_view role_name(HostRole role);  ///< `host`, `run`
+/// The same for a computer's end of a connection (TLS). The certificate says its role and its name
+/// as `URI:clew:<role>:<name>`, which no component's certificate does.
+core::Result<CertifiedKey> issue_host_certificate(const CertifiedKey& authority, HostRole role,
+                                                  const std::string& name,
+                                                  const Validity& validity);
+/// The name that a certificate has in that role; none if it has not.
+std::optional<std::string> host_name_in(X509& certificate, HostRole role);
 
 /// The text with the authority's signature, as S/MIME (RFC 5751), which is what both vendors read.
 core::Result<std::string> sign_text(const std::string& text, const CertifiedKey& authority);

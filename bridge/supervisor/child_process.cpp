@@ -49,6 +49,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
     if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
     ::dup2(STDERR_FILENO, STDOUT_FILENO);
   }
+  if (command.inherited >= 0) ::fcntl(command.inherited, F_SETFD, 0);
   environ = environment;
   ::execvp(arguments[0], arguments);
   const int why = errno;

@@ -18,6 +18,7 @@ struct ChildCommand {
   std::map<std::string, std::string> environment;  ///< on top of ours
   bool keeps_terminal = false;  ///< for a debugger; else no input, and output goes to stderr
   bool brings_to_rest = false;  ///< is sent SIGTERM, not SIGKILL, when we die
+  int inherited = -1;  ///< a descriptor of ours that it has under the same number; -1: none
   bool may_start_others =
       false;  ///< a program that we know nothing of: what it starts ends with it
 };
@@ -38,6 +39,8 @@ class ChildProcess {
   bool was_killed() const;
   /// Sends a signal to it and to the processes that it started, while it runs.
   void signal(int number) const;
+  /// As waitpid(2) gives it, once it has ended.
+  int status() const { return status_; }
 
  private:
   ChildProcess(int process_id, bool own_group, std::optional<GroupGuard> guard)

@@ -13,6 +13,7 @@
 #include "plugins/plugin_loader.hpp"
 #include "run/limits.hpp"
 #include "supervisor/run_participants.hpp"
+#include "vendors/network_addresses.hpp"
 #include "wire/codec.hpp"
 
 namespace clew::bridge {
@@ -54,6 +55,15 @@ std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const Graph
     }
   }
   return expected;
+}
+
+/// The child through which a member's process on another host is as if it were here.
+std::vector<std::string> relay_command(const Member& member, const std::string& host,
+                                       const ProcessLayout& layout, int domain) {
+  std::vector<std::string> words = {layout.program, "relay",    layout.hosts->file,    host,
+                                    member.stage,   "--domain", std::to_string(domain)};
+  if (layout.hosts->fall_back) words.emplace_back("--fall-back");
+  return words;
 }
 
 /// Adds the name of the participant with that endpoint, if it is one of ours in another process.
@@ -123,6 +133,12 @@ std::string middleware_of(const GraphStage& stage, const ProcessLayout& layout) 
   return stage.deployment.middleware.empty() ? layout.middleware : stage.deployment.middleware;
 }
 
+std::string host_of(const GraphStage& stage, const ProcessLayout& layout) {
+  if (!layout.hosts) return {};
+  const auto found = layout.hosts->host.find(stage.info->name);
+  return found == layout.hosts->host.end() ? std::string() : found->second;
+}
+
 bool speaks_to_robot(const Member& member, const Graph& graph) {
   return std::any_of(member.stages.begin(), member.stages.end(), [&](const std::string& stage) {
     return graph.find(stage)->deployment.ros2.has_value();
@@ -140,6 +156,9 @@ ChildCommand command_of(const Member& member, const runtime::RunPlan& plan,
     command.environment.merge(facts_for_program(plan, stage));
   } else {
     command.arguments = {layout.program, "component", "-", member.stage};
+  }
+  if (const auto host = host_of(stage, layout); !host.empty()) {
+    command.arguments = relay_command(member, host, layout, environment.domain());
   }
   for (const std::string& each : member.stages) {
     const auto prefix = layout.prefix.find(each);
@@ -183,15 +202,22 @@ Launcher::Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, in
       run_id_(std::to_string(::getpid()) + '-' + std::to_string(domain)),
       run_key_(RunKey::make()),
       security_(std::move(security)),
-      environment_(domain, kLease_s, run_id_) {
+      environment_(domain, kLease_s, run_id_, {}, network()) {
   if (security_ == nullptr) return;
   for (const GraphStage& stage : plan.graph.stages) {
     if (!is_third_party(stage)) continue;
     const std::string& name = stage.info->name;
     const ThirdPartyIdentity identity{security_->files(name, Vendor::kCycloneDds),
                                       security_->files(name, Vendor::kFastDds)};
-    secured_environments_.try_emplace(name, domain, kLease_s, run_id_, identity);
+    secured_environments_.try_emplace(name, domain, kLease_s, run_id_, identity, network());
   }
+}
+
+// Whether one of them is of this host was checked before.
+std::optional<NetworkAddresses> Launcher::network() const {
+  if (!layout_.hosts) return std::nullopt;
+  const auto found = network_of(layout_.hosts->addresses);
+  return found.ok() ? *found : std::nullopt;
 }
 
 const ThirdPartyEnvironment& Launcher::environment_of(const Member& member) const {
@@ -254,6 +280,7 @@ Assignment Launcher::assignment_for(const std::vector<std::string>& stages,
   assignment.spooling = spooling_;
   assignment.history_depth = kHistoryDepth;
   assignment.lead = kLead;
+  if (layout_.hosts) assignment.hosts = layout_.hosts->addresses;
   fill_assignment(plan_, layout_, stages, assignment);
   return assignment;
 }
@@ -282,6 +309,7 @@ Assignment Launcher::assignment_for_watcher() const {
   assignment.pace = layout_.pace;
   assignment.pace_factor = layout_.pace_factor;
   assignment.history_depth = kHistoryDepth;
+  if (layout_.hosts) assignment.hosts = layout_.hosts->addresses;
   return assignment;
 }
 

@@ -37,6 +37,9 @@ void fill_assignment(const runtime::RunPlan& plan, const ProcessLayout& layout,
 /// The middleware of a stage: from the command line, else from the graph, else the default.
 std::string middleware_of(const runtime::GraphStage& stage, const ProcessLayout& layout);
 
+/// The host on which a stage's process runs; empty: this one.
+std::string host_of(const runtime::GraphStage& stage, const ProcessLayout& layout);
+
 /// How to start a member's process.
 ChildCommand command_of(const Member& member, const runtime::RunPlan& plan,
                         const ProcessLayout& layout, const ThirdPartyEnvironment& environment);
@@ -80,6 +83,7 @@ class Launcher {
   /// Of a participant of the run; none if the run is open.
   std::optional<SecurityFiles> security_of(const std::string& name,
                                            const std::string& middleware) const;
+  std::optional<NetworkAddresses> network() const;
   const ThirdPartyEnvironment& environment_of(const Member& member) const;
 
   const runtime::RunPlan& plan_;

@@ -13,6 +13,14 @@
 
 namespace clew::bridge {
 
+/// The hosts of a run, if it has others than this one.
+struct HostsLayout {
+  std::string file;                         ///< the list of hosts, as a path
+  std::map<std::string, std::string> host;  ///< by stage
+  std::vector<std::string> addresses;       ///< of this host, and of all those
+  bool fall_back = false;  ///< whose host is lost starts again here, not there only
+};
+
 /// How to run a plan as separate processes. Nothing here changes what is computed.
 struct ProcessLayout {
   std::string program;                                  ///< the clew command
@@ -29,6 +37,7 @@ struct ProcessLayout {
   OnRecordError on_record_error = OnRecordError::kStop;
   std::set<std::string> external;             ///< stages that a person starts
   std::map<std::string, std::string> prefix;  ///< by stage: `gdb --args`
+  std::optional<HostsLayout> hosts;           ///< none: all is here
 };
 
 /// Where a run begins that is under way: every component has stepped all ticks before.

@@ -18,6 +18,7 @@
 #include "supervisor/supervisor.hpp"
 #include "supervisor/watchers.hpp"
 #include "vendors/loopback.hpp"
+#include "vendors/network_addresses.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -56,7 +57,9 @@ void take_arrivals(Supervisor& supervisor, Doors& doors) {
 /// The identities that the layout asks for, or else the graph; null if neither does.
 core::Result<RunSecurity::Shared> security_of(const runtime::Graph& graph,
                                               const ProcessLayout& layout) {
-  const auto& directory = layout.security ? layout.security : graph.security;
+  auto directory = layout.security ? layout.security : graph.security;
+  // What leaves the host is protected, asked for or not.
+  if (!directory && layout.hosts) directory.emplace();
   if (!directory) return RunSecurity::Shared();
   const auto participants = run_participants(graph, layout);
   return directory->empty() ? RunSecurity::mint(participants)
@@ -70,6 +73,9 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
                                       const ProgressDisplay& display, const ProcessStart& start,
                                       RunControl* control) {
   CLEW_RETURN_IF_ERROR(check_loopback());
+  if (layout.hosts) {
+    if (const auto own = network_of(layout.hosts->addresses); !own.ok()) return own.error();
+  }
   const auto lock = DomainLock::take(layout.domain);
   if (!lock.ok()) return lock.error();
   std::optional<RunName> name;

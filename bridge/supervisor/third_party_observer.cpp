@@ -5,6 +5,7 @@
 
 #include "component/sealed_participant.hpp"
 #include "supervisor/member.hpp"
+#include "vendors/network_addresses.hpp"
 #include "vendors/participant_factory.hpp"
 
 namespace clew::bridge {
@@ -46,8 +47,11 @@ core::Result<std::unique_ptr<ThirdPartyObserver>> ThirdPartyObserver::create(
   self->barrier_ = std::make_unique<StartBarrier>(
       kName, assignment.expected, StartBarrier::Handlers{[] {}, on_refused, on_fatal});
   self->barrier_->demand_seals(RunKey(assignment.run_key));
+  const auto hosts = network_of(assignment.hosts);
+  if (!hosts.ok()) return hosts.error();
   auto participant = create_participant(
-      *vendor, {assignment.domain, kName, assignment.lease_s, {}, false, assignment.security},
+      *vendor,
+      {assignment.domain, kName, assignment.lease_s, {}, false, assignment.security, *hosts},
       *self->barrier_);
   if (!participant.ok()) return participant.error();
   self->participant_ = std::make_unique<SealedParticipant>(std::move(participant).value(),

@@ -9,6 +9,7 @@
 #include "line/command_desk.hpp"
 #include "line/user_data.hpp"
 #include "run/limits.hpp"
+#include "vendors/network_addresses.hpp"
 #include "vendors/participant_factory.hpp"
 #include "wire/codec.hpp"
 
@@ -49,8 +50,10 @@ RunWatch::~RunWatch() = default;
 core::Result<void> RunWatch::listen() {
   const auto vendor = vendor_from_name(run_.middleware);
   CLEW_CHECK(vendor.has_value(), run_.middleware);
+  const auto hosts = network_of(run_.hosts);
+  if (!hosts.ok()) return hosts.error();
   auto participant = create_participant(
-      *vendor, {run_.domain, kWatcherName, kLease_s, {}, false, run_.security}, *this);
+      *vendor, {run_.domain, kWatcherName, kLease_s, {}, false, run_.security, *hosts}, *this);
   if (!participant.ok()) return participant.error();
   participant_ = std::move(participant).value();
   const std::string user_data = UserData{std::string(idl_fingerprint()), {}}.to_text();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 #include "core/nearest_name.hpp"
@@ -175,10 +176,13 @@ Result<void> settle_tick(const std::vector<StageInfo>& stages, Graph& graph) {
   return {};
 }
 
+/// With its role before it, the common name of a certificate, which has 64 letters.
+constexpr std::size_t kLongestHostName = 48;
+
 /// What the stages of a group do not agree about, although their process can have it but once.
 std::string disagreement(const GraphStage& a, const GraphStage& b) {
-  const auto said = [](const std::string& middleware) {
-    return middleware.empty() ? std::string("none") : middleware;
+  const auto said = [](const std::string& word) {
+    return word.empty() ? std::string("none") : word;
   };
   const Deployment& one = a.deployment;
   const Deployment& other = b.deployment;
@@ -195,6 +199,7 @@ std::string disagreement(const GraphStage& a, const GraphStage& b) {
   if (one.restart_backoff_s != other.restart_backoff_s) {
     return text("restart_backoff_s", one.restart_backoff_s, other.restart_backoff_s);
   }
+  if (one.host != other.host) return text("host", said(one.host), said(other.host));
   return {};
 }
 
@@ -227,6 +232,13 @@ Result<void> check_groups(const std::vector<StageInfo>& stages, const Graph& gra
 }
 
 }  // namespace
+
+bool is_host_name(const std::string& name) {
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '.' || c == '_';
+  });
+  return plain && !name.empty() && name.size() <= kLongestHostName && name.front() != '-';
+}
 
 const GraphStage* Graph::find(const std::string& stage) const {
   for (const GraphStage& candidate : stages) {

@@ -58,6 +58,7 @@ struct Deployment {
   double restart_backoff_s = 0.0;     ///< how long it stays down before
   std::string group;                  ///< stages of one group share a process; empty: its own
   Place group_place;                  ///< where the group is named
+  std::string host;                   ///< on which its process runs; empty: where the run does
 
   /// Whether the stage's behaviour does what the stage does: not a program, and not a robot.
   bool is_ours() const { return exec.empty() && !ros2; }
@@ -81,6 +82,11 @@ struct GraphStage {
   /// Its part of a graph file, with every value in it.
   std::string expanded_yaml() const;
 };
+
+/// A host's name is a word of a command line, and that of its certificate.
+bool is_host_name(const std::string& name);
+inline constexpr char kHostNameRule[] =
+    "up to 48 letters, digits, '-', '.' and '_', the first no '-'";
 
 /// What a graph's `security` says if each run is to have keys of its own.
 inline constexpr char kMintedKeys[] = "minted";

@@ -13,7 +13,7 @@ namespace clew::runtime {
 namespace {
 
 const std::vector<std::string> kProcessSettings = {"middleware", "restart_limit",
-                                                   "restart_backoff_s", "group"};
+                                                   "restart_backoff_s", "group", "host"};
 const std::vector<std::string> kLayouts = {"processes", "composed"};
 
 using core::Error;
@@ -330,6 +330,15 @@ Result<void> read_process_setting(const std::string& key, const YamlNode& value,
     return {};
   }
   if (key == "group") return read_group(value, deployment);
+  if (key == "host") {
+    auto host = value.string();
+    if (!host.ok()) return host.error();
+    if (!is_host_name(*host)) {
+      return value.error("host is " + value.found() + "; allowed: " + kHostNameRule);
+    }
+    deployment.host = *host;
+    return {};
+  }
   if (key != "middleware") {
     return value.error(core::unknown_name("setting of process", key, kProcessSettings));
   }

@@ -267,7 +267,7 @@ TEST(Set, GivesAProcessItsSettings) {
             "--set control.process.middleware: ");
   EXPECT_EQ(refusal(kFullGraph, set({"control.process.midleware=fastdds"})),
             "--set control.process.midleware: unknown setting of process 'midleware' (did you mean "
-            "'middleware'?); allowed: middleware, restart_limit, restart_backoff_s, group");
+            "'middleware'?); allowed: middleware, restart_limit, restart_backoff_s, group, host");
 }
 
 TEST(Set, IsRefusedForABehaviourThatWasNotChosen) {

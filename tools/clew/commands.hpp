@@ -22,6 +22,8 @@ void add_events(CLI::App& main, int& status);
 void add_top(CLI::App& main, int& status);
 /// topic list, info, find, echo, hz, bw, delay.
 void add_topic(CLI::App& main, int& status);
+void add_host(CLI::App& main, int& status);
+void add_relay(CLI::App& main, int& status);
 void add_doctor(CLI::App& main, int& status);
 void add_explain(CLI::App& main, int& status);
 void add_echo(CLI::App& main, int& status);

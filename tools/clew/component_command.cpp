@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
+
+#include <cerrno>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
@@ -25,6 +28,8 @@ struct ComponentOptions {
   std::string graph;  ///< `-`: as the run has it
   std::string stage;
   std::optional<int> domain;
+  std::optional<int> line;           ///< of a host, which starts it for a run elsewhere
+  std::vector<std::string> allowed;  ///< with line
 };
 
 using core::Error;
@@ -81,8 +86,15 @@ int component_command(const ComponentOptions& options) {
   }
   const auto domain = read_domain(options);
   if (!domain.ok()) return complain(domain.error());
-  return bridge::run_component_process(options.stage, *domain, kConnectTimeout_s, stages::all(),
-                                       meet_robots);
+  bridge::RunPlace place{*domain, kConnectTimeout_s, options.line, {}};
+  if (options.line) {
+    place.allowed = options.allowed;
+    // It is for this process alone, not for programs that it starts.
+    if (::fcntl(*options.line, F_SETFD, FD_CLOEXEC) != 0) {
+      return complain(Error{std::strerror(errno), "--line"});
+    }
+  }
+  return bridge::run_component_process(options.stage, place, stages::all(), meet_robots);
 }
 
 }  // namespace
@@ -95,6 +107,10 @@ void add_component(CLI::App& main, int& status) {
   app->add_option("stage", options->stage, "sense, classify, ..., or a group of stages")
       ->required();
   app->add_option("--domain", options->domain, "the run's DDS domain (CLEW_DOMAIN_ID)");
+  app->add_option("--line", options->line, "a connected line")->group("");
+  app->add_option("--allow", options->allowed, "a program or plug-in")
+      ->allow_extra_args(false)
+      ->group("");
   app->callback([options, &status] { status = component_command(*options); });
 }
 

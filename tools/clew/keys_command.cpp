@@ -12,6 +12,8 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "core/nearest_name.hpp"
+#include "hosts/host_identity.hpp"
 #include "runtime/run_plan.hpp"
 #include "security/key_directory.hpp"
 #include "stages/all.hpp"
@@ -36,6 +38,8 @@ struct KeysOptions {
   std::string name = "clew";
   int authority_days = 3650;
   int days = 365;
+  std::string host;
+  std::string role = "host";
   bool json = false;
 };
 
@@ -78,6 +82,24 @@ int init_command(const KeysOptions& options) {
   if (!made.ok()) return complain(made.error());
   fmt::print("{}: authority '{}', valid until {}; next: clew keys mint {}\n", options.directory,
              options.name, date(validity.not_after), options.directory);
+  return kExitGood;
+}
+
+int host_command(const KeysOptions& options) {
+  if (!runtime::is_host_name(options.host)) {
+    return complain({"found '" + options.host + "'; allowed: " + runtime::kHostNameRule, "name"});
+  }
+  if (options.role != "host" && options.role != "run") {
+    return complain({core::unknown_name("role", options.role, {"host", "run"}), "--role"});
+  }
+  const bridge::HostRole role =
+      options.role == "host" ? bridge::HostRole::kHost : bridge::HostRole::kRunner;
+  const Validity validity = from_now(options.days);
+  const auto minted = bridge::mint_host_identity(options.directory, options.host, role, validity);
+  if (!minted.ok()) return complain(minted.error());
+  fmt::print("{}: {} '{}', valid until {}; it is all that this computer needs\n",
+             bridge::host_identity_directory(options.directory, options.host, role), options.role,
+             options.host, date(validity.not_after));
   return kExitGood;
 }
 
@@ -179,6 +201,17 @@ void add_keys(CLI::App& main, int& status) {
       ->check(number_between(1, 36500))
       ->capture_default_str();
   mint->callback([options, &status] { status = mint_command(*options); });
+
+  CLI::App* host =
+      add_part(*keys, "host", "Make the identity of a computer in runs over hosts", *options);
+  host->add_option("name", options->host, "of the computer, as in the file of hosts")->required();
+  host->add_option("--role", options->role,
+                   "host: it starts components for others; run: it runs graphs over hosts")
+      ->capture_default_str();
+  host->add_option("--days", options->days, "that it is valid")
+      ->check(number_between(1, 36500))
+      ->capture_default_str();
+  host->callback([options, &status] { status = host_command(*options); });
 
   CLI::App* check = add_part(*keys, "check", "Tell all that is wrong with the keys", *options);
   check->get_option("directory")->check(CLI::ExistingDirectory);

@@ -116,13 +116,13 @@ int parse_and_run(int argc, char** argv) {
   // CLI11's callbacks return nothing, so each command leaves its status here.
   int status = kExitGood;
   for (const auto add :
-       {add_run,        add_bench, add_check,      add_list,   add_component, add_recorder,
-        add_bridge,     add_plot,  add_query,      add_info,   add_events,    add_explain,
-        add_echo,       add_rules, add_export,     add_import, add_diff,      add_doctor,
-        add_replay,     add_view,  add_gateway,    add_report, add_live,      add_topic,
-        add_top,        add_world, add_encounters, add_hunt,   add_shrink,    add_bisect,
-        add_tune,       add_train, add_new,        add_keys,   add_sign,      add_check_plugin,
-        add_completion, add_manual}) {
+       {add_run,        add_bench,  add_check,      add_list,   add_component, add_recorder,
+        add_bridge,     add_plot,   add_query,      add_info,   add_events,    add_explain,
+        add_echo,       add_rules,  add_export,     add_import, add_diff,      add_doctor,
+        add_replay,     add_view,   add_gateway,    add_report, add_live,      add_topic,
+        add_top,        add_world,  add_encounters, add_hunt,   add_shrink,    add_bisect,
+        add_tune,       add_train,  add_new,        add_keys,   add_sign,      add_check_plugin,
+        add_completion, add_manual, add_host,       add_relay}) {
     add(app, status);
   }
   add_versions(app);

@@ -56,6 +56,20 @@ void add_ways(CLI::App& app, RunOptions& options) {
       ->group("Debugging");
 }
 
+void add_hosts(CLI::App& app, RunOptions& options) {
+  app.add_option("--hosts", options.hosts, "a file of hosts, for stages that run on one of them")
+      ->check(given_name())
+      ->group("How it runs");
+  app.add_option("--host", options.host,
+                 "STAGE=NAME: on which of them a stage runs, or 'here'; may be repeated")
+      ->allow_extra_args(false)
+      ->group("How it runs");
+  app.add_option("--fallback", options.fallback,
+                 "none | local: where components go whose host is lost: wait for it, or go on here")
+      ->capture_default_str()
+      ->group("How it runs");
+}
+
 void add_recording(CLI::App& app, RunOptions& options) {
   const auto add = [&](const char* name, auto& value, const char* about) {
     return app.add_option(name, value, about)->group("Recording");
@@ -99,6 +113,7 @@ void add_view_option(CLI::App& app, RunOptions& options) {
 
 void add_run_arguments(CLI::App& app, RunOptions& options) {
   add_ways(app, options);
+  add_hosts(app, options);
   add_view_option(app, options);
   add_recording(app, options);
   app.add_flag("--json", options.json, "print the result as one JSON object");

@@ -16,6 +16,7 @@
 #include "clew/plugin_options.hpp"
 #include "clew/resumed_run.hpp"
 #include "clew/run_arguments.hpp"
+#include "clew/run_hosts.hpp"
 #include "clew/run_layout.hpp"
 #include "clew/run_options.hpp"
 #include "clew/run_output.hpp"
@@ -92,13 +93,13 @@ Result<void> check_options(const RunOptions& options) {
 }
 
 Result<void> check_ways(const RunOptions& options, bool composed) {
-  if (composed && (!options.external.empty() || !options.prefix.empty() || options.domain ||
-                   options.realtime_priority || !options.middleware.empty() ||
-                   !options.secure.empty() || !options.ros2.empty())) {
+  if (composed &&
+      (!options.external.empty() || !options.prefix.empty() || options.domain ||
+       options.realtime_priority || !options.middleware.empty() || !options.secure.empty() ||
+       !options.ros2.empty() || !options.hosts.empty() || !options.host.empty())) {
     return Error{
-        "--external, --prefix, --domain, --realtime-priority, --middleware, --secure and --ros2 "
-        "need "
-        "--layout processes"};
+        "--external, --prefix, --domain, --realtime-priority, --middleware, --secure, --ros2, "
+        "--hosts and --host need --layout processes"};
   }
   if (!composed && !options.profile.empty()) {
     return Error{"--profile needs --layout composed"};
@@ -291,6 +292,7 @@ Result<bridge::ProcessLayout> checked_layout(const RunOptions& options, const ru
   CLEW_RETURN_IF_ERROR(check_ways(options, composed));
   auto layout = read_layout(options, graph, speed);
   if (!layout.ok()) return layout;
+  if (!composed) CLEW_RETURN_IF_ERROR(read_hosts(options, graph, *layout));
   CLEW_RETURN_IF_ERROR(check_pace(graph, speed.pace));
   CLEW_RETURN_IF_ERROR(robot::check_robots(graph, options.domain));
   CLEW_RETURN_IF_ERROR(check_programs(graph, options.external));

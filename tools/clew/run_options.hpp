@@ -31,6 +31,9 @@ struct RunOptions {
   std::string compression;  ///< empty: as the recording that is gone on with has it, else none
   std::string on_record_error = "stop";
   std::vector<std::string> external;
+  std::string hosts;                 ///< the file of hosts; empty: none
+  std::vector<std::string> host;     ///< `STAGE=NAME`
+  std::string fallback = "none";     ///< `local`: whose host is lost goes on here
   std::vector<std::string> prefix;   ///< `STAGE=COMMAND`
   std::vector<std::string> plugins;  ///< names or paths
   bool json = false;

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hosts/relay.hpp"
+
+#include <poll.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "hosts/host_frames.hpp"
+#include "hosts/host_list.hpp"
+#include "hosts/tcp_socket.hpp"
+#include "hosts/tls_line.hpp"
+#include "line/link.hpp"
+#include "run/limits.hpp"
+#include "wire/codec.hpp"
+
+namespace clew::bridge {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using core::Error;
+using core::Result;
+
+std::string read_file(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The same run on the same boot of the same computer.
+std::string run_of_parent() {
+  std::string boot = read_file("/proc/sys/kernel/random/boot_id");
+  if (!boot.empty() && boot.back() == '\n') boot.pop_back();
+  return boot + '/' + std::to_string(::getppid());
+}
+
+AssignedElsewhere with_files(Assignment assignment) {
+  AssignedElsewhere told{std::move(assignment), {}};
+  told.assignment.input_histories.clear();
+  if (const auto& security = told.assignment.security) {
+    for (const std::string& path :
+         {security->authority, security->certificate, security->private_key, security->governance,
+          security->permissions}) {
+      told.files[path] = read_file(path);
+    }
+  }
+  return told;
+}
+
+void die_by(int signal) {
+  const rlimit none{0, 0};
+  ::setrlimit(RLIMIT_CORE, &none);
+  std::signal(signal, SIG_DFL);
+  sigset_t all;
+  sigemptyset(&all);
+  sigaddset(&all, signal);
+  ::sigprocmask(SIG_UNBLOCK, &all, nullptr);
+  ::raise(signal);
+}
+
+/// A connection to a host, and what became of it.
+struct Connection {
+  std::unique_ptr<TlsLine> line;  ///< with the component started
+  std::string why;                ///< why there is none
+  bool refused = false;           ///< and trying again is no use
+};
+
+class Relay {
+ public:
+  Relay(const RelayOrder& order, TcpAddress address, TlsContextPtr context)
+      : order_(order), address_(std::move(address)), context_(std::move(context)) {}
+
+  int run() {
+    Connection connection = find_host();
+    if (connection.line) {
+      line_ = std::move(connection.line);
+      return pass_on();
+    }
+    if (connection.refused) return fail_run(connection.why);
+    if (order_.falls_back) return run_here(connection.why);
+    say("does not answer: " + connection.why);
+    die_by(SIGKILL);
+    return 1;
+  }
+
+ private:
+  void say(const std::string& text) const {
+    std::fprintf(stderr, "clew: %s: host %s (%s) %s\n", order_.stage.c_str(), order_.host.c_str(),
+                 address_.text().c_str(), text.c_str());
+  }
+
+  Connection find_host() {
+    const auto begin = Clock::now();
+    const auto deadline = begin + (order_.falls_back ? Clock::duration(kFallBackAfter)
+                                                     : Clock::duration(kHostPatience));
+    bool told = false;
+    while (true) {
+      Connection connection = connect(std::min(deadline, Clock::now() + kHostLostAfter));
+      if (connection.line || connection.refused || Clock::now() >= deadline) return connection;
+      if (!std::exchange(told, true)) say("does not answer yet: " + connection.why);
+      ::poll(nullptr, 0, static_cast<int>(kReconnectPeriod.count()));
+    }
+  }
+
+  Connection connect(Clock::time_point deadline) {
+    const auto socket = begin_connecting(address_);
+    if (!socket.ok()) return {nullptr, socket.error().message, false};
+    auto line =
+        std::make_unique<TlsLine>(*socket, *context_, HostRole::kRunner, order_.host, Clock::now());
+    line->allow_payload(kMostPayloadBytes);
+    line->post(frame_type(HostFrame::kStart),
+               StartComponent{order_.version, std::string(idl_fingerprint()), run_of_parent(),
+                              order_.stage, order_.domain});
+    while (Clock::now() < deadline) {
+      pollfd descriptor{line->socket(), line->poll_events(), 0};
+      ::poll(&descriptor, 1, static_cast<int>(kPollPeriod.count()));
+      line->turn(Clock::now());
+      while (const auto frame = line->next()) {
+        if (frame->type == frame_type(HostFrame::kStarted)) return {std::move(line), {}, false};
+        if (frame->type != frame_type(HostFrame::kRefused)) continue;
+        const auto why = frame->as<Text>();
+        return {nullptr, why ? why->text : "refused", true};
+      }
+      if (line->is_closed()) return {nullptr, line->why(), line->was_refused()};
+      beat(*line, Clock::now());
+    }
+    return {nullptr, "no answer", false};
+  }
+
+  void beat(TlsLine& line, Clock::time_point now) {
+    if (!line.is_open() || now - beat_at_ < kHostBeatPeriod) return;
+    beat_at_ = now;
+    line.post(frame_type(HostFrame::kBeat), Text{});
+  }
+
+  int pass_on() {
+    while (true) {
+      std::vector<pollfd> descriptors = {{line_->socket(), line_->poll_events(), 0}};
+      if (link_) descriptors.push_back({link_->socket(), link_->poll_events(), 0});
+      ::poll(descriptors.data(), descriptors.size(), static_cast<int>(kPollPeriod.count()));
+      const auto now = Clock::now();
+      const bool reads = !link_ || !link_->has_unsent();
+      line_->turn(now, reads);
+      while (auto frame = line_->next()) {
+        if (frame->type == frame_type(HostFrame::kEnded)) return end_likewise(*frame);
+        if (is_of_component(*frame) && !hand_over(*std::move(frame))) return 1;
+      }
+      if (!serve_supervisor()) {
+        line_->close("the run is over");
+        return 0;
+      }
+      beat(*line_, now);
+      if (reads && now - line_->heard_at() > kHostLostAfter) line_->close("was not heard for 2 s");
+      if (line_->is_closed()) {
+        say("is lost: " + line_->why());
+        die_by(SIGKILL);
+        return 1;
+      }
+    }
+  }
+
+  /// To the supervisor, which knows this process and not that of the other host.
+  bool hand_over(Frame frame) {
+    if (!link_) {
+      const auto socket = Link::connect(order_.domain, Clock::now() + kHelloTimeout);
+      if (!socket.ok()) {
+        say(socket.error().text());
+        return false;
+      }
+      link_ = std::make_unique<Link>(*socket);
+    }
+    if (frame.type == FrameType::kHello) {
+      auto hello = frame.as<Hello>();
+      if (!hello) return false;
+      hello->process_id = ::getpid();
+      return link_->post(FrameType::kHello, *std::move(hello));
+    }
+    return link_->post_bytes(frame.type, frame.payload);
+  }
+
+  /// False when it is gone.
+  bool serve_supervisor() {
+    if (!link_) return true;
+    bool open = link_->flush();
+    if (line_->unsent_bytes() >= kMostRelayedBytes) return open;
+    open = link_->receive() && open;
+    while (auto frame = link_->next()) {
+      if (frame->type != FrameType::kAssignment) {
+        line_->post_bytes(frame->type, frame->payload);
+        continue;
+      }
+      auto assignment = frame->as<Assignment>();
+      if (!assignment) return false;
+      line_->post(frame_type(HostFrame::kAssigned), with_files(*std::move(assignment)));
+    }
+    return open;
+  }
+
+  int end_likewise(const Frame& frame) {
+    if (link_) link_->flush_until(Clock::now() + kEndGrace);
+    const auto end = frame.as<ComponentEnd>();
+    if (!end) return 1;
+    if (end->signal > 0 && end->signal < NSIG) die_by(end->signal);
+    return end->status;
+  }
+
+  /// The run can do nothing about it: it ends, and says why.
+  int fail_run(const std::string& why) {
+    const std::string text =
+        order_.stage + ": host " + order_.host + " (" + address_.text() + "): " + why;
+    const auto socket = Link::connect(order_.domain, Clock::now() + kHelloTimeout);
+    if (!socket.ok()) return 1;
+    Link link(*socket);
+    link.post(FrameType::kHello, Hello{order_.stage, ::getpid(), std::string(idl_fingerprint())});
+    const auto answer = link.wait_for_frame(Clock::now() + kAssignmentTimeout);
+    if (!answer.ok()) return 1;
+    link.post(FrameType::kFatal, Text{text});
+    link.flush_until(Clock::now() + kEndGrace);
+    return 1;
+  }
+
+  int run_here(const std::string& why) {
+    say("does not answer: " + why + "; the component runs here");
+    const std::string domain = std::to_string(order_.domain);
+    const char* const words[] = {
+        order_.program.c_str(), "component", "-", order_.stage.c_str(), "--domain",
+        domain.c_str(),         nullptr};
+    ::execvp(words[0], const_cast<char* const*>(words));
+    return 1;
+  }
+
+  const RelayOrder& order_;
+  TcpAddress address_;
+  TlsContextPtr context_;
+  std::unique_ptr<TlsLine> line_;  ///< to the host
+  std::unique_ptr<Link> link_;     ///< to the supervisor
+  Clock::time_point beat_at_{};
+};
+
+int complain(const Error& error) {
+  std::fprintf(stderr, "clew relay: %s\n", error.text().c_str());
+  return 1;
+}
+
+}  // namespace
+
+int run_relay(const RelayOrder& order) {
+  const auto list = HostList::read(order.hosts_file);
+  if (!list.ok()) return complain(list.error());
+  const auto address = list->find(order.host);
+  if (!address.ok()) return complain(address.error());
+  const auto identity = HostIdentity::read(list->identity, HostRole::kRunner, std::time(nullptr));
+  if (!identity.ok()) return complain(identity.error());
+  auto context = make_tls_context(*identity, HostRole::kRunner);
+  if (!context.ok()) return complain(context.error());
+  return Relay(order, *address, std::move(context).value()).run();
+}
+
+}  // namespace clew::bridge
