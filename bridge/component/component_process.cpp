@@ -380,13 +380,13 @@ int complain(const Error& error) {
 int run_component_process(const std::string& stage, const RunPlace& place,
                           const std::vector<runtime::StageInfo>& stages, const MeetRobots& meet) {
   const auto patience = std::chrono::duration<double>(place.connect_timeout_s);
-  const auto socket = place.line ? Result<int>(*place.line)
-                                 : find_run(stage, place.domain,
-                                            std::chrono::duration_cast<Clock::duration>(patience));
-  if (!socket.ok()) return complain(stage, socket.error());
+  const auto socket =
+      place.line ? Result<int>(*place.line)
+                 : find_run(place.domain, std::chrono::duration_cast<Clock::duration>(patience));
+  if (!socket.ok()) return complain(socket.error());
   Link link(*socket);
   const auto assignment = take_assignment(link, stage);
-  if (!assignment.ok()) return complain(stage, assignment.error());
+  if (!assignment.ok()) return complain(assignment.error());
   logs::debug("takes part in run {} on domain {} over {}", assignment->run_id, assignment->domain,
               assignment->middleware);
   const auto ended = take_part(link, *assignment, stage, place.allowed, stages, meet);
