@@ -40,7 +40,7 @@ void read_picture(std::string_view bytes) {
 Seeds pgms() {
   return {"P2\n# a comment\n4 3\n255\n0 1 2 3\n100 205 254 255\n7 8 9 10\n",
           std::string("P5 4 3 255\n\x00\x01\x02\x03\x64\xcd\xfe\xff\x07\x08\x09\x0a", 23),
-          std::string("P5\r\n2 2\r\n65535\r\n\x00\x01\x02\x03\x64\xcd\xfe\xff", 23)};
+          std::string("P5\r\n2 2\r\n65535\r\n\x00\x01\x02\x03\x64\xcd\xfe\xff", 24)};
 }
 
 Seeds map_files() { return {kMapFile, std::string(kMapFile) + "mode: trinary\n"}; }
