@@ -186,17 +186,6 @@ Result<void> read_security(const YamlNode& root, Graph& head) {
   return {};
 }
 
-Result<void> read_robot_index(const YamlNode& root, std::uint64_t& robot_index) {
-  const auto node = root.find("robot_index");
-  if (!node) return {};
-  const auto value = read_count(*node, "robot_index");
-  if (!value.ok()) return value.error();
-  robot_index = *value;
-  if (robot_index < domain::kMostRobots) return {};
-  return node->error("found " + std::to_string(robot_index) + "; allowed: 0 to " +
-                     std::to_string(domain::kMostRobots - 1));
-}
-
 Result<void> read_head(const YamlNode& root, Graph& head) {
   const auto text = [&](const char* key, std::string& field, bool required) -> Result<void> {
     if (!required && !root.find(key)) return {};
@@ -224,7 +213,10 @@ Result<void> read_head(const YamlNode& root, Graph& head) {
   };
   CLEW_RETURN_IF_ERROR(count("seed", head.seed));
   CLEW_RETURN_IF_ERROR(count("max_ticks", head.max_ticks));
-  CLEW_RETURN_IF_ERROR(read_robot_index(root, head.robot_index));
+  if (root.find("robot_index")) {
+    constexpr auto kMost = domain::kMostRobots - 1;
+    CLEW_RETURN_IF_ERROR(core::read_count(root, "robot_index", 0, kMost, head.robot_index));
+  }
   if (const auto node = root.find("start_timeout_s")) {
     const auto value = node->number();
     if (!value.ok()) return value.error();
