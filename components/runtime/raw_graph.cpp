@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "core/nearest_name.hpp"
+#include "core/yaml_fields.hpp"
 #include "runtime/goals.hpp"
 #include "runtime/middleware.hpp"
 #include "runtime/plugin_list.hpp"
@@ -186,6 +187,11 @@ Result<void> read_security(const YamlNode& root, Graph& head) {
   return {};
 }
 
+Result<void> read_robot_index(const YamlNode& root, std::uint64_t& index) {
+  if (!root.find("robot_index")) return {};
+  return core::read_count(root, "robot_index", 0, domain::kMostRobots - 1, index);
+}
+
 Result<void> read_head(const YamlNode& root, Graph& head) {
   const auto text = [&](const char* key, std::string& field, bool required) -> Result<void> {
     if (!required && !root.find(key)) return {};
@@ -213,10 +219,7 @@ Result<void> read_head(const YamlNode& root, Graph& head) {
   };
   CLEW_RETURN_IF_ERROR(count("seed", head.seed));
   CLEW_RETURN_IF_ERROR(count("max_ticks", head.max_ticks));
-  if (root.find("robot_index")) {
-    constexpr auto kMost = domain::kMostRobots - 1;
-    CLEW_RETURN_IF_ERROR(core::read_count(root, "robot_index", 0, kMost, head.robot_index));
-  }
+  CLEW_RETURN_IF_ERROR(read_robot_index(root, head.robot_index));
   if (const auto node = root.find("start_timeout_s")) {
     const auto value = node->number();
     if (!value.ok()) return value.error();
@@ -373,9 +376,7 @@ Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& n
                          ", expected a graph, which has none");
   }
   if (const auto robots = root->find("robots")) {
-    return robots->error(
-        "found a fleet, expected a graph of one robot; `clew run` runs fleets, and each robot's "
-        "recording is one of a graph");
+    return robots->error("found a fleet, which `clew run` takes; expected a graph of one robot");
   }
   CLEW_RETURN_IF_ERROR(root->check_keys(keys));
   // Before the behaviours: an unknown one is explained by a plug-in that is missing.
