@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "core/nearest_name.hpp"
+#include "core/user_folders.hpp"
 #include "core/yaml_reader.hpp"
 #include "runtime/plugin_list.hpp"
 
@@ -20,6 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 constexpr char kExtension[] = ".yaml";
 constexpr char kImageExtension[] = ".image";
+// What the administrator of a machine has for all its users.
+constexpr char kMachineConfigs[] = "/etc/clew";
 constexpr char kMapFolder[] = "maps";
 
 // A configuration beyond this is a mistake (a device, a recording); 100,000 segments are 4 MB.
@@ -117,6 +120,11 @@ std::string shipped_configs(const std::string& program) {
   return (file.parent_path().parent_path() / "share" / "clew").string();
 }
 
+bool is_there(const std::string& folder) {
+  std::error_code code;
+  return fs::is_directory(folder, code);
+}
+
 bool is_path(const std::string& name) {
   return name.find('/') != std::string::npos || fs::path(name).extension() == kExtension;
 }
@@ -131,6 +139,8 @@ std::vector<std::string> config_roots(const std::string& program) {
       if (!root.empty()) roots.push_back(root);
     }
   }
+  if (const auto own = core::user_config_folder()) roots.push_back(*own);
+  roots.emplace_back(kMachineConfigs);
   return roots;
 }
 
@@ -146,6 +156,7 @@ core::Result<core::Resource> ConfigPath::find(const std::string& folder,
   }
   std::string searched;
   for (const std::string& root : roots_) {
+    if (&root != &roots_.front() && !is_there(root)) continue;
     searched += (searched.empty() ? "" : ", ") + (fs::path(root) / folder).string();
   }
   const std::vector<std::string> known = names(folder);

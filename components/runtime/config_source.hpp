@@ -25,8 +25,9 @@ class ConfigSource {
 class ConfigPath : public ConfigSource {
  public:
   explicit ConfigPath(std::vector<std::string> roots) : roots_(std::move(roots)) {}
-  /// The directories of CLEW_PATH (separated by colons), after configs/ of the source tree or
-  /// share/clew of the installation, whichever holds the running program.
+  /// configs/ of the source tree or share/clew of the installation, whichever holds the running
+  /// program; then the directories of CLEW_PATH (separated by colons), the user's own
+  /// (~/.config/clew) and the machine's (/etc/clew). The first that has a name wins.
   static ConfigPath from_environment();
 
   core::Result<core::Resource> find(const std::string& folder,

@@ -23,6 +23,9 @@ os.environ.setdefault("ASAN_OPTIONS", "new_delete_type_mismatch=0")
 os.environ.setdefault("LSAN_OPTIONS",
                       f"suppressions={SOURCE / 'tests' / 'leaks_of_libraries.txt'}")
 TIMEOUT_S = 120
+# What a user keeps in a folder of his own changes no test, and no test writes there.
+_NO_SETTINGS = tempfile.TemporaryDirectory(prefix="clew-no-settings-")
+os.environ["XDG_CONFIG_HOME"] = _NO_SETTINGS.name
 
 # Every way to run a graph, which must make no difference to a single byte.
 LAYOUTS = {

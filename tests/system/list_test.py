@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """What `clew list`, `check`, `plot` and `train` tell programs."""
 import json
+import os
 import pathlib
 import shutil
 import subprocess
 import tempfile
 import unittest
 
-from clew_command import CLEW, Run, run_graph
+from clew_command import CLEW, SOURCE, Run, run_graph
 
 
 def lines_of(*arguments):
@@ -57,6 +58,32 @@ class ListForPrograms(unittest.TestCase):
                          [b["name"] for b in drive["behaviours"]])
         (one,) = json.loads(lines_of("list", "drive", "unicycle", "--json")[0])["behaviours"]
         self.assertEqual(one, unicycle)
+
+    def test_a_users_own_files_come_after_those_that_clew_path_names(self):
+        with tempfile.TemporaryDirectory() as directory:
+            for place, about in (("config/clew", "of the user"), ("named", "named")):
+                worlds = pathlib.Path(directory) / place / "worlds"
+                worlds.mkdir(parents=True)
+                shutil.copy(SOURCE / "configs/worlds/open-field.yaml", worlds / "my-hall.yaml")
+                with (worlds / "my-hall.yaml").open("a", encoding="utf-8") as file:
+                    file.write(f"# {about}\n")
+
+            def text_of_hall(**environment):
+                run = Run(["list", "worlds", "my-hall", "--json"], cwd=directory,
+                          environment=environment)
+                return json.loads(run.out)["text"] if run.status == 0 else run.err
+
+            own = f"{directory}/config"
+            self.assertIn("# of the user", text_of_hall(XDG_CONFIG_HOME=own))
+            self.assertIn("# named", text_of_hall(XDG_CONFIG_HOME=own,
+                                                  CLEW_PATH=f"{directory}/named"))
+            # As the XDG Base Directory Specification says of a relative path; and then HOME counts.
+            self.assertIn("unknown world 'my-hall'", text_of_hall(XDG_CONFIG_HOME="config",
+                                                                  HOME="/nowhere"))
+            os.makedirs(f"{directory}/home")
+            os.rename(own, f"{directory}/home/.config")
+            self.assertIn("# of the user", text_of_hall(XDG_CONFIG_HOME="",
+                                                        HOME=f"{directory}/home"))
 
     def test_topics_name_who_writes_and_reads_them(self):
         topics = {t["topic"]: t for t in map(json.loads, lines_of("list", "topics", "--json"))}

@@ -29,7 +29,10 @@ constexpr char kEnvironment[] = R"(.SH ENVIRONMENT
 .TP
 .B CLEW_PATH
 Directories, separated by colons, where names of graphs, worlds, robots and data files are looked
-up after those that are installed.
+up after those that are installed, and before those of the user and of the machine.
+.TP
+.B XDG_CONFIG_HOME
+Where clew/ holds the user's own, in place of ~/.config; a relative path is ignored.
 .TP
 .B CLEW_DOMAIN_ID
 The DDS domain of the run that a component belongs to, where \-\-domain does not say it.
@@ -44,6 +47,12 @@ A directory where each process writes what it tells to a file of its own, with t
 .I share/clew
 Shipped graphs, worlds, robots, suites, rule bases and maps, in a folder each, beside the folder of
 the program.
+.TP
+.I ~/.config/clew
+The same folders, of the user. The key that recordings are signed with, signing.pem.
+.TP
+.I /etc/clew
+The same folders, of the machine.
 )";
 
 /// Text that roff prints as it is.

@@ -17,6 +17,7 @@
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "core/user_folders.hpp"
 #include "files/whole_file.hpp"
 #include "log/log.hpp"
 #include "recording/run_recording.hpp"
@@ -52,12 +53,7 @@ std::string own_name() {
 }
 
 Result<std::string> own_key_file() {
-  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && *config != '\0') {
-    return std::string(config) + "/clew/signing.pem";
-  }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-    return std::string(home) + "/.config/clew/signing.pem";
-  }
+  if (const auto own = core::user_config_folder()) return *own + "/signing.pem";
   return Error{"where is your key? set HOME or XDG_CONFIG_HOME, or give --key or --keys", {}};
 }
 
