@@ -33,6 +33,16 @@ drive: {behaviour: turn_then_step}
 CHANGES = ["--at", "30:goal=6,2,0.3/5,5", "--at", "60:goal=none", "--at", "90:goal=6,5/1,5,0.4/1,1"]
 STAGES = ("sense", "recover", "control", "drive")
 
+FAR_SIDE = """format: clew-world/1
+name: island
+bounds: [0, 0, 8, 6]
+walls: [[4, 0, 4, 6]]
+start: [1, 1, 0]
+waypoints: [[6, 3]]
+target: [2, 5]
+target_radius: 0.2
+"""
+
 
 def last_tick(recording):
     """Of a file that is being written."""
@@ -216,6 +226,34 @@ class Mission(unittest.TestCase):
         done = Run(["check", bad])
         self.assertEqual(done.status, 2)
         self.assertRegex(done.err, r"bad\.yaml:3:10: .*way-point 2 \[4, 1\] is inside or on")
+
+
+class Solved(unittest.TestCase):
+    def solve(self, text, *options):
+        with tempfile.TemporaryDirectory() as directory:
+            world = pathlib.Path(directory) / "world.yaml"
+            solved = pathlib.Path(directory) / "solved.yaml"
+            world.write_text(text)
+            told = Run(["world", "solve", world, "--json", "-o", solved, *options])
+            self.assertEqual(told.status, 0, told.err)
+            return told.report, solved.read_text()
+
+    def test_a_world_with_way_points_is_solved_leg_by_leg(self):
+        told, written = self.solve(WORLD)
+
+        # Each leg is free straight on: sqrt(8), sqrt(9.25) and sqrt(7.25).
+        self.assertIs(told["solvable"], True)
+        self.assertAlmostEqual(told["shortest_path_m"], 8**0.5 + 9.25**0.5 + 7.25**0.5, delta=0.01)
+        self.assertIn("solvable: true", written)
+        self.assertNotIn("shortest_path", written)  # which no file has beside way-points
+
+    def test_it_cannot_be_solved_if_one_leg_cannot(self):
+        told, written = self.solve(FAR_SIDE)
+
+        self.assertIs(told["solvable"], False)
+        self.assertIsNone(told["shortest_path_m"])
+        self.assertEqual(told["undecided"], "")
+        self.assertIn("solvable: false", written)
 
 
 if __name__ == "__main__":

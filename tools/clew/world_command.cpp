@@ -85,7 +85,8 @@ Result<void> write_solved(const WorldSubject& subject, const WorldFindings& find
   if (!findings.solvable) return Error{"is not decided: " + findings.undecided, subject.file.file};
   std::string text =
       with_value(subject.file.text, "solvable", *findings.solvable ? "true" : "false");
-  if (findings.shortest_path_m) {
+  // A file with way-points states no length.
+  if (findings.shortest_path_m && subject.world.waypoints().size() <= 1) {
     text = with_value(text, "shortest_path", fmt::format("{:.3f}", *findings.shortest_path_m));
   }
   // A file in a style that cannot be added to line by line, as {...}, is refused here.

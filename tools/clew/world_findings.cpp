@@ -31,6 +31,43 @@ void tell_long_wait(const world::World& world) {
              1e-6 * places);
 }
 
+/// Of a mission of several way-points, each leg from place to place. Its traps are others on each
+/// leg, and are not looked for.
+WorldFindings find_out_legs(const WorldSubject& subject) {
+  WorldFindings findings;
+  const auto time_s = world_analysis::settled_time_s(subject.world);
+  if (!time_s || !world_analysis::fits_lattice(subject.world)) {
+    findings.undecided = time_s ? "it is too large" : "something moves for ever";
+    return findings;
+  }
+  tell_long_wait(subject.world);
+  const world_analysis::ClearanceGrid grid(subject.world, *time_s);
+  double length_m = 0.0;
+  bool has_path = true;
+  std::size_t number = 0;
+  for (const world_analysis::Leg& leg : world_analysis::legs_of(subject.world)) {
+    ++number;
+    const auto solvable = world_analysis::is_solvable(grid, leg, subject.radius_m, kMargin_m);
+    if (solvable == world_analysis::Solvable::kNo) {
+      findings.solvable = false;
+      findings.undecided.clear();
+      return findings;
+    }
+    if (solvable == world_analysis::Solvable::kUndecided) {
+      findings.undecided = fmt::format(
+          "the only ways to way-point {} lead through gaps about as wide as the robot", number);
+      continue;
+    }
+    const auto path = world_analysis::shortest_path(grid, leg, subject.radius_m);
+    has_path = has_path && path;
+    if (path) length_m += path->length_m;
+  }
+  if (!findings.undecided.empty()) return findings;
+  findings.solvable = true;
+  if (has_path) findings.shortest_path_m = length_m;
+  return findings;
+}
+
 }  // namespace
 
 Result<WorldSubject> read_subject(const std::string& world_name, const std::string& robot_name) {
@@ -48,6 +85,9 @@ Result<WorldSubject> read_subject(const std::string& world_name, const std::stri
 }
 
 WorldFindings find_out(const WorldSubject& subject, WithSeverity with) {
+  if (subject.world.waypoints().size() > 1 && with == WithSeverity::kNo) {
+    return find_out_legs(subject);
+  }
   WorldFindings findings;
   const auto time_s = world_analysis::surveyed_time_s(subject.world);
   if (!time_s.ok()) {

@@ -37,6 +37,17 @@ double lattice_nodes(const world::World& world) {
 
 bool fits_lattice(const world::World& world) { return lattice_nodes(world) <= kMostNodes; }
 
+std::vector<Leg> legs_of(const world::World& world) {
+  std::vector<Leg> legs;
+  Vec2 from = world.start().position();
+  for (const world::Waypoint& waypoint : world.waypoints()) {
+    legs.push_back({from, waypoint.place, waypoint.radius_m});
+    from = waypoint.place;
+  }
+  if (legs.empty()) legs.push_back({from, world.target(), world.target_radius_m()});
+  return legs;
+}
+
 core::Result<double> surveyed_time_s(const world::World& world) {
   const auto settled_s = settled_time_s(world);
   if (!settled_s) return core::Error{"something moves for ever"};

@@ -25,6 +25,16 @@ std::optional<double> settled_time_s(const world::World& world);
 /// minutes.
 inline constexpr double kMostNodes = 5e7;
 
+/// A part of a mission: from one place to within a radius of another.
+struct Leg {
+  Vec2 from = Vec2::Zero();
+  Vec2 to = Vec2::Zero();
+  double radius_m = 0.0;
+};
+
+/// The way from the start past the way-points, if there are any, to the target, in their order.
+std::vector<Leg> legs_of(const world::World& world);
+
 /// The nodes of a world's lattice, and whether that many are looked at.
 double lattice_nodes(const world::World& world);
 bool fits_lattice(const world::World& world);

@@ -10,7 +10,7 @@ namespace {
 /// Whether a flood over the lattice, from the nodes `begins(node)` of those around the start, along
 /// steps that `passes(from, to)`, comes to a node that `arrives(node)`.
 template <typename Begins, typename Passes, typename Arrives>
-bool flood(const ClearanceGrid& grid, const Begins& begins, const Passes& passes,
+bool flood(const ClearanceGrid& grid, const Vec2& from, const Begins& begins, const Passes& passes,
            const Arrives& arrives) {
   std::vector<bool> seen(grid.size());
   std::vector<std::size_t> open;
@@ -19,7 +19,7 @@ bool flood(const ClearanceGrid& grid, const Begins& begins, const Passes& passes
     seen[node] = true;
     open.push_back(node);
   };
-  const std::size_t start = grid.nearest(grid.world().start().position());
+  const std::size_t start = grid.nearest(from);
   if (begins(start)) enter(start);
   grid.visit_around(start, 2, [&](std::size_t node) {
     if (begins(node)) enter(node);
@@ -39,34 +39,37 @@ bool flood(const ClearanceGrid& grid, const Begins& begins, const Passes& passes
 
 Solvable is_solvable(const ClearanceGrid& grid, double radius_m, double margin_m) {
   const world::World& world = grid.world();
-  const Vec2 start = world.start().position();
+  const Leg whole{world.start().position(), world.target(), world.target_radius_m()};
+  return is_solvable(grid, whole, radius_m, margin_m);
+}
+
+Solvable is_solvable(const ClearanceGrid& grid, const Leg& leg, double radius_m, double margin_m) {
+  const Vec2 start = leg.from;
   const auto distance_m = [&](std::size_t node) {
-    return core::length(grid.position(node) - world.target());
+    return core::length(grid.position(node) - leg.to);
   };
 
   const double with_margin_m = radius_m + margin_m;
   const bool found = flood(
-      grid,
+      grid, start,
       [&](std::size_t node) {
         return grid.clearance_m(node) >= with_margin_m &&
                grid.is_way_free(start, grid.position(node), radius_m);
       },
       [&](std::size_t a, std::size_t b) { return grid.is_way_free(a, b, with_margin_m); },
-      [&](std::size_t node) { return distance_m(node) <= world.target_radius_m(); });
+      [&](std::size_t node) { return distance_m(node) <= leg.radius_m; });
   if (found) return Solvable::kYes;
 
   const double half_diagonal_m = kSpacing_m * std::sqrt(0.5);
   const double least_m = radius_m - half_diagonal_m;
   const bool possible = flood(
-      grid,
+      grid, start,
       [&](std::size_t node) {
         return grid.clearance_m(node) >= least_m &&
                core::length(grid.position(node) - start) <= half_diagonal_m;
       },
       [&](std::size_t, std::size_t b) { return grid.clearance_m(b) >= least_m; },
-      [&](std::size_t node) {
-        return distance_m(node) <= world.target_radius_m() + half_diagonal_m;
-      });
+      [&](std::size_t node) { return distance_m(node) <= leg.radius_m + half_diagonal_m; });
   return possible ? Solvable::kUndecided : Solvable::kNo;
 }
 

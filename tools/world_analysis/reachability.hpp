@@ -19,5 +19,7 @@ enum class Solvable {
 /// diagonal away from it, and so have a clearance of at least the radius less half a diagonal; if
 /// not even such nodes join start and target, there is no way.
 Solvable is_solvable(const ClearanceGrid& grid, double radius_m, double margin_m);
+/// The same of one leg, from its first place itself.
+Solvable is_solvable(const ClearanceGrid& grid, const Leg& leg, double radius_m, double margin_m);
 
 }  // namespace clew::world_analysis

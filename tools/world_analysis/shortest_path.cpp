@@ -48,10 +48,11 @@ double length_of(const std::vector<Vec2>& points) {
 /// A* from the start's nodes to one that reaches the target straight.
 class LatticeSearch {
  public:
-  LatticeSearch(const ClearanceGrid& grid, double radius_m)
+  LatticeSearch(const ClearanceGrid& grid, const Leg& leg, double radius_m)
       : grid_(grid),
         radius_m_(radius_m),
-        target_(grid.world().target()),
+        start_(leg.from),
+        target_(leg.to),
         costs_m_(grid.size(), kFar),
         before_(grid.size()),
         done_(grid.size()) {}
@@ -84,11 +85,10 @@ class LatticeSearch {
   };
 
   void open_start() {
-    const Vec2 start = grid_.world().start().position();
-    const std::size_t middle = grid_.nearest(start);
+    const std::size_t middle = grid_.nearest(start_);
     const auto open = [&](std::size_t node) {
-      if (!grid_.is_way_free(start, grid_.position(node), radius_m_)) return;
-      enter(node, node, core::length(grid_.position(node) - start));
+      if (!grid_.is_way_free(start_, grid_.position(node), radius_m_)) return;
+      enter(node, node, core::length(grid_.position(node) - start_));
     };
     open(middle);
     grid_.visit_around(middle, kReach, open);
@@ -120,13 +120,14 @@ class LatticeSearch {
     std::vector<Vec2> points = {target_};
     for (; before_[node] != node; node = before_[node]) points.push_back(grid_.position(node));
     points.push_back(grid_.position(node));
-    points.push_back(grid_.world().start().position());
+    points.push_back(start_);
     std::reverse(points.begin(), points.end());
     return points;
   }
 
   const ClearanceGrid& grid_;
   double radius_m_;
+  Vec2 start_;
   Vec2 target_;
   std::vector<double> costs_m_;
   std::vector<std::size_t> before_;
@@ -191,7 +192,14 @@ void pull_tight(const ClearanceGrid& grid, std::vector<Vec2>& points, double rad
 }  // namespace
 
 std::optional<ShortestPath> shortest_path(const ClearanceGrid& grid, double radius_m) {
-  std::vector<Vec2> points = LatticeSearch(grid, radius_m).run();
+  const world::World& world = grid.world();
+  const Leg whole{world.start().position(), world.target(), world.target_radius_m()};
+  return shortest_path(grid, whole, radius_m);
+}
+
+std::optional<ShortestPath> shortest_path(const ClearanceGrid& grid, const Leg& leg,
+                                          double radius_m) {
+  std::vector<Vec2> points = LatticeSearch(grid, leg, radius_m).run();
   if (points.empty()) return std::nullopt;
   points = shortcut(grid, points, radius_m);
   pull_tight(grid, points, radius_m);

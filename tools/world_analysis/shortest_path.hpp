@@ -26,5 +26,8 @@ struct ShortestPath {
 /// longer than that over all directions. Against the lengths that the shipped worlds state, found
 /// by other means, it is within 1 % (tests/world_analysis).
 std::optional<ShortestPath> shortest_path(const ClearanceGrid& grid, double radius_m);
+/// The same of one leg, from its first place to its second, whatever its radius.
+std::optional<ShortestPath> shortest_path(const ClearanceGrid& grid, const Leg& leg,
+                                          double radius_m);
 
 }  // namespace clew::world_analysis
