@@ -8,6 +8,8 @@
 #include <fstream>
 #include <ostream>
 
+#include "vendors/network_addresses.hpp"
+
 namespace clew::bridge {
 namespace {
 
@@ -64,6 +66,18 @@ TEST(HostList, TheOwnAddressIsThatWhichLeadsToTheOthers) {
   list.hosts = {{"a", {"127.0.0.5", 1}}};
 
   EXPECT_EQ(*list.addresses({"a"}), (std::vector<std::string>{"127.0.0.1", "127.0.0.5"}));
+}
+
+TEST(HostList, AParticipantSpeaksAtTheAddressThatItsHostHas) {
+  const auto network = network_of({"192.0.2.1", "127.0.0.1"});
+
+  ASSERT_TRUE(network.ok());
+  EXPECT_EQ((*network)->own, "127.0.0.1");
+  EXPECT_EQ((*network)->peers.size(), 2u);
+  EXPECT_FALSE(network_of({})->has_value());
+  EXPECT_EQ(network_of({"192.0.2.1"}).error().text(),
+            "no interface of this host that is up has one of the addresses of the run's hosts, "
+            "192.0.2.1");
 }
 
 struct Refused {

@@ -141,12 +141,14 @@ TEST(GraphFile, ReadsHowStagesAreDeployed) {
   const Graph graph = load_good(
       replaced(replaced(kSmallGraph, "{behaviour: cones}",
                         "{behaviour: cones, process: {middleware: fastdds, restart_limit: 3, "
-                        "restart_backoff_s: 0.5}}"),
+                        "restart_backoff_s: 0.5, host: robot.local}}"),
                "{behaviour: straight}", "{exec: [./my control, --gain, '2'], process: {}}"));
 
   EXPECT_EQ(graph.find("sense")->deployment.middleware, "fastdds");
   EXPECT_EQ(graph.find("sense")->deployment.restart_limit, 3u);
   EXPECT_EQ(graph.find("sense")->deployment.restart_backoff_s, 0.5);
+  EXPECT_EQ(graph.find("sense")->deployment.host, "robot.local");
+  EXPECT_EQ(graph.find("drive")->deployment.host, "");
   EXPECT_EQ(graph.find("drive")->deployment.middleware, "");
   EXPECT_EQ(graph.find("drive")->deployment.restart_limit, 100u);
   EXPECT_EQ(graph.find("drive")->deployment.restart_backoff_s, 0.0);

@@ -46,6 +46,31 @@ TEST_F(Launch, StartsOurComponentsByTheirNameAndTellsTheDomain) {
   end_now(*sense.child);
 }
 
+TEST_F(Launch, StartsARelayForAComponentOnAnotherHostAndTellsAllWhereToMeet) {
+  layout_.hosts =
+      HostsLayout{"my hosts.yaml", {{"sense", "robot"}}, {"127.0.0.1", "10.0.0.2"}, true};
+  auto members = list_members(plan_, layout_);
+  Member& sense = *find_member(members, "sense");
+  Member& drive = *find_member(members, "drive");
+  const Launcher starter = launcher();
+
+  ASSERT_TRUE(starter.start(sense).ok());
+  EXPECT_EQ(started_.arguments, (Texts{"/opt/clew bin/clew", "relay", "my hosts.yaml", "robot",
+                                       "sense", "--domain", "5", "--fall-back"}));
+  end_now(*sense.child);
+  ASSERT_TRUE(starter.start(drive).ok());
+  EXPECT_EQ(started_.arguments, (Texts{"/opt/clew bin/clew", "component", "-", "drive"}));
+  end_now(*drive.child);
+  EXPECT_EQ(starter.assignment_for(drive).hosts, (Texts{"127.0.0.1", "10.0.0.2"}));
+  EXPECT_EQ(starter.assignment_for_watcher().hosts, (Texts{"127.0.0.1", "10.0.0.2"}));
+
+  auto control = find_member(members, "control");
+  ASSERT_TRUE(starter.start(*control).ok());
+  EXPECT_NE(started_.environment.at("CYCLONEDDS_URI").find("<Peer Address=\"10.0.0.2\"/>"),
+            std::string::npos);
+  end_now(*control->child);
+}
+
 TEST_F(Launch, StartsAThirdPartyByItsOwnCommandWithWhatItsVendorReads) {
   auto members = list_members(plan_, layout_);
   Member& control = *find_member(members, "control");

@@ -98,8 +98,8 @@ Result<void> check_ways(const RunOptions& options, bool composed) {
        options.realtime_priority || !options.middleware.empty() || !options.secure.empty() ||
        !options.ros2.empty() || !options.hosts.empty() || !options.host.empty())) {
     return Error{
-        "--external, --prefix, --domain, --realtime-priority, --middleware, --secure, --ros2, "
-        "--hosts and --host need --layout processes"};
+        "--hosts, --host, --external, --prefix, --domain, --realtime-priority, --middleware, "
+        "--secure and --ros2 need --layout processes"};
   }
   if (!composed && !options.profile.empty()) {
     return Error{"--profile needs --layout composed"};
