@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include "core/nearest_name.hpp"
-#include "core/user_folders.hpp"
 #include "core/yaml_reader.hpp"
 #include "runtime/plugin_list.hpp"
+#include "runtime/user_folders.hpp"
 
 namespace clew::runtime {
 namespace {
@@ -139,7 +139,7 @@ std::vector<std::string> config_roots(const std::string& program) {
       if (!root.empty()) roots.push_back(root);
     }
   }
-  if (const auto own = core::user_config_folder()) roots.push_back(*own);
+  if (const auto own = user_config_folder()) roots.push_back(*own);
   roots.emplace_back(kMachineConfigs);
   return roots;
 }

@@ -107,10 +107,10 @@ TEST_F(Log, WritesTheFileWithDatesAndThoughNothingIsShown) {
   const std::string time = R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z )";
   const std::string who = " clew\\[" + std::to_string(::getpid()) + "\\]: ";
   const std::string text = text_of(settings.file);
-  EXPECT_TRUE(std::regex_match(
-      text, std::regex("what was there\n" + time + "info" + who + "2 lines\n" + time + "warning" +
-                       who + "a warning\n" + time + "error" + who + "an error\n" + time + "error" +
-                       who + "bad input\n")))
+  EXPECT_TRUE(
+      std::regex_match(text, std::regex("what was there\n" + time + "info" + who + "2 lines\n" +
+                                        time + "warning" + who + "a warning\n" + time + "error" +
+                                        who + "an error\n" + time + "error" + who + "bad input\n")))
       << text;
 }
 

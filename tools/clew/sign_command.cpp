@@ -17,10 +17,10 @@
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
-#include "core/user_folders.hpp"
 #include "files/whole_file.hpp"
 #include "log/log.hpp"
 #include "recording/run_recording.hpp"
+#include "runtime/user_folders.hpp"
 #include "security/kept_file.hpp"
 #include "security/signature.hpp"
 
@@ -53,7 +53,7 @@ std::string own_name() {
 }
 
 Result<std::string> own_key_file() {
-  if (const auto own = core::user_config_folder()) return *own + "/signing.pem";
+  if (const auto own = runtime::user_config_folder()) return *own + "/signing.pem";
   return Error{"where is your key? set HOME or XDG_CONFIG_HOME, or give --key or --keys", {}};
 }
 

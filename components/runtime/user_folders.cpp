@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/user_folders.hpp"
+#include "runtime/user_folders.hpp"
 
 #include <cstdlib>
 
-namespace clew::core {
+namespace clew::runtime {
 namespace {
 
 std::optional<std::string> absolute_path_in(const char* variable) {
@@ -20,4 +20,4 @@ std::optional<std::string> user_config_folder() {
   return std::nullopt;
 }
 
-}  // namespace clew::core
+}  // namespace clew::runtime

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/user_folders.hpp"
+#include "runtime/user_folders.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace clew::core {
+namespace clew::runtime {
 namespace {
 
 /// Sets two variables, and puts back what they were.
@@ -61,4 +61,4 @@ TEST_F(UserFolders, AreNowhereWithoutAHome) {
 }
 
 }  // namespace
-}  // namespace clew::core
+}  // namespace clew::runtime
