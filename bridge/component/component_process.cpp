@@ -387,15 +387,13 @@ int run_component_process(const std::string& stage, const RunPlace& place,
   Link link(*socket);
   const auto assignment = take_assignment(link, stage);
   if (!assignment.ok()) return complain(assignment.error());
-  logs::debug("takes part in run {} on domain {} over {}", assignment->run_id, assignment->domain,
-              assignment->middleware);
+  logs::debug("takes part in run {} on domain {}", assignment->run_id, assignment->domain);
   const auto ended = take_part(link, *assignment, stage, place.allowed, stages, meet);
   if (!ended.ok()) {
     link.post(FrameType::kFatal, Text{stage + ": " + ended.error().text()});
     link.flush_until(Clock::now() + kEndGrace);
     return complain(ended.error());
   }
-  logs::debug(*ended ? "has ended with the run" : "has ended, since the run has gone");
   return *ended ? 0 : 1;
 }
 

@@ -2,19 +2,15 @@
 #include "runtime/raw_graph.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "core/nearest_name.hpp"
 #include "core/yaml_fields.hpp"
 #include "runtime/goals.hpp"
-#include "runtime/middleware.hpp"
 #include "runtime/plugin_list.hpp"
 
 namespace clew::runtime {
 namespace {
 
-const std::vector<std::string> kProcessSettings = {"middleware", "restart_limit",
-                                                   "restart_backoff_s", "group", "host"};
 const std::vector<std::string> kLayouts = {"processes", "composed"};
 
 using core::Error;
@@ -22,7 +18,6 @@ using core::Result;
 using core::YamlKind;
 using core::YamlNode;
 
-constexpr std::int64_t kMaxRestarts = 1'000'000;
 // What a graph without a mission means: the robot goes straight for the world's target.
 constexpr char kPlainMission[] = "target";
 
@@ -118,7 +113,7 @@ Result<void> read_deployment(const YamlNode& node, const std::string& key, Deplo
     }
     return {};
   }
-  if (key == "process") CLEW_RETURN_IF_ERROR(node.check_keys(kProcessSettings));
+  if (key == "process") CLEW_RETURN_IF_ERROR(node.check_keys(process_settings()));
   if (key == "ros2") deployment.ros2.emplace();
   const auto entries = node.entries();
   if (!entries.ok()) return entries.error();
@@ -282,67 +277,7 @@ Result<std::optional<RawStage>> read_mission(const YamlNode& root,
   return std::optional<RawStage>(std::move(stage));
 }
 
-/// With a vendor and a number behind it, the common name of a certificate, which has 64 letters.
-constexpr std::size_t kLongestGroupName = 48;
-
-/// A group's name is a word of a command line, and that of a participant.
-Result<void> read_group(const YamlNode& value, Deployment& deployment) {
-  auto word = value.string();
-  if (!word.ok()) return word.error();
-  const bool plain = std::all_of(word->begin(), word->end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-';
-  });
-  if (!plain || word->empty() || word->size() > kLongestGroupName || word->front() == '-') {
-    return value.error("group is " + value.found() + "; allowed: up to " +
-                       std::to_string(kLongestGroupName) + " letters, digits, '_' and '-'");
-  }
-  deployment.group = *word;
-  deployment.group_place = place_of(value);
-  return {};
-}
-
 }  // namespace
-
-Result<void> read_process_setting(const std::string& key, const YamlNode& value,
-                                  Deployment& deployment) {
-  if (key == "restart_limit") {
-    const auto limit = value.integer();
-    if (!limit.ok()) return limit.error();
-    if (*limit < 0 || *limit > kMaxRestarts) {
-      return value.error("restart_limit is " + value.found() + "; allowed: 0 to " +
-                         std::to_string(kMaxRestarts));
-    }
-    deployment.restart_limit = static_cast<std::uint32_t>(*limit);
-    return {};
-  }
-  if (key == "restart_backoff_s") {
-    const auto backoff = value.number();
-    if (!backoff.ok()) return backoff.error();
-    if (*backoff < 0.0 || *backoff > 60.0) {
-      return value.error("restart_backoff_s is " + value.found() + "; allowed: 0 to 60 s");
-    }
-    deployment.restart_backoff_s = *backoff;
-    return {};
-  }
-  if (key == "group") return read_group(value, deployment);
-  if (key == "host") {
-    auto host = value.string();
-    if (!host.ok()) return host.error();
-    if (!is_host_name(*host)) {
-      return value.error("host is " + value.found() + "; allowed: " + kHostNameRule);
-    }
-    deployment.host = *host;
-    return {};
-  }
-  if (key != "middleware") {
-    return value.error(core::unknown_name("setting of process", key, kProcessSettings));
-  }
-  auto word = value.string();
-  if (!word.ok()) return word.error();
-  if (!is_middleware(*word)) return value.error(unknown_middleware(*word));
-  deployment.middleware = *word;
-  return {};
-}
 
 Place place_of(const YamlNode& node) { return {node.file(), node.line(), node.column()}; }
 

@@ -47,8 +47,9 @@ struct RawGraph {
 
 core::Result<RawGraph> read_raw_graph(const core::Resource& file, const std::string& name,
                                       const std::vector<StageInfo>& stages);
-/// One setting of a stage's `process`: middleware, restart_limit, restart_backoff_s,
-/// group or host.
+/// The names of the settings of a stage's `process`.
+const std::vector<std::string>& process_settings();
+/// Reads one of them.
 core::Result<void> read_process_setting(const std::string& key, const core::YamlNode& value,
                                         Deployment& deployment);
 core::Result<void> apply_overrides(const GraphOverrides& overrides, RawGraph& graph);

@@ -74,7 +74,9 @@ void add_recording(CLI::App& app, RunOptions& options) {
   const auto add = [&](const char* name, auto& value, const char* about) {
     return app.add_option(name, value, about)->group("Recording");
   };
-  add("--record", options.record, "write a recording (MCAP); of a fleet: one a robot into this folder")->check(given_name());
+  add("--record", options.record,
+      "write a recording (MCAP); of a fleet: one a robot into this folder")
+      ->check(given_name());
   app.add_flag("--force", options.force, "overwrite the recording")->group("Recording");
   add("--record-on", options.record_on,
       "trap: a black box. If a trap is detected, a collision happens or the run ends badly, it "
