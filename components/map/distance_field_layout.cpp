@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "map/block_steps.hpp"
@@ -9,6 +10,11 @@ namespace clew::map {
 /// Lays what is known out for another grid. Blocks that only this one has are free as yet: most
 /// of a grid was never seen, and so the work is that of what was.
 void DistanceField::lay(const Grid& grid) {
+  const auto has_all_goals = [this] {
+    return std::all_of(goals_.begin(), goals_.end(),
+                       [this](const Cell& goal) { return grid_.contains(goal); });
+  };
+  const bool had_all_goals = has_all_goals();
   const Grid before = blocks_;
   const Vec2 shift = (grid.corner - grid_.corner) / grid.cell_m;
   const bool lies_on = grid.cell_m == grid_.cell_m && std::llround(shift.x()) % 2 == 0 &&
@@ -25,6 +31,8 @@ void DistanceField::lay(const Grid& grid) {
   is_touched_.assign(blocks_.size(), 0);
   if (lies_on && !nodes_.empty()) {
     keep_laid_out(before);
+    // A goal beside a grid has left no mark in it: all are set anew.
+    if (!had_all_goals || !has_all_goals()) goals_.clear();
   } else {
     nodes_.assign(blocks_.size(), free_node());
     goals_.clear();

@@ -212,13 +212,14 @@ TEST(DistanceField, MovesWithItsGridToWhatANewOneComputes) {
   Cell shift{0, 0};  // of the grid, in cells
   DistanceField field;
   int with_path = 0;
+  int outside = 0;
   for (int round = 0; round < 400; ++round) {
     if (round % 4 == 3) {
       const Grid before = costs.grid;
       shift = {2 * (below(9) - 4), 2 * (below(9) - 4)};
       costs.grid.corner = kCell_m * Vec2(shift.column, shift.row);
-      costs.grid.columns = 30 + below(20);  // the goal is always within
-      costs.grid.rows = 30 + below(20);
+      costs.grid.columns = 14 + below(36);  // the goal is not always within
+      costs.grid.rows = 14 + below(36);
       lay_out_anew(before, costs.grid, 1.0F, costs.cost, spare);
       costs.clearance.assign(costs.grid.size(), Clearance::kOpen);
     }
@@ -234,6 +235,7 @@ TEST(DistanceField, MovesWithItsGridToWhatANewOneComputes) {
     fresh.take_in(costs, goals);
     const std::uint32_t distance = fresh.settle(start);
     ASSERT_EQ(field.settle(start), distance) << "round " << round;
+    outside += costs.grid.contains(goals.front()) ? 0 : 1;
     if (distance == DistanceField::kNone) continue;
     ++with_path;
     std::vector<Vec2> places;
@@ -243,6 +245,7 @@ TEST(DistanceField, MovesWithItsGridToWhatANewOneComputes) {
     ASSERT_EQ(places, fresh_places) << "round " << round;
   }
   EXPECT_GT(with_path, 100);
+  EXPECT_GT(outside, 20);
 }
 
 /// What is certainly cut on cells is cut on blocks, and nothing else: `unreachable` is a proof.

@@ -129,6 +129,20 @@ class ListForPrograms(unittest.TestCase):
             self.assertEqual(refused.status, 2)
             self.assertIn("--output", refused.err)
 
+    def test_help_has_every_command_under_a_heading_and_examples_that_run(self):
+        text = Run(["--help"]).out
+        self.assertNotIn("Subcommands:", text)
+        for heading in ("Run:", "Look at recordings:", "Many runs:", "Examples:", "Environment:"):
+            self.assertIn("\n" + heading, text)
+        with tempfile.TemporaryDirectory() as directory:
+            examples = [line.split()[2:] for line in text.splitlines() if line.startswith("  $ ")]
+            self.assertEqual(len(examples), 4)
+            for words in examples:
+                if words[0] == "view":  # serves until it is told to end
+                    words = ["info", words[1]]
+                done = Run(words, cwd=directory)
+                self.assertEqual(done.status, 0, f"{words}: {done.err}")
+
 
 if __name__ == "__main__":
     unittest.main()

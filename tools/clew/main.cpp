@@ -15,6 +15,7 @@
 
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/help_groups.hpp"
 #include "clew/log_options.hpp"
 #include "clew/stack_limit.hpp"
 #include "clew/train_commands.hpp"
@@ -126,6 +127,7 @@ int parse_and_run(int argc, char** argv) {
     add(app, status);
   }
   add_versions(app);
+  add_help(app);
   const auto log = std::make_shared<LogOptions>();
   add_log_options(app, log);
   app.parse_complete_callback([&] {
