@@ -66,6 +66,7 @@ domain::Motion ControlComponent::steer(const runtime::TickInputs& inputs,
     wanted_ = controller_->step(odometry, seen_, target_odom);
   }
   asked_ = react(inputs).value_or(wanted_);
+  if (reacted_) steers = StepGuard::Steers::kAnybody;
   return guard_.limit(asked_, odometry, seen_, steers);
 }
 

@@ -26,7 +26,7 @@ void visit_parameters(Visitor& visit, StepGuardParameters& p) {
   visit.number("guard_margin_m", p.margin_m, "m", {0.0, 0.5},
                "clearance that is kept beside and before the body");
   visit.number("guard_led_margin_m", p.led_margin_m, "m", {0.0, 0.5},
-               "the same where that leaves no step and recovery leads the robot to a place");
+               "the same where that leaves no step and recovery steers the robot along its path");
   visit.number("guard_least_step_m", p.least_step_m, "m", {0.0, 0.1},
                "a step that is cut to less than this is not made");
   visit.angle("guard_turn_deg", p.turn_away_rad, {1.0, 90.0},
@@ -48,8 +48,8 @@ void visit_parameters(Visitor& visit, StepGuardParameters& p) {
 /// again; without that it deadlocks at corners. Steps that shrink toward an obstacle without end
 /// count as nothing from least_step_m down.
 ///
-/// A robot that recovery leads along a path is let through with less room where it would be held:
-/// the path leads where it fits, and what holds it there would count as closed.
+/// A robot that recovery itself steers along a path is let through with less room where it would be
+/// held: the path leads where it fits, and what holds it there would count as closed.
 ///
 /// The guard binds every motion ahead, the overrides of recovery included: velocities and wheel
 /// speeds as the turn and step that they make in a tick. A drive that brakes with a deceleration of

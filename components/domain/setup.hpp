@@ -67,8 +67,8 @@ struct BehaviourSetup {
   ScanLayout scan;  ///< empty for the sensor itself
   MotionLimits limits;
   core::Resources resources;
-  /// Which robot of its world it is, from 0. Between two that are in each other's way, the lower
-  /// index has the way and the higher one gives it. A robot that is alone is 0.
+  /// Which robot of its world it is, from 0. Robot 0 has the way. All others give it, whomever they
+  /// meet, and of these the lowest comes back first. A robot that is alone is 0.
   std::uint32_t robot_index = 0;
 };
 

@@ -10,15 +10,16 @@ namespace clew::map {
 /// Lays what is known out for another grid. Blocks that only this one has are free as yet: most
 /// of a grid was never seen, and so the work is that of what was.
 void DistanceField::lay(const Grid& grid) {
-  const auto has_all_goals = [this] {
-    return std::all_of(goals_.begin(), goals_.end(),
-                       [this](const Cell& goal) { return grid_.contains(goal); });
-  };
-  const bool had_all_goals = has_all_goals();
   const Grid before = blocks_;
   const Vec2 shift = (grid.corner - grid_.corner) / grid.cell_m;
-  const bool lies_on = grid.cell_m == grid_.cell_m && std::llround(shift.x()) % 2 == 0 &&
-                       std::llround(shift.y()) % 2 == 0;
+  const auto right = static_cast<std::int32_t>(std::llround(shift.x()));
+  const auto up = static_cast<std::int32_t>(std::llround(shift.y()));
+  // A goal beside one of the grids has left no mark there: all is made anew.
+  const auto is_kept = [&](const Cell& goal) {
+    return grid_.contains(goal) && grid.contains({goal.column - right, goal.row - up});
+  };
+  const bool lies_on = grid.cell_m == grid_.cell_m && right % 2 == 0 && up % 2 == 0 &&
+                       std::all_of(goals_.begin(), goals_.end(), is_kept);
   grid_ = grid;
   blocks_.cell_m = 2.0 * grid.cell_m;
   blocks_.corner = grid.corner - Vec2(blocks_.cell_m, blocks_.cell_m);
@@ -31,8 +32,6 @@ void DistanceField::lay(const Grid& grid) {
   is_touched_.assign(blocks_.size(), 0);
   if (lies_on && !nodes_.empty()) {
     keep_laid_out(before);
-    // A goal beside a grid has left no mark in it: all are set anew.
-    if (!had_all_goals || !has_all_goals()) goals_.clear();
   } else {
     nodes_.assign(blocks_.size(), free_node());
     goals_.clear();

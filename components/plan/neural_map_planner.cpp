@@ -63,7 +63,9 @@ Subgoal NeuralMapPlanner::step(const Situation& situation) {
   const bool has_new_target = state_.target != situation.target;
   if (!state_.planned || has_new_target || is_old(situation)) plan(situation);
   if (!state_.path.empty()) {
-    if (core::length(state_.path[state_.subgoal] - robot) <= near_enough_m(situation)) {
+    const double left_m = core::length(state_.path[state_.subgoal] - robot);
+    // How near is enough takes two looks along a line.
+    if (left_m <= parameters_.arrive_m && left_m <= near_enough_m(situation)) {
       choose_subgoal(situation);
     }
     notice_astray(situation);

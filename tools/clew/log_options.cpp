@@ -66,7 +66,7 @@ void add_to(CLI::App& app, const std::shared_ptr<LogOptions>& options) {
   app.add_option("--log", options->file, "FILE that gets what is told as well, with times")
       ->group(kGroup);
   app.add_option("--log-dir", options->directory,
-                 "DIR where each process of the run gets such a file of its own (CLEW_LOG_DIR)")
+                 "DIR where each clew process gets such a file of its own (CLEW_LOG_DIR)")
       ->group(kGroup);
 }
 

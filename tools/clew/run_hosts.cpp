@@ -94,6 +94,7 @@ Result<void> read_hosts(const RunOptions& options, const runtime::Graph& graph,
   auto host_of = hosts_of(options, graph);
   if (!host_of.ok()) return host_of.error();
   if (host_of->empty()) {
+    if (options.fallback != "none") return Error{"no stage is on a host", "--fallback"};
     if (options.hosts.empty()) return {};
     return Error{"no stage is on a host; see --host, or 'process: {host: NAME}' of the graph",
                  "--hosts"};

@@ -37,7 +37,7 @@ std::optional<TrapEvidence> LandmarkRevisit::notice_standing_still(const Situati
   if (parameters_.still_s == 0.0) return std::nullopt;
   const core::Pose2& pose = situation.pose();
   const Visit now{situation.tick, pose.position(), pose.heading_rad, situation.odometry.travel_m};
-  Queue& stay = state_.queues[kStay];
+  auto& stay = state_.stay;
   const bool stays = !stay.empty() && core::length(stay[0].position_odom - now.position_odom) <=
                                           parameters_.match_radius_m;
   if (stays && static_cast<double>(now.tick - stay[0].tick) * tick_s_ < parameters_.still_s) {
@@ -58,8 +58,7 @@ std::optional<TrapEvidence> LandmarkRevisit::notice_standing_still(const Situati
 std::optional<TrapEvidence> LandmarkRevisit::visit(const Situation& situation,
                                                    const domain::Recognition& recognition) {
   const Key key{recognition.network, recognition.neuron};
-  const std::size_t known = state_.queues.size() - state_.queues.count(kStay);
-  const bool full = known >= static_cast<std::size_t>(parameters_.capacity);
+  const bool full = state_.queues.size() >= static_cast<std::size_t>(parameters_.capacity);
   if (full && state_.queues.count(key) == 0) return std::nullopt;
   Queue& queue = state_.queues[key];
   if (recognition.created) queue.clear();

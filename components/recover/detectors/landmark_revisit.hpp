@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -60,10 +59,9 @@ class LandmarkRevisit final : public TrapDetector {
   };
   using Queue = core::BoundedVector<Visit, kQueueLength>;  // oldest first
   using Key = std::pair<domain::Network, std::uint32_t>;
-  /// Of no landmark: where the robot came to last, and when.
-  static constexpr Key kStay{domain::Network::kSom, std::numeric_limits<std::uint32_t>::max()};
   struct State {
     std::map<Key, Queue> queues;
+    core::BoundedVector<Visit, 1> stay;  ///< where the robot came to last, and when
   };
 
   static core::Result<std::unique_ptr<LandmarkRevisit>> create(const Parameters& parameters,
@@ -73,7 +71,7 @@ class LandmarkRevisit final : public TrapDetector {
       : parameters_(parameters), tick_s_(tick_s) {}
 
   std::optional<TrapEvidence> observe(const Situation& situation) override;
-  void start_afresh() override { state_.queues.clear(); }
+  void start_afresh() override { state_ = {}; }
   void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
@@ -95,7 +93,7 @@ void visit_fields(Visitor& visit, LandmarkRevisit::Visit& v) {
 }
 template <typename Visitor>
 void visit_fields(Visitor& visit, LandmarkRevisit::State& s) {
-  visit(s.queues);
+  visit(s.queues, s.stay);
 }
 
 }  // namespace clew::recover

@@ -60,7 +60,10 @@ EscapeStatus RightOfWay::step(const Situation& situation, domain::Guidance& guid
   if (state_.phase == Phase::kBack) go_back(situation);
   if (state_.phase == Phase::kAside) {
     const bool there = core::distance_m(situation.pose(), state_.goal_odom) <= kClose_m;
-    if (there || is_stuck(situation)) begin_phase(Phase::kHold, situation);
+    // Who has come to stand there makes it go round and round.
+    const double gone_m = situation.odometry.travel_m - state_.begin_travel_m;
+    const bool too_far = gone_m >= parameters_.most_back_m + 2.0 * (parameters_.aside_m + kClose_m);
+    if (there || too_far || is_stuck(situation)) begin_phase(Phase::kHold, situation);
   }
   if (state_.phase == Phase::kHold) {
     if (elapsed_s(situation) >= hold_s()) return end();
@@ -112,6 +115,7 @@ bool RightOfWay::find_room_aside(const Situation& situation) {
 bool RightOfWay::is_free(const domain::Scan& scan, double bearing_rad) const {
   const double beside_m = radius_m_ + parameters_.clearance_m;
   const double ahead_m = parameters_.aside_m + kClose_m + beside_m;
+  if (scan.range_max_m + radius_m_ < ahead_m) return false;  // it does not show so much
   bool in_view = false;
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
     const double angle_rad = core::wrap_angle_rad(scan.bearing_rad(i) - bearing_rad);
