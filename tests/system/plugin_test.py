@@ -73,8 +73,10 @@ class PluginTest(unittest.TestCase):
         graph = self.work / "named.yaml"
         text = (self.installation.prefix / "share/clew/graphs/krishna_kalra.yaml").read_text(
             encoding="utf-8")
-        graph.write_text(text.replace("detector: landmark_revisit", "detector: stagnation")
-                         + "plugins: [stagnation]\n", encoding="utf-8")
+        ours = "detector: {landmark_revisit: {still_s: 15}}"
+        self.assertIn(ours, text)
+        graph.write_text(text.replace(ours, "detector: stagnation") + "plugins: [stagnation]\n",
+                         encoding="utf-8")
         path = {"CLEW_PATH": str(self.built)}
         named = self.clew("run", graph, "--layout", "composed", "--json", environment=path)
         unknown = self.clew("run", graph, "--layout", "composed")
