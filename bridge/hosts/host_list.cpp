@@ -43,10 +43,17 @@ Result<void> read_hosts(const YamlNode& root, HostList& list) {
       return entry.key_node.error("host is '" + entry.key +
                                   "'; allowed: " + runtime::kHostNameRule);
     }
+    if (entry.key == "here") {
+      return entry.key_node.error(
+          "host is 'here'; allowed: another name, since 'here' is this host");
+    }
     const auto text = entry.value.string();
     if (!text.ok()) return text.error();
     const auto address = read_tcp_address(*text);
     if (!address.ok()) return entry.value.error(address.error().message);
+    if (address->port == 0) {
+      return entry.value.error("found '" + *text + "'; allowed: a port from 1 to 65535");
+    }
     list.hosts.emplace(entry.key, *address);
   }
   if (list.hosts.empty()) return node->error("expected at least one host");

@@ -10,6 +10,14 @@
 #include <algorithm>
 
 namespace clew::bridge {
+namespace {
+
+bool is_ipv4(const std::string& text) {
+  in_addr address{};
+  return text.find('\0') == std::string::npos && ::inet_pton(AF_INET, text.c_str(), &address) == 1;
+}
+
+}  // namespace
 
 bool is_own_address(const std::string& address) {
   in_addr wanted{};
@@ -29,6 +37,11 @@ bool is_own_address(const std::string& address) {
 
 core::Result<std::optional<NetworkAddresses>> network_of(
     const std::vector<std::string>& addresses) {
+  // They become part of the vendors' settings, and may come from another computer.
+  for (const std::string& address : addresses) {
+    if (is_ipv4(address)) continue;
+    return core::Error{"found '" + address + "'; allowed: an IPv4 address of a host of the run"};
+  }
   if (addresses.empty()) return std::optional<NetworkAddresses>();
   const auto own = std::find_if(addresses.begin(), addresses.end(), is_own_address);
   if (own != addresses.end()) return std::optional<NetworkAddresses>({*own, addresses});

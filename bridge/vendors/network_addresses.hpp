@@ -14,7 +14,8 @@ namespace clew::bridge {
 bool is_own_address(const std::string& address);
 
 /// Where a participant here speaks in a run over the hosts with these addresses: at the first that
-/// is one of this host's. None without addresses: on 127.0.0.1. Refused: addresses of others only.
+/// is one of this host's. None without addresses: on 127.0.0.1. Refused: addresses of others only,
+/// and what is no IPv4 address.
 core::Result<std::optional<NetworkAddresses>> network_of(const std::vector<std::string>& addresses);
 
 }  // namespace clew::bridge

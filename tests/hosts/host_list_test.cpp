@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <ostream>
 
 #include "vendors/network_addresses.hpp"
@@ -80,6 +81,19 @@ TEST(HostList, AParticipantSpeaksAtTheAddressThatItsHostHas) {
             "192.0.2.1");
 }
 
+// They come with an assignment, maybe from another computer, and become part of XML.
+TEST(HostList, AnAddressThatIsNoneIsRefusedAlsoBesideTheOwnOne) {
+  const std::map<std::string, std::string> told_of = {
+      {"10.0.0.2\"/>", "10.0.0.2\"/>"}, {std::string("10.0.0.2\0", 9), "10.0.0.2\\x00"}, {"", ""}};
+  for (const auto& [bad, told] : told_of) {
+    const auto network = network_of({"127.0.0.1", bad});
+
+    ASSERT_FALSE(network.ok()) << bad;
+    EXPECT_EQ(network.error().text(),
+              "found '" + told + "'; allowed: an IPv4 address of a host of the run");
+  }
+}
+
 struct Refused {
   std::string text;
   std::string fault;
@@ -108,6 +122,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"identity: k\nhosts: {a: 10.0.0.2:70000}\n",
                 "2:12: found '10.0.0.2:70000'" + kAddressRule},
         Refused{"identity: k\nhosts: {a: '10.0.0.2:'}\n", "2:12: found '10.0.0.2:'" + kAddressRule},
+        Refused{"identity: k\nhosts: {a: 10.0.0.2:0}\n",
+                "2:12: found '10.0.0.2:0'; allowed: a port from 1 to 65535"},
+        Refused{"identity: k\nhosts: {here: 10.0.0.2}\n",
+                "2:9: host is 'here'; allowed: another name, since 'here' is this host"},
         Refused{"identity: k\nhosts: {-a: 10.0.0.2}\n",
                 "2:9: host is '-a'; allowed: up to 48 letters, digits, '-', '.' and '_', the first "
                 "no '-'"},
