@@ -81,7 +81,8 @@ std::vector<domain::Incident> LateWatch::watch(const std::vector<Member>& member
 
 bool LateWatch::is_suspicious(const Member& member, const std::vector<Member>& members,
                               const TicksOf& written, Time now) const {
-  if (member.down || process_id_of(member) == 0) return false;
+  // Of a process on another host the kernel here knows nothing.
+  if (member.down || member.elsewhere || process_id_of(member) == 0) return false;
   // What it does is seen on the wire only. In lockstep its graph says for how long to wait.
   if (member.third_party) return realtime_ && inputs_are_there(member, members, written);
   if (!member.link) return false;

@@ -23,6 +23,7 @@ namespace clew::bridge {
 /// Time counts against it only while it uses a processor, or wants none. Who wants one and is given
 /// none suffers from the machine's load, and is not named. In real time a step is too long after
 /// the larger of 0.3 s and two ticks, in lockstep after ten seconds: a large search takes its time.
+/// Components on other hosts are not watched.
 class LateWatch {
  public:
   using Time = std::chrono::steady_clock::time_point;

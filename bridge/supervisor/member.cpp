@@ -6,6 +6,7 @@
 
 #include "component/process_host.hpp"
 #include "run/limits.hpp"
+#include "supervisor/launcher.hpp"
 
 namespace clew::bridge {
 
@@ -130,6 +131,7 @@ std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayo
     member->stages.push_back(stage.info->name);
     if (layout.external.count(stage.info->name) != 0) member->external = true;
     if (stage.ports.delayed_inputs.any()) member->starts_ticks = true;
+    if (!host_of(stage, layout).empty()) member->elsewhere = true;
   }
   return members;
 }

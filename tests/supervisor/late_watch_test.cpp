@@ -157,6 +157,16 @@ TEST_F(Late, ForgetsWhatWasBeforeAPause) {
   EXPECT_TRUE(pass(watch, milliseconds(300)).empty());
 }
 
+TEST_F(Late, WhoIsOnAnotherHostIsNotNamed) {
+  LateWatch watch = make(true);
+  member("control").busy = true;
+  member("control").elsewhere = true;
+  EXPECT_TRUE(pass(watch, seconds(2)).empty()) << "its process here is a relay, which waits";
+
+  member("control").elsewhere = false;
+  EXPECT_EQ(pass(watch, seconds(2)).size(), 1u);
+}
+
 /// The same with a control of somebody else's, of which only the wire tells.
 class LateProgram : public Late {
  protected:
