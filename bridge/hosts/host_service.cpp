@@ -5,11 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cerrno>
+#include <cstring>
 #include <ctime>
 #include <utility>
 
 #include "hosts/tcp_socket.hpp"
+#include "log/log.hpp"
 #include "run/end_signals.hpp"
 #include "run/limits.hpp"
 
@@ -20,8 +22,9 @@ using Clock = std::chrono::steady_clock;
 using core::Error;
 using core::Result;
 
-/// Connections at a time: more than any robot has components, fewer than a process may have files.
-constexpr std::size_t kMostComponents = 256;
+/// Connections at a time: more than any robot has components. Each may hold ten files: sockets,
+/// keys and inputs; a process may have 1024.
+constexpr std::size_t kMostComponents = 96;
 /// A run whose components have all left may start one again.
 constexpr auto kForgottenAfter = std::chrono::seconds(60);
 
@@ -43,9 +46,6 @@ HostService::HostService(HostOrder order, TlsContextPtr context, std::string nam
   surroundings_.program = std::move(order.program);
   surroundings_.version = std::move(order.version);
   surroundings_.allowed = std::move(order.allowed);
-  surroundings_.log = [](const std::string& text) {
-    std::fprintf(stderr, "clew host: %s\n", text.c_str());
-  };
   surroundings_.clear_place = [this](const HostedComponent& newcomer) {
     return clear_place(newcomer);
   };
@@ -60,10 +60,10 @@ HostService::~HostService() { ::close(listening_); }
 
 TcpAddress HostService::address() const { return own_end(listening_); }
 
-void HostService::run() {
-  EndSignals signals;
+void HostService::run(EndSignals& signals) {
   while (signals.take() == 0) {
-    std::vector<pollfd> descriptors = {{signals.descriptor(), POLLIN, 0}, {listening_, POLLIN, 0}};
+    std::vector<pollfd> descriptors = {{signals.descriptor(), POLLIN, 0}};
+    if (accepts_) descriptors.push_back({listening_, POLLIN, 0});
     for (const auto& component : components_) component->add_descriptors(descriptors);
     ::poll(descriptors.data(), descriptors.size(), static_cast<int>(kPollPeriod.count()));
     const auto now = Clock::now();
@@ -86,14 +86,26 @@ void HostService::run() {
 void HostService::accept(Time now) {
   for (std::size_t i = 0; i < kMostNewcomers; ++i) {
     const int socket = accept_next(listening_);
-    if (socket < 0) break;
+    if (socket < 0) {
+      note_refusal(errno);
+      break;
+    }
     if (components_.size() >= kMostComponents) {
+      logs::warning("{} is turned away: {} are connected, which is the most",
+                    other_end(socket).text(), components_.size());
       ::close(socket);
       continue;
     }
     components_.push_back(std::make_unique<HostedComponent>(socket, *context_, surroundings_, now));
   }
   send_surplus_away();
+}
+
+// While descriptors are short, who waits would end every poll at once: it is tried once a period.
+void HostService::note_refusal(int reason) {
+  const bool nobody = reason == EAGAIN || reason == EWOULDBLOCK;
+  if (!nobody && accepts_) logs::warning("cannot take a connection: {}", std::strerror(reason));
+  accepts_ = nobody;
 }
 
 void HostService::send_surplus_away() {

@@ -11,6 +11,7 @@
 #include "core/result.hpp"
 #include "hosts/host_list.hpp"
 #include "hosts/hosted_component.hpp"
+#include "run/end_signals.hpp"
 
 namespace clew::bridge {
 
@@ -35,13 +36,14 @@ class HostService {
   std::string name() const { return name_; }
   TcpAddress address() const;
 
-  /// Until a signal asks for an end.
-  void run();
+  /// Until a signal asks for an end. `signals` were made before the service.
+  void run(EndSignals& signals);
 
  private:
   HostService(HostOrder order, TlsContextPtr context, std::string name, int listening);
 
   void accept(Time now);
+  void note_refusal(int reason);
   void send_surplus_away();
   void forget(Time now);
   bool clear_place(const HostedComponent& newcomer);
@@ -57,6 +59,7 @@ class HostService {
   TlsContextPtr context_;
   std::string name_;
   int listening_;
+  bool accepts_ = true;  ///< who came last could be taken
   HostSurroundings surroundings_;
   std::map<int, std::weak_ptr<DomainLock>> locks_;
   std::map<std::string, RunMemory> memory_;

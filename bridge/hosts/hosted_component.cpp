@@ -12,6 +12,7 @@
 
 #include "dds/rtps_ports.hpp"
 #include "hosts/tcp_socket.hpp"
+#include "log/log.hpp"
 #include "run/limits.hpp"
 #include "runtime/graph.hpp"
 #include "wire/codec.hpp"
@@ -45,8 +46,9 @@ HostedComponent::~HostedComponent() {
 }
 
 void HostedComponent::add_descriptors(std::vector<pollfd>& descriptors) const {
-  if (!line_.is_closed()) descriptors.push_back({line_.socket(), line_.poll_events(), 0});
-  if (link_) descriptors.push_back({link_->socket(), link_->poll_events(), 0});
+  const bool reads = !link_ || !link_->has_unsent();
+  if (!line_.is_closed()) descriptors.push_back({line_.socket(), line_.poll_events(reads), 0});
+  if (link_) descriptors.push_back({link_->socket(), events_passed_to(line_, *link_), 0});
 }
 
 std::string HostedComponent::run() const {
@@ -67,9 +69,11 @@ std::string HostedComponent::who() const {
 bool HostedComponent::over() const { return line_.is_closed() && !is_running(); }
 
 void HostedComponent::turn(Time now) {
-  line_.turn(now, !link_ || !link_->has_unsent());
+  reads_ = !link_ || !link_->has_unsent();
+  line_.turn(now, reads_);
   while (auto frame = line_.next()) handle(*std::move(frame));
-  if (order_ && !child_ && !line_.is_closed() && host_.clear_place(*this)) start(now);
+  const bool waits = order_ && !child_ && !told_ && !line_.is_closed();
+  if (waits && host_.clear_place(*this)) start(now);
   pass_on(now);
   watch_child(now);
   watch_connection(now);
@@ -78,7 +82,10 @@ void HostedComponent::turn(Time now) {
 void HostedComponent::handle(Frame frame) {
   if (frame.type == frame_type(HostFrame::kBeat)) return;
   if (frame.type == frame_type(HostFrame::kStart) && !order_) return take_order(frame);
-  if (frame.type == frame_type(HostFrame::kAssigned) && link_ && !assigned_) return assign(frame);
+  if (frame.type == frame_type(HostFrame::kAssigned) && order_ && !assigned_) {
+    if (link_) assign(frame);  // else its component has ended meanwhile
+    return;
+  }
   if (order_ && is_of_component(frame)) {
     if (link_) link_->post_bytes(frame.type, frame.payload);
     return;
@@ -109,14 +116,13 @@ std::string HostedComponent::fault_of_order() const {
 }
 
 void HostedComponent::refuse(const std::string& why) {
-  host_.log(who() + " is refused: " + why);
+  logs::warning("{} is refused: {}", who(), why);
   line_.post(frame_type(HostFrame::kRefused), Text{why});
   told_ = true;
   link_closed_at_ = std::chrono::steady_clock::now();
 }
 
 void HostedComponent::start(Time now) {
-  if (told_) return;
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     return refuse(std::string("cannot start it: ") + std::strerror(errno));
@@ -141,7 +147,7 @@ void HostedComponent::start(Time now) {
   }
   child_.emplace(std::move(child).value());
   line_.post(frame_type(HostFrame::kStarted), Text{});
-  host_.log(who() + " is process " + std::to_string(child_->process_id()));
+  logs::info("{} is process {}", who(), child_->process_id());
   beat_at_ = now;
 }
 
@@ -151,6 +157,9 @@ void HostedComponent::assign(const Frame& frame) {
   if (!told) return line_.close("sends an assignment that is none");
   assigned_ = true;
   Assignment& assignment = told->assignment;
+  if (assignment.domain != order_->domain || assignment.hosts.empty() || !assignment.security) {
+    return end("sends an assignment that is not what it ordered");
+  }
   realtime_ = assignment.pace == Pace::kRealtime;
   std::map<std::string, std::string> here;
   for (const auto& [path, content] : told->files) {
@@ -192,7 +201,7 @@ void HostedComponent::watch_child(Time now) {
   }
   if (told_ || link_) return;  // what it said last is still to be passed on
   told_ = true;
-  host_.log(who() + ' ' + child_->end());
+  logs::info("{} {}", who(), child_->end());
   const int status = child_->status();
   line_.post(frame_type(HostFrame::kEnded),
              ComponentEnd{WIFSIGNALED(status) ? WTERMSIG(status) : 0,
@@ -205,9 +214,7 @@ void HostedComponent::watch_connection(Time now) {
     const bool late = is_newcomer() && now - connected_at_ > kHelloTimeout;
     if (late) return line_.close("said nothing");
     const bool unheard = line_.is_open() && now - line_.heard_at() > kHostLostAfter;
-    if (unheard && (!link_ || !link_->has_unsent())) {
-      return line_.close("was not heard for 2 s");
-    }
+    if (unheard && reads_) return line_.close("was not heard for 2 s");
     // It reads how the component ended, and leaves.
     const bool done = told_ && line_.unsent_bytes() == 0;
     if (done && now - *link_closed_at_ > kLastMoment) return line_.close("the component has ended");
@@ -220,7 +227,7 @@ void HostedComponent::watch_connection(Time now) {
   if (!lost_at_) {
     lost_at_ = now;
     link_.reset();  // the component sees that its run is gone
-    if (!told_ && !line_.was_left()) host_.log(who() + " is let go: " + line_.why());
+    if (!told_ && !line_.was_left()) logs::warning("{} is let go: {}", who(), line_.why());
   }
   const std::chrono::milliseconds grace = realtime_ ? kRestTimeout + kLastMoment : kEndGrace;
   if (is_running() && now - *lost_at_ > grace) child_->signal(SIGKILL);

@@ -27,7 +27,6 @@ struct HostSurroundings {
   std::string program;               ///< the clew command
   std::string version;               ///< of it
   std::vector<std::string> allowed;  ///< programs and plug-ins that a run may name
-  std::function<void(const std::string&)> log;
   /// Ends others of the same run and stage; whether none is there any more.
   std::function<bool(const HostedComponent&)> clear_place;
   /// Keeps other runs of this host off a domain.
@@ -89,6 +88,7 @@ class HostedComponent {
   std::optional<ChildProcess> child_;
   std::unique_ptr<Link> link_;  ///< to the component
   std::vector<std::unique_ptr<MemoryFile>> files_;
+  bool reads_ = true;  ///< what the relay sends: not while the component takes nothing
   bool realtime_ = false;
   bool assigned_ = false;
   bool told_ = false;  ///< the relay knows that the component has ended

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <iterator>
@@ -20,6 +19,7 @@
 #include "hosts/tcp_socket.hpp"
 #include "hosts/tls_line.hpp"
 #include "line/link.hpp"
+#include "log/log.hpp"
 #include "run/limits.hpp"
 #include "wire/codec.hpp"
 
@@ -30,26 +30,30 @@ using Clock = std::chrono::steady_clock;
 using core::Error;
 using core::Result;
 
-std::string read_file(const std::string& path) {
+Result<std::string> read_file(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) return Error{"cannot be read", path};
+  return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
 /// The same run on the same boot of the same computer.
-std::string run_of_parent() {
-  std::string boot = read_file("/proc/sys/kernel/random/boot_id");
-  if (!boot.empty() && boot.back() == '\n') boot.pop_back();
-  return boot + '/' + std::to_string(::getppid());
+Result<std::string> run_of_parent() {
+  auto boot = read_file("/proc/sys/kernel/random/boot_id");
+  if (!boot.ok()) return boot.error();
+  if (!boot->empty() && boot->back() == '\n') boot->pop_back();
+  return *boot + '/' + std::to_string(::getppid());
 }
 
-AssignedElsewhere with_files(Assignment assignment) {
+Result<AssignedElsewhere> with_files(Assignment assignment) {
   AssignedElsewhere told{std::move(assignment), {}};
   told.assignment.input_histories.clear();
   if (const auto& security = told.assignment.security) {
     for (const std::string& path :
          {security->authority, security->certificate, security->private_key, security->governance,
           security->permissions}) {
-      told.files[path] = read_file(path);
+      auto content = read_file(path);
+      if (!content.ok()) return content.error();
+      told.files[path] = *std::move(content);
     }
   }
   return told;
@@ -79,6 +83,9 @@ class Relay {
       : order_(order), address_(std::move(address)), context_(std::move(context)) {}
 
   int run() {
+    auto run_id = run_of_parent();
+    if (!run_id.ok()) return fail_run(run_id.error().text());
+    run_id_ = *std::move(run_id);
     Connection connection = find_host();
     if (connection.line) {
       line_ = std::move(connection.line);
@@ -86,15 +93,15 @@ class Relay {
     }
     if (connection.refused) return fail_run(connection.why);
     if (order_.falls_back) return run_here(connection.why);
-    say("does not answer: " + connection.why);
+    warn("does not answer: " + connection.why);
     die_by(SIGKILL);
     return 1;
   }
 
  private:
-  void say(const std::string& text) const {
-    std::fprintf(stderr, "clew: %s: host %s (%s) %s\n", order_.stage.c_str(), order_.host.c_str(),
-                 address_.text().c_str(), text.c_str());
+  /// `text` may be what the host says.
+  void warn(const std::string& text) const {
+    logs::warning("host {} ({}) {}", order_.host, address_.text(), text);
   }
 
   Connection find_host() {
@@ -105,7 +112,7 @@ class Relay {
     while (true) {
       Connection connection = connect(std::min(deadline, Clock::now() + kHostLostAfter));
       if (connection.line || connection.refused || Clock::now() >= deadline) return connection;
-      if (!std::exchange(told, true)) say("does not answer yet: " + connection.why);
+      if (!std::exchange(told, true)) warn("does not answer yet: " + connection.why);
       ::poll(nullptr, 0, static_cast<int>(kReconnectPeriod.count()));
     }
   }
@@ -117,8 +124,8 @@ class Relay {
         std::make_unique<TlsLine>(*socket, *context_, HostRole::kRunner, order_.host, Clock::now());
     line->allow_payload(kMostPayloadBytes);
     line->post(frame_type(HostFrame::kStart),
-               StartComponent{order_.version, std::string(idl_fingerprint()), run_of_parent(),
-                              order_.stage, order_.domain});
+               StartComponent{order_.version, std::string(idl_fingerprint()), run_id_, order_.stage,
+                              order_.domain});
     while (Clock::now() < deadline) {
       pollfd descriptor{line->socket(), line->poll_events(), 0};
       ::poll(&descriptor, 1, static_cast<int>(kPollPeriod.count()));
@@ -143,11 +150,11 @@ class Relay {
 
   int pass_on() {
     while (true) {
-      std::vector<pollfd> descriptors = {{line_->socket(), line_->poll_events(), 0}};
-      if (link_) descriptors.push_back({link_->socket(), link_->poll_events(), 0});
+      const bool reads = !link_ || !link_->has_unsent();
+      std::vector<pollfd> descriptors = {{line_->socket(), line_->poll_events(reads), 0}};
+      if (link_) descriptors.push_back({link_->socket(), events_passed_to(*line_, *link_), 0});
       ::poll(descriptors.data(), descriptors.size(), static_cast<int>(kPollPeriod.count()));
       const auto now = Clock::now();
-      const bool reads = !link_ || !link_->has_unsent();
       line_->turn(now, reads);
       while (auto frame = line_->next()) {
         if (frame->type == frame_type(HostFrame::kEnded)) return end_likewise(*frame);
@@ -155,12 +162,12 @@ class Relay {
       }
       if (!serve_supervisor()) {
         line_->close("the run is over");
-        return 0;
+        return status_;
       }
       beat(*line_, now);
       if (reads && now - line_->heard_at() > kHostLostAfter) line_->close("was not heard for 2 s");
       if (line_->is_closed()) {
-        say("is lost: " + line_->why());
+        warn("is lost: " + line_->why());
         die_by(SIGKILL);
         return 1;
       }
@@ -172,7 +179,7 @@ class Relay {
     if (!link_) {
       const auto socket = Link::connect(order_.domain, Clock::now() + kHelloTimeout);
       if (!socket.ok()) {
-        say(socket.error().text());
+        logs::error("{}", socket.error().text());
         return false;
       }
       link_ = std::make_unique<Link>(*socket);
@@ -186,7 +193,7 @@ class Relay {
     return link_->post_bytes(frame.type, frame.payload);
   }
 
-  /// False when it is gone.
+  /// False when it is gone, or has been told that the run cannot go on.
   bool serve_supervisor() {
     if (!link_) return true;
     bool open = link_->flush();
@@ -199,7 +206,12 @@ class Relay {
       }
       auto assignment = frame->as<Assignment>();
       if (!assignment) return false;
-      line_->post(frame_type(HostFrame::kAssigned), with_files(*std::move(assignment)));
+      auto told = with_files(*std::move(assignment));
+      if (!told.ok()) {
+        status_ = fail_run(told.error().text());
+        return false;
+      }
+      line_->post(frame_type(HostFrame::kAssigned), *std::move(told));
     }
     return open;
   }
@@ -216,19 +228,22 @@ class Relay {
   int fail_run(const std::string& why) {
     const std::string text =
         order_.stage + ": host " + order_.host + " (" + address_.text() + "): " + why;
-    const auto socket = Link::connect(order_.domain, Clock::now() + kHelloTimeout);
-    if (!socket.ok()) return 1;
-    Link link(*socket);
-    link.post(FrameType::kHello, Hello{order_.stage, ::getpid(), std::string(idl_fingerprint())});
-    const auto answer = link.wait_for_frame(Clock::now() + kAssignmentTimeout);
-    if (!answer.ok()) return 1;
-    link.post(FrameType::kFatal, Text{text});
-    link.flush_until(Clock::now() + kEndGrace);
+    if (!link_ && !meet_supervisor()) return 1;
+    link_->post(FrameType::kFatal, Text{text});
+    link_->flush_until(Clock::now() + kEndGrace);
     return 1;
   }
 
+  bool meet_supervisor() {
+    const auto socket = Link::connect(order_.domain, Clock::now() + kHelloTimeout);
+    if (!socket.ok()) return false;
+    link_ = std::make_unique<Link>(*socket);
+    link_->post(FrameType::kHello, Hello{order_.stage, ::getpid(), std::string(idl_fingerprint())});
+    return link_->wait_for_frame(Clock::now() + kAssignmentTimeout).ok();
+  }
+
   int run_here(const std::string& why) {
-    say("does not answer: " + why + "; the component runs here");
+    warn("does not answer: " + why + "; the component runs here");
     const std::string domain = std::to_string(order_.domain);
     const char* const words[] = {
         order_.program.c_str(), "component", "-", order_.stage.c_str(), "--domain",
@@ -242,11 +257,13 @@ class Relay {
   TlsContextPtr context_;
   std::unique_ptr<TlsLine> line_;  ///< to the host
   std::unique_ptr<Link> link_;     ///< to the supervisor
+  std::string run_id_;
+  int status_ = 0;  ///< when the run is over
   Clock::time_point beat_at_{};
 };
 
 int complain(const Error& error) {
-  std::fprintf(stderr, "clew relay: %s\n", error.text().c_str());
+  logs::error("{}", error.text());
   return 1;
 }
 

@@ -10,6 +10,8 @@
 #include <ctime>
 #include <utility>
 
+#include "hosts/host_frames.hpp"
+#include "line/link.hpp"
 #include "run/limits.hpp"
 
 namespace clew::bridge {
@@ -81,10 +83,11 @@ TlsLine::TlsLine(int socket, SSL_CTX& context, HostRole own, std::string expecte
 
 TlsLine::~TlsLine() { ::close(socket_); }
 
-short TlsLine::poll_events() const {
+short TlsLine::poll_events(bool reads) const {
   if (is_closed()) return 0;
   const bool writes = wants_write_ || (is_open() && unsent_bytes() > 0);
-  return static_cast<short>(writes ? POLLIN | POLLOUT : POLLIN);
+  const int in = reads || !is_open() ? POLLIN : 0;
+  return static_cast<short>(writes ? in | POLLOUT : in);
 }
 
 void TlsLine::turn(Time now, bool reads) {
@@ -169,7 +172,11 @@ void TlsLine::send() {
     const auto size = static_cast<int>(std::min(unsent_bytes(), kMostAtOnce));
     const int sent = SSL_write(ssl_.get(), unsent_.data() + sent_of_unsent_, size);
     if (sent <= 0) {
-      if (!waits(sent)) fail(sent, "sending");
+      if (!waits(sent)) return fail(sent, "sending");
+      // A peer that takes part of it each time must not let it grow for ever.
+      if (sent_of_unsent_ > kMostReceivedAtOnce) {
+        unsent_.erase(0, std::exchange(sent_of_unsent_, 0));
+      }
       return;
     }
     sent_of_unsent_ += static_cast<std::size_t>(sent);
@@ -222,6 +229,11 @@ void TlsLine::post_bytes(FrameType type, std::string_view payload) {
   std::memcpy(header.data() + 1, &size, sizeof size);
   unsent_.append(header.data(), header.size()).append(payload);
   if (is_open()) send();
+}
+
+short events_passed_to(const TlsLine& line, const Link& link) {
+  const bool takes = line.unsent_bytes() < kMostRelayedBytes;
+  return static_cast<short>(takes ? link.poll_events() : link.poll_events() & ~POLLIN);
 }
 
 // With what came before still to be read by next().

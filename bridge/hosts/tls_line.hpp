@@ -17,6 +17,8 @@
 
 namespace clew::bridge {
 
+class Link;
+
 using TlsContextPtr = std::unique_ptr<SSL_CTX, OpensslDeleter<SSL_CTX_free>>;
 
 /// What connections of a computer in that role share: TLS 1.3 and nothing older, its own identity,
@@ -38,8 +40,8 @@ class TlsLine {
   TlsLine& operator=(const TlsLine&) = delete;
 
   int socket() const { return socket_; }
-  /// What to poll the socket for.
-  short poll_events() const;
+  /// What to poll the socket for; `reads` as in turn, which is to be the next call.
+  short poll_events(bool reads = true) const;
   /// Goes on as far as the socket allows: the handshake, what waits to be sent, and, if `reads`,
   /// what has come.
   void turn(Time now, bool reads = true);
@@ -106,5 +108,9 @@ class TlsLine {
   std::string received_;
   std::size_t consumed_ = 0;
 };
+
+/// What to poll a component's or supervisor's link for, whose frames go on to `line`: nothing is
+/// read of it while too much waits there.
+short events_passed_to(const TlsLine& line, const Link& link);
 
 }  // namespace clew::bridge

@@ -2,32 +2,19 @@
 #include "hosts/tls_line.hpp"
 
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <ctime>
 #include <memory>
 
+#include "connected_ends.hpp"
 #include "hosts/host_frames.hpp"
-#include "hosts/tcp_socket.hpp"
+#include "line/link.hpp"
 #include "run/limits.hpp"
-#include "temporary_keys.hpp"
 
 namespace clew::bridge {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-TlsContextPtr context_of(const TemporaryKeys& keys, const std::string& name, HostRole role) {
-  const auto minted = mint_host_identity(keys.path(), name, role, days_around_now(1, 10));
-  EXPECT_TRUE(minted.ok()) << minted.error().text();
-  const auto identity = HostIdentity::read(host_identity_directory(keys.path(), name, role), role,
-                                           std::time(nullptr));
-  EXPECT_TRUE(identity.ok()) << identity.error().text();
-  auto context = make_tls_context(*identity, role);
-  EXPECT_TRUE(context.ok());
-  return std::move(context).value();
-}
 
 /// What such a computer would show if it did not check its own identity first.
 TlsContextPtr unchecked_context(const TemporaryKeys& keys, const Validity& validity) {
@@ -41,16 +28,10 @@ TlsContextPtr unchecked_context(const TemporaryKeys& keys, const Validity& valid
 /// A relay's end and a host's, over TCP on this host.
 struct Ends {
   Ends(SSL_CTX& of_relay, SSL_CTX& of_host, const std::string& expected) {
-    const auto listening = listen_on({"127.0.0.1", 0});
-    EXPECT_TRUE(listening.ok());
-    const auto connecting = begin_connecting(own_end(*listening));
-    EXPECT_TRUE(connecting.ok());
-    int accepted = -1;
-    while (accepted < 0) accepted = accept_next(*listening);
-    ::close(*listening);
-    relay =
-        std::make_unique<TlsLine>(*connecting, of_relay, HostRole::kRunner, expected, Clock::now());
-    host = std::make_unique<TlsLine>(accepted, of_host, HostRole::kHost, "", Clock::now());
+    const Sockets sockets;
+    relay = std::make_unique<TlsLine>(sockets.relay, of_relay, HostRole::kRunner, expected,
+                                      Clock::now());
+    host = std::make_unique<TlsLine>(sockets.host, of_host, HostRole::kHost, "", Clock::now());
   }
 
   template <typename Done>
@@ -102,6 +83,28 @@ TEST_F(TlsLineTest, ALargeFrameArrivesWhole) {
 
   EXPECT_TRUE(frame->payload == large);
   EXPECT_EQ(ends.relay->unsent_bytes(), 0u);
+}
+
+TEST_F(TlsLineTest, ASocketThatIsNotReadIsNotPolledForReading) {
+  Ends ends(*desk_, *host_, "robot");
+  EXPECT_TRUE(ends.host->poll_events(false) & POLLIN) << "a handshake is always read";
+  ASSERT_TRUE(ends.turn_until([&] { return ends.host->is_open() && ends.relay->is_open(); }));
+
+  EXPECT_EQ(ends.host->poll_events(true), POLLIN);
+  EXPECT_EQ(ends.host->poll_events(false), 0);
+}
+
+TEST_F(TlsLineTest, ALinkWhoseFramesFindNoRoomIsNotPolledForReading) {
+  Ends ends(*desk_, *host_, "robot");
+  int sockets[2];
+  ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, sockets), 0);
+  const Link link(sockets[0]);
+  EXPECT_EQ(events_passed_to(*ends.relay, link), POLLIN);
+
+  ends.relay->post_bytes(FrameType::kSamples, std::string(kMostRelayedBytes, 'x'));
+
+  EXPECT_EQ(events_passed_to(*ends.relay, link), 0);
+  ::close(sockets[1]);
 }
 
 TEST_F(TlsLineTest, AFrameLargerThanAllowedClosesTheConnection) {

@@ -11,6 +11,7 @@
 #include "dds/rtps_ports.hpp"
 #include "hosts/host_service.hpp"
 #include "hosts/relay.hpp"
+#include "run/end_signals.hpp"
 
 namespace clew::tools {
 namespace {
@@ -27,11 +28,12 @@ int host_command(const HostOptions& options) {
   order.listen = *address;
   order.program = own_program();
   order.version = version_text();
+  bridge::EndSignals signals;  // before anybody is told that it listens
   const auto service = bridge::HostService::open(order);
   if (!service.ok()) return complain(service.error());
   fmt::print("host {} listens on {}\n", (*service)->name(), (*service)->address().text());
   std::fflush(stdout);
-  (*service)->run();
+  (*service)->run(signals);
   return kExitGood;
 }
 
@@ -46,8 +48,10 @@ void add_host(CLI::App& main, int& status) {
                   "a directory with who this host is, of 'clew keys host'")
       ->check(given_name())
       ->required();
-  app->add_option("--allow", options->order.allowed,
-                  "a program or plug-in that runs may name, as they name it; may be repeated")
+  app->add_option(
+         "--allow", options->order.allowed,
+         "a program as the graph names it; a plug-in by the full path of its file, which must "
+         "be the same, with the same bytes, on both computers; may be repeated")
       ->allow_extra_args(false);
   app->callback([options, &status] { status = host_command(*options); });
 }

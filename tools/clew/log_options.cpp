@@ -20,7 +20,8 @@ constexpr char kGroup[] = "Log";
 /// `component sense`: of the others the command's name is enough. Processes that a person meets
 /// beside the one that was started say who they are.
 std::string speaker_of(const CLI::App& app) {
-  static const std::set<std::string> kSpeakers = {"component", "recorder", "bridge"};
+  static const std::set<std::string> kSpeakers = {"component", "recorder", "bridge", "host",
+                                                  "relay"};
   const auto commands = app.get_subcommands();
   if (commands.empty() || kSpeakers.count(commands.front()->get_name()) == 0) return "clew";
   std::string speaker = "clew " + commands.front()->get_name();
