@@ -3,6 +3,8 @@
 after the loss of the host. Only computers of one authority meet. Hosts are `clew host` over
 loopback, and two network namespaces with a slow and lossy cable between them."""
 import contextlib
+import itertools
+import json
 import os
 import pathlib
 import re
@@ -11,7 +13,6 @@ import signal
 import socket
 import subprocess
 import tempfile
-import time
 import unittest
 
 from clew_command import (CLEW, Run, command_line, processes_of_session, run_graph, start,
@@ -19,10 +20,21 @@ from clew_command import (CLEW, Run, command_line, processes_of_session, run_gra
 
 RUN = ["krishna_kalra", "--world", "u-trap", "--max-ticks", "300"]
 ENDLESS = ["krishna_kalra", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none",
-           "--max-ticks", "3000"]
-LONG = [*ENDLESS[:-1], "800"]
+           "--max-ticks", "800"]
+# A tick is 0.3 s of simulated time: the run lasts for 5 s at least, and is under way when something is killed.
+PACE = ["--pace", "50x"]
 FAR = ["--host", "sense=robot", "--host", "drive=robot"]
+NUMBERS = itertools.count()
 VENDORS = {"cyclonedds": ["--middleware", "cyclonedds"], "fastdds": ["--middleware", "fastdds"]}
+
+
+def has_done(name, ticks, space=None):
+    """Whether each component of the run, maybe in a network namespace, has done so many ticks."""
+    inside = ["ip", "netns", "exec", space] if space else []
+    done = subprocess.run([*inside, CLEW, "top", name, "--once", "--json"], capture_output=True,
+                          text=True, check=False)
+    rows = [json.loads(line) for line in done.stdout.splitlines()] if done.returncode == 0 else []
+    return bool(rows) and all(row["ticks"] >= ticks for row in rows)
 
 
 def make_keys(scratch):
@@ -91,6 +103,16 @@ class OnLoopback(unittest.TestCase):
         self.addCleanup(host.stop)
         return host
 
+    def begin(self, host, *arguments):
+        """Starts a run with components on the host, and waits until they step; its name and process."""
+        name = f"hosts-test-{os.getpid()}-{next(NUMBERS)}"
+        process = start(["run", *ENDLESS, *PACE, *FAR, "--hosts", self.hosts_of(host), "--json", "--name",
+                         name, *arguments])
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.assertTrue(wait_until(lambda: has_done(name, 20)), host.text())
+        return name, process
+
     def hosts_of(self, host, identity="keys/desk.run"):
         return write_hosts(self.scratch / "hosts.yaml", identity, host.address)
 
@@ -123,12 +145,11 @@ class OnLoopback(unittest.TestCase):
 
     def test_a_killed_component_comes_back_there(self):
         host = self.host()
-        process = start(["run", *ENDLESS, *FAR, "--hosts", self.hosts_of(host), "--json"])
-        for stage in ["sense", "drive"]:
+        name, process = self.begin(host)
+        for stage, ticks in (("sense", 20), ("drive", 150)):
+            self.assertTrue(wait_until(lambda: has_done(name, ticks)), host.text())
             self.assertTrue(wait_until(lambda: len(host.components()) == 2), host.text())
-            time.sleep(0.5)
             os.kill(host.components()[stage], signal.SIGKILL)
-            time.sleep(0.5)
         out, err = process.communicate(timeout=120)
 
         self.assertEqual(process.returncode, 3, err)
@@ -137,10 +158,7 @@ class OnLoopback(unittest.TestCase):
 
     def test_the_components_of_a_lost_host_go_on_here(self):
         host = self.host()
-        process = start(["run", *ENDLESS, *FAR, "--hosts", self.hosts_of(host), "--json",
-                         "--fallback", "local"])
-        self.assertTrue(wait_until(lambda: len(host.components()) == 2), host.text())
-        time.sleep(0.5)
+        _, process = self.begin(host, "--fallback", "local")
         host.stop(signal.SIGKILL)
         out, err = process.communicate(timeout=120)
 
@@ -151,9 +169,7 @@ class OnLoopback(unittest.TestCase):
 
     def test_the_components_of_a_host_that_comes_back_go_on_there(self):
         host = self.host()
-        process = start(["run", *ENDLESS, *FAR, "--hosts", self.hosts_of(host), "--json"])
-        self.assertTrue(wait_until(lambda: len(host.components()) == 2), host.text())
-        time.sleep(0.5)
+        _, process = self.begin(host)
         host.stop(signal.SIGKILL)
         again = self.host(listen=host.address)
         out, err = process.communicate(timeout=120)
@@ -306,16 +322,18 @@ class OverACable(unittest.TestCase):
 
     def test_a_cable_that_is_cut_is_a_lost_host(self):
         robot, plug = self.spaces[1], self.plugs[1]
-        process = self.run_at_desk(*LONG, *FAR, "--hosts", self.hosts,
-                                   "--fallback", "local", "--pace", "50x")
-        self.assertTrue(wait_until(lambda: len(self.host.components()) == 2), self.host.text())
-        time.sleep(2.5)
+        name = f"hosts-test-{os.getpid()}-cable"
+        process = self.run_at_desk(*ENDLESS, *PACE, *FAR, "--hosts", self.hosts, "--fallback",
+                                   "local", "--name", name)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.assertTrue(wait_until(lambda: has_done(name, 20, self.spaces[0])), self.host.text())
         self.assertTrue(works("ip", "-n", robot, "link", "set", plug, "down"))
         self.addCleanup(works, "ip", "-n", robot, "link", "set", plug, "up")
         self.assertTrue(wait_until(lambda: not self.host.components(), 10), self.host.text())
         out, err = process.communicate(timeout=120)
 
-        expected = run_graph(*LONG, "--layout", "composed")["hash"]
+        expected = run_graph(*ENDLESS, "--layout", "composed")["hash"]
         self.assertIn(expected, out, err)
         self.assertIn("the component runs here", err)
 
