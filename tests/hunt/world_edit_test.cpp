@@ -12,12 +12,13 @@ namespace {
 constexpr double kRadius_m = 0.15;
 constexpr char kRoom[] = R"(format: clew-world/1
 name: room
-about: "a \"room\""
+about: "a \"room\"\x07\n"
 bounds: [0, 0, 10, 10]
 walls: [[6, 0, 6, 7]]
 polygons: [[[1, 8], [2, 8], [1.5, 9]]]
 circles: [[3, 5, 0.3]]
-moving: [{circle: [8, 8, 0.2], path: [[0, 8, 8], [3, 9, 8]], loop: true}]
+moving: [{circle: [8, 8, 0.2], path: [[0, 8, 8], [3, 9, 8]], loop: true},
+         {circle: [7, 9, 0.2], path: [[0, 7, 9], [2, 8, 9]], jumps: true}]
 subgoals: [[3, 9]]
 start: [1, 1, 0.1]
 target: [9, 1]
@@ -35,7 +36,10 @@ TEST(WorldText, ReadsBackAsItself) {
 
   EXPECT_EQ(world_text(read(text)), text);
   EXPECT_EQ(read(text).moving.front().path.size(), 2u);
-  EXPECT_EQ(read(text).about, "a \"room\"");
+  EXPECT_TRUE(read(text).moving.front().loop);
+  EXPECT_FALSE(read(text).moving.front().jumps);
+  EXPECT_TRUE(read(text).moving.back().jumps);
+  EXPECT_EQ(read(text).about, "a \"room\"\x07\n");
 }
 
 TEST(WorldText, KeepsEveryShippedWorld) {

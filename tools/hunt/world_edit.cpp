@@ -42,9 +42,9 @@ std::string text_of(const MovingObstacle& moving) {
     path += fmt::format("{}[{}, {}, {}]", path.empty() ? "" : ", ", point.time_s,
                         point.position.x(), point.position.y());
   }
-  return fmt::format("{{circle: {}, path: [{}], loop: {}}}",
+  return fmt::format("{{circle: {}, path: [{}], {}: {}}}",
                      text_of(World::Circle{moving.path.front().position, moving.radius_m}), path,
-                     moving.loop);
+                     moving.jumps ? "jumps" : "loop", moving.jumps || moving.loop);
 }
 
 std::string text_of(const world::Waypoint& waypoint) {

@@ -10,6 +10,8 @@ export interface MovingObstacle {
   /// Time and place, by rising time.
   path: [number, number, number][];
   loops: boolean;
+  /// It stands at each point until after the time of the next, and is there at once.
+  jumps: boolean;
 }
 
 export interface World {
@@ -30,7 +32,9 @@ interface WorldFile {
   walls?: [number, number, number, number][];
   polygons?: Point[][];
   circles?: [number, number, number][];
-  moving?: { circle: [number, number, number]; path: [number, number, number][]; loop?: boolean }[];
+  moving?: {
+    circle: [number, number, number]; path: [number, number, number][]; loop?: boolean; jumps?: boolean;
+  }[];
   start?: [number, number, number];
   target?: Point;
   target_radius?: number;
@@ -52,7 +56,8 @@ export function read_world(text: string): World | undefined {
     polygons: file.polygons ?? [],
     circles: file.circles ?? [],
     moving: (file.moving ?? []).map((each) => (
-      { radius_m: each.circle[2], path: each.path, loops: each.loop === true })),
+      { radius_m: each.circle[2], path: each.path, loops: each.loop === true,
+        jumps: each.jumps === true })),
     start: file.start,
     target: file.target,
     target_radius_m: file.target_radius ?? 0,
@@ -76,18 +81,22 @@ export function read_graph(text: string): Record<string, unknown> {
   }
 }
 
+/// Times of a path that jumps are those of ticks, which are summed up in several ways.
+const kJumpTolerance_s = 1e-6;
+
 /// Where a moving obstacle's centre is.
 export function place_at(obstacle: MovingObstacle, time_s: number): Point {
   const path = obstacle.path;
   const first = path[0] ?? [0, 0, 0];
   const last = path[path.length - 1] ?? first;
-  let time = time_s;
+  let time = obstacle.jumps ? time_s - kJumpTolerance_s : time_s;
   if (obstacle.loops && last[0] > 0) time %= last[0];
   if (time >= last[0]) return [last[1], last[2]];
   for (let i = 1; i < path.length; i++) {
     const [t0, x0, y0] = path[i - 1] ?? first;
     const [t1, x1, y1] = path[i] ?? last;
-    if (time > t1) continue;
+    if (time > t1 || (obstacle.jumps && time === t1)) continue;
+    if (obstacle.jumps) return [x0, y0];
     const share = t1 > t0 ? (time - t0) / (t1 - t0) : 0;
     return [x0 + share * (x1 - x0), y0 + share * (y1 - y0)];
   }
