@@ -29,6 +29,7 @@ TEST(LandmarkRevisit, ReportsALoopOnTheSecondVisit) {
 
   EXPECT_FALSE(first.has_value());
   ASSERT_TRUE(second.has_value());
+  ASSERT_TRUE(second->earlier);
   EXPECT_EQ(second->earlier->tick, 40u);
   EXPECT_EQ(second->earlier->position_odom, core::Vec2(2, 3));
   EXPECT_EQ(second->earlier->travel_m, 12.0);
@@ -154,6 +155,7 @@ TEST(LandmarkRevisit, ARobotThatStandsStillIsTrappedIfAskedFor) {
   ASSERT_TRUE(evidence.has_value());
   EXPECT_TRUE(evidence->stands_still);
   EXPECT_EQ(evidence->text, "stands still");
+  ASSERT_TRUE(evidence->earlier);
   EXPECT_EQ(evidence->earlier->tick, 10u);
   EXPECT_EQ(evidence->earlier->position_odom, core::Vec2(2, 3));
   EXPECT_EQ(evidence->earlier->travel_m, 0.5);
@@ -198,7 +200,36 @@ TEST(LandmarkRevisit, GoesOnAsBeforeAfterSaveAndLoad) {
 
   EXPECT_TRUE(reader.complete());
   ASSERT_TRUE(evidence.has_value());
+  ASSERT_TRUE(evidence->earlier);
   EXPECT_EQ(evidence->earlier->tick, 40u);
+}
+
+TEST(LandmarkRevisit, StandsStillAsBeforeAfterSaveAndLoad) {
+  LandmarkRevisitParameters parameters;
+  parameters.still_s = 15.0;
+  LandmarkRevisit revisit(parameters, 0.5);
+  const Scene came = Scene().at(2, 3, 0).travelled(5.0);
+  revisit.observe(blind(came, 10));
+  core::StateWriter writer;
+  revisit.save(writer);
+
+  LandmarkRevisit restored(parameters, 0.5);
+  core::StateReader reader(writer.bytes());
+  restored.load(reader);
+
+  EXPECT_TRUE(reader.complete());
+  EXPECT_FALSE(restored.observe(blind(came, 39)).has_value());
+  const auto evidence = restored.observe(blind(came, 40));
+  ASSERT_TRUE(evidence.has_value());
+  EXPECT_TRUE(evidence->stands_still);
+  ASSERT_TRUE(evidence->earlier);
+  EXPECT_EQ(evidence->earlier->tick, 10u);
+  ASSERT_TRUE(revisit.observe(blind(came, 40)).has_value());
+  core::StateWriter one;
+  core::StateWriter other;
+  revisit.save(one);
+  restored.save(other);
+  EXPECT_EQ(one.bytes(), other.bytes());
 }
 
 }  // namespace

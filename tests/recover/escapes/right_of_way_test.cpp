@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
+
 #include "tests/recover/scene.hpp"
 
 namespace clew::recover {
@@ -67,6 +73,114 @@ TEST(RightOfWay, AHigherIndexGoesBackAndHoldsTheLonger) {
   const double first_s = held_s(1);
   EXPECT_NEAR(first_s, RightOfWayParameters{}.hold_s, 0.51);
   EXPECT_NEAR(held_s(3), 3.0 * first_s, 1.1);
+}
+
+/// Thirteen cones from 90 degrees left to 90 right, with a range of 3 m: what is to the left, ahead
+/// (the cone in the middle) and to the right.
+domain::Scan wide_scan(double left_m, double ahead_m, double right_m) {
+  domain::Scan scan;
+  scan.bearing_first_rad = core::radians(90.0);
+  scan.bearing_step_rad = core::radians(-15.0);
+  scan.beam_width_rad = core::radians(15.0);
+  scan.range_max_m = 3.0;
+  scan.ranges_m.assign(13, ahead_m);
+  std::fill_n(scan.ranges_m.begin(), 6, left_m);
+  std::fill_n(scan.ranges_m.begin() + 7, 6, right_m);
+  return scan;
+}
+
+std::string bytes_of(const RightOfWay& escape) {
+  core::StateWriter writer;
+  escape.save(writer);
+  return writer.take();
+}
+
+std::string phase_of(const RightOfWay& escape, const Situation& situation) {
+  domain::Inside inside;
+  escape.tell(situation, inside);
+  for (const domain::InsideValue& value : inside.values.values()) {
+    if (value.name == "phase") return std::get<std::string>(value.value);
+  }
+  return {};
+}
+
+/// The first virtual target that is not on the way back, which was along y = 0; else the last one.
+core::Vec2 target_aside(const domain::Scan& scan) {
+  RightOfWay escape({}, setup_of(1));
+  drive(escape, 4.0);
+  core::Vec2 target = core::Vec2::Zero();
+  for (std::uint64_t i = 0; i < 30; ++i) {
+    const double x_m = 4.0 - 0.1 * static_cast<double>(i);
+    const Scene scene = Scene().tick(50 + i).at(x_m, 0, 180).travelled(8.0 - x_m);
+    const Situation situation = scene.situation().with(scan);
+    if (i == 0) escape.begin(situation, {});
+    escape.watch(situation);
+    domain::Guidance guidance;
+    EXPECT_EQ(escape.step(situation, guidance), EscapeStatus::kActive);
+    if (guidance.has_override) break;
+    target = {guidance.target_x_m, guidance.target_y_m};
+    if (std::abs(target.y()) > 0.5) break;
+  }
+  return target;
+}
+
+/// It looks back, so that left of it is where y is below 0.
+TEST(RightOfWay, GoesAsideWhereThereIsRoom) {
+  EXPECT_LT(target_aside(wide_scan(3.0, 3.0, 0.3)).y(), -0.5);
+  EXPECT_GT(target_aside(wide_scan(0.3, 3.0, 3.0)).y(), 0.5);
+  EXPECT_EQ(target_aside(wide_scan(0.3, 3.0, 0.3)).y(), 0.0);
+
+  domain::Scan scan = wide_scan(3.0, 3.0, 3.0);
+  const double first_y_m = target_aside(scan).y();
+  ASSERT_GT(std::abs(first_y_m), 0.5);
+  (first_y_m < 0.0 ? scan.ranges_m.front() : scan.ranges_m.back()) = 0.5;
+  EXPECT_LT(target_aside(scan).y() * first_y_m, -0.25);
+}
+
+/// Each tick of an escape from begin to end, saved and loaded before it.
+TEST(RightOfWay, GoesOnAsBeforeAfterSaveAndLoad) {
+  RightOfWay escape({}, setup_of(1));
+  drive(escape, 4.0);
+  const domain::Scan scan = wide_scan(3.0, 3.0, 0.3);
+  core::Pose2 pose{4.0, 0.0, core::radians(180.0)};
+  std::vector<std::string> phases;
+  EscapeStatus status = EscapeStatus::kActive;
+  for (std::uint64_t i = 0; i < 100 && status == EscapeStatus::kActive; ++i) {
+    const Scene scene = Scene()
+                            .tick(50 + i)
+                            .at(pose.x_m, pose.y_m, 180)
+                            .travelled(4.0 + 0.1 * static_cast<double>(i));
+    const Situation situation = scene.situation().with(scan);
+    if (i == 0) escape.begin(situation, {});
+
+    RightOfWay restored({}, setup_of(1));
+    const std::string saved = bytes_of(escape);
+    core::StateReader reader(saved);
+    restored.load(reader);
+    ASSERT_TRUE(reader.complete());
+    ASSERT_EQ(bytes_of(restored), saved);
+    const std::string phase = phase_of(escape, situation);
+    if (phases.empty() || phases.back() != phase) phases.push_back(phase);
+
+    escape.watch(situation);
+    restored.watch(situation);
+    domain::Guidance guidance;
+    domain::Guidance again;
+    status = escape.step(situation, guidance);
+    ASSERT_EQ(restored.step(situation, again), status);
+    EXPECT_EQ(again.has_override, guidance.has_override);
+    EXPECT_EQ(again.target_is_virtual, guidance.target_is_virtual);
+    EXPECT_EQ(again.target_x_m, guidance.target_x_m);
+    EXPECT_EQ(again.target_y_m, guidance.target_y_m);
+    EXPECT_EQ(again.why, guidance.why);
+    ASSERT_EQ(bytes_of(restored), bytes_of(escape));
+    if (!guidance.target_is_virtual) continue;
+    const core::Vec2 to(guidance.target_x_m - pose.x_m, guidance.target_y_m - pose.y_m);
+    pose.x_m += 0.1 * to.x() / core::length(to);
+    pose.y_m += 0.1 * to.y() / core::length(to);
+  }
+  EXPECT_EQ(status, EscapeStatus::kEnded);
+  EXPECT_EQ(phases, (std::vector<std::string>{"back", "aside", "hold"}));
 }
 
 /// A goal that was taken away cuts the escape off: the way to the next goal is noted again.
