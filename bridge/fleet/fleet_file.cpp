@@ -18,6 +18,7 @@ using core::YamlNode;
 
 constexpr char kFormat[] = "clew-fleet/1";
 constexpr std::size_t kLongestName = 32;
+constexpr double kLargest_m = 1e5;  // of a world file
 
 runtime::Place place_of(const YamlNode& node) { return {node.file(), node.line(), node.column()}; }
 
@@ -71,8 +72,9 @@ Result<void> read_place(const YamlNode& map, RobotEntry& robot) {
   robot.target_place = place_of(*target);
   if (!with_radius) return {};
   robot.target_radius_m = (*numbers)[2];
-  if (*robot.target_radius_m > 0.0) return {};
-  return target->error(fmt::format("the radius is {}; it must be above 0", *robot.target_radius_m));
+  if (*robot.target_radius_m > 0.0 && *robot.target_radius_m <= kLargest_m) return {};
+  return (*items)[2].error(fmt::format("the radius is {}; allowed: above 0, at most {}",
+                                       *robot.target_radius_m, kLargest_m));
 }
 
 Result<void> read_robot(const YamlNode& map, FleetFile& fleet) {

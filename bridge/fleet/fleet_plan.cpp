@@ -64,7 +64,6 @@ Result<void> FleetPlan::read_world() {
 
 /// Each robot alone in the world: what it is, and how far it gets in a tick.
 Result<void> FleetPlan::read_robots() {
-  std::uint64_t places = 0;
   for (std::size_t i = 0; i < file_.robots.size(); ++i) {
     const RobotEntry& entry = file_.robots[i];
     const auto goal =
@@ -81,15 +80,23 @@ Result<void> FleetPlan::read_robots() {
     CLEW_RETURN_IF_ERROR(check_robot(robot));
     robot.seen_radius_m =
         robot.plan.setup.behaviour.robot.radius_m + speed_mps(robot.plan) * robot.plan.graph.tick_s;
-    places += robot.plan.setup.max_ticks;
-    if (robot.plan.setup.max_ticks > kMostPlaces || places > kMostPlaces) {
-      return file_.robots_place.error(fmt::format(
-          "{} robots of up to {} ticks; allowed: {} ticks of all robots together (max_ticks)",
-          file_.robots.size(), robot.plan.setup.max_ticks, kMostPlaces));
-    }
     robots_.push_back(std::move(robot));
   }
-  return {};
+  return check_ticks(kMostPlaces);
+}
+
+Result<void> FleetPlan::check_ticks(std::uint64_t most) const {
+  std::uint64_t most_ticks = 0;
+  std::uint64_t places = 0;
+  for (const RobotPlan& robot : robots_) {
+    most_ticks = std::max(most_ticks, robot.plan.setup.max_ticks);
+    places += std::min(robot.plan.setup.max_ticks, most + 1);
+  }
+  if (places <= most) return {};
+  return file_.robots_place.error(
+      fmt::format("{} robots of up to {} ticks; allowed: {} ticks of all robots together "
+                  "(max_ticks)",
+                  robots_.size(), most_ticks, most));
 }
 
 Result<void> FleetPlan::check_robot(const RobotPlan& robot) const {
@@ -101,6 +108,10 @@ Result<void> FleetPlan::check_robot(const RobotPlan& robot) const {
     if (!stage.deployment.is_ours()) {
       return refuse("its graph " + graph.name + " has a " + stage.info->name +
                     " of someone else's; allowed in a fleet: our own behaviours");
+    }
+    if (!stage.deployment.host.empty()) {
+      return refuse("its " + stage.info->name + " is on host " + stage.deployment.host +
+                    "; allowed in a fleet: none, all run in one process");
     }
   }
   const auto* drive = graph.find("drive");
@@ -115,6 +126,11 @@ Result<void> FleetPlan::check_robot(const RobotPlan& robot) const {
     return refuse(
         fmt::format("its tick is {} s, and that of robot {} is {} s; allowed: one for all",
                     graph.tick_s, robots_.front().entry.name, tick_s()));
+  }
+  const std::uint64_t ticks = robot.plan.setup.max_ticks;
+  if (static_cast<double>(ticks) * graph.tick_s > kLongest_s) {
+    return refuse(fmt::format("{} ticks of {} s; allowed: {} s (max_ticks)", ticks, graph.tick_s,
+                              kLongest_s));
   }
   return {};
 }

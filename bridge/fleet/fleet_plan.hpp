@@ -23,6 +23,10 @@ struct FleetOverrides {
 
 /// Places of robots that are kept, one a robot and tick.
 inline constexpr std::uint64_t kMostPlaces = 5'000'000;
+/// The same of a fleet that is recorded: each recording has the ways of all others in its world.
+inline constexpr std::uint64_t kMostRecordedPlaces = 500'000;
+/// The latest time of a world file, which the others' ways are part of.
+inline constexpr double kLongest_s = 1e5;
 
 /// A robot that is ready to run.
 struct RobotPlan {
@@ -39,8 +43,8 @@ class FleetPlan {
   /// Reads everything that the file names, and makes every component once. Refused, with the place
   /// and what is allowed: what runtime::prepare_run refuses, robots that stand in obstacles or in
   /// each other's discs, targets where none may lie, ticks of different length, components of
-  /// someone else's, drives without the safety layer or a greatest speed, and more than
-  /// kMostPlaces.
+  /// someone else's or on other hosts, drives without the safety layer or a greatest speed, more
+  /// than kMostPlaces, and more than kLongest_s.
   static core::Result<FleetPlan> prepare(FleetFile file, const FleetOverrides& overrides,
                                          const runtime::ConfigSource& source,
                                          const std::vector<runtime::StageInfo>& stages);
@@ -48,6 +52,8 @@ class FleetPlan {
   const FleetFile& file() const { return file_; }
   const std::vector<RobotPlan>& robots() const { return robots_; }
   double tick_s() const { return robots_.front().plan.graph.tick_s; }
+  /// Refuses more than `most` places of all robots together.
+  core::Result<void> check_ticks(std::uint64_t most) const;
   /// How many obstacles moving() of each robot's world has before the others.
   std::size_t moving_before_others() const { return world_->moving().size(); }
 

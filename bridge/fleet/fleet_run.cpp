@@ -2,16 +2,14 @@
 #include "fleet/fleet_run.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <memory>
-#include <system_error>
 
+#include "fleet/output_folder.hpp"
 #include "fleet/robot_run.hpp"
 #include "fleet/tick_crew.hpp"
 #include "recorder/recording_sink.hpp"
@@ -38,6 +36,10 @@ class FleetLoop {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       report_.robots.push_back(
           {plan_.robots()[i].entry.name, runs_[i]->statistics(), runs_[i]->hash(), {}, {}});
+      const auto& truth = runs_[i]->statistics().truth;
+      if (!truth) continue;
+      report_.ticks = std::max(report_.ticks, truth->tick);
+      report_.sim_time_s = std::max(report_.sim_time_s, truth->sim_time_s);
     }
     report_.hash = hash();
     runs_.clear();
@@ -68,14 +70,14 @@ class FleetLoop {
     while (ended < runs_.size()) {
       if (const int signal = options_.interrupted(); signal != 0) return note_interrupt(signal);
       crew_.each(runs_.size(), step);
-      ++report_.ticks;
+      ++steps_;
       for (std::size_t i = 0; i < runs_.size(); ++i) note_place(i);
       note_gaps();
       ended = static_cast<std::size_t>(
           std::count_if(runs_.begin(), runs_.end(), [](const auto& r) { return r->has_ended(); }));
       if (options_.display && Clock::now() - displayed_at >= bridge::kDisplayPeriod) {
         displayed_at = Clock::now();
-        options_.display(report_.ticks, ended);
+        options_.display(steps_ - 1, ended);
       }
     }
   }
@@ -90,14 +92,13 @@ class FleetLoop {
     std::size_t obstacle = plan_.moving_before_others();
     for (std::size_t j = 0; j < runs_.size(); ++j) {
       if (j == i) continue;
-      const Vec2 place =
-          report_.ticks == 0 ? plan_.robots()[j].entry.start.position() : ways_[j].back();
+      const Vec2 place = steps_ == 0 ? plan_.robots()[j].entry.start.position() : ways_[j].back();
       plan_.robots()[i].world->place_moving(obstacle++, place);
     }
   }
 
   void note_place(std::size_t i) {
-    if (runs_[i]->next_tick() < report_.ticks) return;  // its run has ended before
+    if (runs_[i]->next_tick() < steps_) return;  // its run has ended before
     const auto& truth = *runs_[i]->statistics().truth;
     ways_[i].emplace_back(truth.x_m, truth.y_m);
   }
@@ -198,25 +199,22 @@ class FleetLoop {
   TickCrew crew_;
   std::vector<std::unique_ptr<RobotRun>> runs_;
   std::vector<std::vector<Vec2>> ways_;  ///< of each robot, a place a tick
+  std::uint64_t steps_ = 0;              ///< ticks that have been, with tick 0
   FleetReport report_;
   std::atomic<int> interrupted_{0};  ///< the signal that came while recordings were written
 };
 
-/// Makes the folder and looks for recordings that are there already, before anything runs.
-Result<void> check_folder(const FleetPlan& plan, const FleetOptions& options) {
+/// What stands against recordings, before anything runs; makes their folder.
+Result<void> check_recordings(const FleetPlan& plan, const FleetOptions& options) {
   if (options.record.empty()) return {};
-  if (::mkdir(options.record.c_str(), 0777) != 0 && errno != EEXIST) {
-    return core::Error{"the folder cannot be made: " + std::generic_category().message(errno),
-                       options.record};
+  if (const auto ticks = plan.check_ticks(kMostRecordedPlaces); !ticks.ok()) {
+    core::Error error = ticks.error();
+    error.message += ", if they are recorded";
+    return error;
   }
-  struct stat status {};
-  if (::stat(options.record.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) {
-    return core::Error{"--record of a fleet needs a folder, and this is none", options.record};
-  }
+  if (const auto folder = make_folder(options.record); !folder.ok()) return folder.error();
   for (const RobotPlan& robot : plan.robots()) {
-    const std::string path = recording_of(options.record, robot.entry);
-    if (options.force || ::lstat(path.c_str(), &status) != 0) continue;
-    return core::Error{"the file exists; give --force to overwrite it", path};
+    CLEW_RETURN_IF_ERROR(check_new_file(recording_of(options.record, robot.entry), options.force));
   }
   return {};
 }
@@ -235,7 +233,7 @@ std::string recording_of(const std::string& folder, const RobotEntry& robot) {
 }
 
 Result<FleetReport> run_fleet(const FleetPlan& plan, const FleetOptions& options) {
-  CLEW_RETURN_IF_ERROR(check_folder(plan, options));
+  CLEW_RETURN_IF_ERROR(check_recordings(plan, options));
   return FleetLoop(plan, options).run();
 }
 

@@ -27,7 +27,8 @@ struct RobotReport {
 /// How a fleet fared.
 struct FleetReport {
   std::vector<RobotReport> robots;  ///< in the order of their indices
-  std::uint64_t ticks = 0;          ///< that the last robot had
+  std::uint64_t ticks = 0;          ///< the greatest of its robots'
+  double sim_time_s = 0.0;          ///< the greatest of its robots'
   /// Over all robots: a line `name hexadecimal-digits` each.
   core::Hash128 hash;
   /// The least distance between two bodies at the end of a tick; infinite with one robot.
@@ -59,7 +60,8 @@ std::string recording_of(const std::string& folder, const RobotEntry& robot);
 /// it is of a run that the others' ways are a part of, and replays without them. Its hash must be
 /// the robot's in the fleet.
 ///
-/// Refused: a folder that cannot be made, and recordings that exist, without `force`.
+/// Refused, before it runs: more than kMostRecordedPlaces to be recorded, a folder that cannot be
+/// made, and recordings that exist, without `force`.
 core::Result<FleetReport> run_fleet(const FleetPlan& plan, const FleetOptions& options);
 
 }  // namespace clew::fleet

@@ -2,6 +2,10 @@
 #include "fleet/fleet_run.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
 
 #include "runtime/config_source.hpp"
 #include "stages/all.hpp"
@@ -18,7 +22,9 @@ class FleetRunTest : public ::testing::Test {
     return FleetPlan::prepare(std::move(file).value(), {std::nullopt, max_ticks}, source_, stages_);
   }
   core::Result<FleetPlan> shipped(const std::string& name, std::uint64_t max_ticks) const {
-    return prepare(source_.find("fleets", name)->text, max_ticks);
+    const auto file = source_.find("fleets", name);
+    if (!file.ok()) return file.error();
+    return prepare(file->text, max_ticks);
   }
   std::string refusal(const std::string& text) const {
     const auto plan = prepare(text);
@@ -27,7 +33,16 @@ class FleetRunTest : public ::testing::Test {
   static FleetReport run(const FleetPlan& plan, unsigned threads) {
     FleetOptions options;
     options.threads = threads;
-    return *run_fleet(plan, options);
+    auto report = run_fleet(plan, options);
+    if (!report.ok()) {
+      ADD_FAILURE() << report.error().text();
+      return {};
+    }
+    return std::move(report).value();
+  }
+
+  static domain::Outcome outcome_of(const RobotReport& robot) {
+    return robot.statistics.truth ? robot.statistics.truth->outcome : domain::Outcome::kRunning;
   }
 
   runtime::ConfigPath source_{{tests::source_path("configs")}};
@@ -49,6 +64,8 @@ TEST_F(FleetRunTest, TwentyRobotsHaveOneHashForAnyNumberOfThreads) {
   ASSERT_EQ(plan->robots().size(), 20u);
   const FleetReport one = run(*plan, 1);
   const FleetReport three = run(*plan, 3);
+  ASSERT_EQ(one.robots.size(), 20u);
+  ASSERT_EQ(three.robots.size(), 20u);
   EXPECT_EQ(one.hash.hex(), three.hash.hex());
   for (std::size_t i = 0; i < 20; ++i) {
     EXPECT_EQ(one.robots[i].hash.hex(), three.robots[i].hash.hex());
@@ -77,25 +94,91 @@ TEST_F(FleetRunTest, TheLowerIndexHasTheWayThroughAGap) {
   const auto plan = prepare(gap("among_robots"), 350);
   ASSERT_TRUE(plan.ok()) << plan.error().text();
   const FleetReport report = run(*plan, 2);
-  EXPECT_EQ(report.robots[0].statistics.truth->outcome, domain::Outcome::kReached);
+  ASSERT_EQ(report.robots.size(), 2u);
+  EXPECT_EQ(outcome_of(report.robots[0]), domain::Outcome::kReached);
   EXPECT_GE(report.robots[1].statistics.traps_detected, 1u);
   EXPECT_EQ(report.contacts, 0u);
 
   const auto without = prepare(gap("planner"), 350);
   ASSERT_TRUE(without.ok()) << without.error().text();
-  EXPECT_EQ(run(*without, 2).robots[0].statistics.truth->outcome, domain::Outcome::kTimeout);
+  const FleetReport blocked = run(*without, 2);
+  ASSERT_EQ(blocked.robots.size(), 2u);
+  EXPECT_EQ(outcome_of(blocked.robots[0]), domain::Outcome::kTimeout);
 }
 
 TEST_F(FleetRunTest, ARobotByItselfDoesWhatItDidAmongTheOthers) {
   const auto plan = shipped("two_at_a_gap", 200);
   ASSERT_TRUE(plan.ok()) << plan.error().text();
   FleetOptions options;
-  options.record = ::testing::TempDir() + "fleet_alone";
+  options.record = ::testing::TempDir() + "fleet_alone" + std::to_string(::getpid());
   options.force = true;
   const auto report = run_fleet(*plan, options);
-  ASSERT_TRUE(report.ok());
+  std::filesystem::remove_all(options.record);
+  ASSERT_TRUE(report.ok()) << report.error().text();
   EXPECT_EQ(report->aborted, "");  // which a hash that differs would be
   for (const RobotReport& robot : report->robots) EXPECT_NE(robot.recording, "") << robot.failure;
+}
+
+/// Robot `a` has arrived long before `b`.
+TEST_F(FleetRunTest, ItsTicksAreTheGreatestOfItsRobots) {
+  const auto plan = prepare(
+      fleet_of(robot("a", "[4, 3, 0]") +
+               "  - {name: b, graph: among_robots, start: [1, 1, 0], target: [3, 1, 0.3]}\n"));
+  ASSERT_TRUE(plan.ok()) << plan.error().text();
+  const FleetReport report = run(*plan, 1);
+  ASSERT_EQ(report.robots.size(), 2u);
+  std::vector<std::uint64_t> ticks;
+  std::vector<double> times_s;
+  for (const RobotReport& robot : report.robots) {
+    ASSERT_TRUE(robot.statistics.truth);
+    EXPECT_EQ(robot.statistics.truth->outcome, domain::Outcome::kReached);
+    ticks.push_back(robot.statistics.truth->tick);
+    times_s.push_back(robot.statistics.truth->sim_time_s);
+  }
+  EXPECT_NE(ticks[0], ticks[1]);
+  EXPECT_EQ(report.ticks, std::max(ticks[0], ticks[1]));
+  EXPECT_EQ(report.sim_time_s, std::max(times_s[0], times_s[1]));
+}
+
+/// Files, with one graph that has its SENSE on another host.
+class FarGraph : public runtime::ConfigSource {
+ public:
+  explicit FarGraph(const runtime::ConfigSource& files) : files_(files) {}
+  core::Result<core::Resource> find(const std::string& folder,
+                                    const std::string& name) const override {
+    auto file = files_.find(folder, name);
+    const std::string sense = "{behaviour: laser, ";
+    if (!file.ok() || folder != "graphs") return file;
+    file->text.insert(file->text.find(sense) + sense.size(), "process: {host: far}, ");
+    return file;
+  }
+
+ private:
+  const runtime::ConfigSource& files_;
+};
+
+TEST_F(FleetRunTest, RefusesComponentsOnOtherHosts) {
+  auto file = read_fleet_file({"fleet.yaml", fleet_of(robot("a", "[1, 1, 0]"))}, "fleet");
+  ASSERT_TRUE(file.ok());
+  const FarGraph source(source_);
+  const auto plan = FleetPlan::prepare(std::move(file).value(), {}, source, stages_);
+  ASSERT_FALSE(plan.ok());
+  EXPECT_EQ(plan.error().text(),
+            "fleet.yaml:4:5: robot a: its sense is on host far; allowed in a fleet: none, all run "
+            "in one process");
+}
+
+TEST_F(FleetRunTest, RefusesMoreTicksThanCanBeRecorded) {
+  const auto plan = prepare(fleet_of(robot("a", "[1, 1, 0]") + robot("b", "[3, 1, 0]")), 250'001);
+  ASSERT_TRUE(plan.ok()) << plan.error().text();
+  FleetOptions options;
+  options.record = ::testing::TempDir() + "fleet_too_long" + std::to_string(::getpid());
+  const auto report = run_fleet(*plan, options);
+  ASSERT_FALSE(report.ok());
+  EXPECT_EQ(report.error().text(),
+            "fleet.yaml:4:3: 2 robots of up to 250001 ticks; allowed: 500000 ticks of all robots "
+            "together (max_ticks), if they are recorded");
+  EXPECT_FALSE(std::filesystem::exists(options.record));
 }
 
 TEST_F(FleetRunTest, RefusesRobotsInWallsAndInEachOther) {
@@ -128,7 +211,23 @@ TEST_F(FleetRunTest, RefusesWhatNoFleetCanBe) {
                              robot("b", "[3, 1, 0]", ", set: [drive.tick_s=0.2]")))
                 .find("its tick is 0.2 s, and that of robot a is 0.1 s"),
             std::string::npos);
-  const auto many = prepare(fleet_of(robot("a", "[1, 1, 0]")), kMostPlaces + 1);
+  for (const char* radius : {"0", "-1", "100001"}) {
+    EXPECT_EQ(
+        refusal(fleet_of("  - {name: a, graph: among_robots, start: [1, 1, 0], target: [5, 3, " +
+                         std::string(radius) + "]}\n")),
+        "fleet.yaml:4:69: the radius is " + std::string(radius) +
+            "; allowed: above 0, at most 100000");
+  }
+  const auto longest = prepare(fleet_of(robot("a", "[1, 1, 0]")), 1'000'001);
+  ASSERT_FALSE(longest.ok());
+  EXPECT_EQ(longest.error().text(),
+            "fleet.yaml:4:5: robot a: 1000001 ticks of 0.1 s; allowed: 100000 s (max_ticks)");
+  EXPECT_TRUE(prepare(fleet_of(robot("a", "[1, 1, 0]")), 1'000'000).ok());
+  std::string six;
+  for (int i = 0; i < 6; ++i) {
+    six += robot("r" + std::to_string(i), "[" + std::to_string(i + 1) + ", 1, 0]");
+  }
+  const auto many = prepare(fleet_of(six), 1'000'000);
   ASSERT_FALSE(many.ok());
   EXPECT_NE(many.error().text().find("allowed: 5000000 ticks"), std::string::npos);
 }

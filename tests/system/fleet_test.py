@@ -48,7 +48,8 @@ class Fleet(unittest.TestCase):
 
     def test_options_of_one_robot_are_refused(self):
         for option in (["--layout", "processes"], ["--with", "recover.detector=none"],
-                       ["--world", "u-trap"], ["--pace", "realtime"]):
+                       ["--world", "u-trap"], ["--pace", "realtime"], ["--hosts", "hosts.yaml"],
+                       ["--host", "sense=far"], ["--fallback", "local"]):
             refused = Run(["run", "two_at_a_gap", *option])
             self.assertEqual(refused.status, 2)
             self.assertIn(option[0], refused.err)
@@ -60,7 +61,7 @@ class Fleet(unittest.TestCase):
     def test_an_interrupt_closes_the_recordings(self):
         folder = self.directory / "cut"
         process = subprocess.Popen(
-            [CLEW, "run", "twenty_in_a_hall", "--max-ticks", "200000", "--json", "--record",
+            [CLEW, "run", "twenty_in_a_hall", "--max-ticks", "25000", "--json", "--record",
              str(folder)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         deadline = time.monotonic() + 60
         while not folder.is_dir() and time.monotonic() < deadline:
@@ -92,6 +93,10 @@ class Fleet(unittest.TestCase):
             self.assertEqual(run.status, 0, run.err)
             self.assertEqual(run.report["hash"], result["hash"])
         self.assertIn("crossing, corridor, door", Run(["encounters", "--families", "gap"]).err)
+        for twice in (["--robots", "2,3,2"], ["--families", "door,door"]):
+            refused = Run(["encounters", *twice])
+            self.assertEqual(refused.status, 2)
+            self.assertIn(twice[0] + ": found " + twice[1].rsplit(",")[0] + " twice", refused.err)
 
 
 if __name__ == "__main__":

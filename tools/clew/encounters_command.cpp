@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +11,7 @@
 #include "clew/json_line.hpp"
 #include "core/nearest_name.hpp"
 #include "encounters/encounter_bench.hpp"
+#include "log/log.hpp"
 #include "run/end_signals.hpp"
 #include "stages/all.hpp"
 
@@ -32,7 +32,19 @@ struct EncountersOptions {
   bool json = false;
 };
 
+/// Two encounters would have one name.
+template <typename Item>
+core::Result<void> check_once(const std::vector<Item>& items, const char* option) {
+  for (auto item = items.begin(); item != items.end(); ++item) {
+    if (std::find(items.begin(), item, *item) == item) continue;
+    return core::Error{fmt::format("found {} twice; allowed: each once", *item), option};
+  }
+  return {};
+}
+
 core::Result<encounters::EncounterOrder> order_of(const EncountersOptions& options) {
+  CLEW_RETURN_IF_ERROR(check_once(options.families, "--families"));
+  CLEW_RETURN_IF_ERROR(check_once(options.robots, "--robots"));
   encounters::EncounterOrder order;
   const auto& names = encounters::family_names();
   for (const std::string& family : options.families) {
@@ -64,7 +76,6 @@ ordered_json json_of(const encounters::EncounterResult& result) {
 }
 
 int encounters_command(const EncountersOptions& options) {
-  bridge::EndSignals signals;
   auto order = order_of(options);
   if (!order.ok()) return complain(order.error());
   if (options.force && options.write.empty()) {
@@ -74,6 +85,7 @@ int encounters_command(const EncountersOptions& options) {
     const auto written = encounters::write_encounters(*order, options.write, options.force);
     return written.ok() ? kExitGood : complain(written.error());
   }
+  bridge::EndSignals signals;
   order->interrupted = [&signals] { return signals.take(); };
   const auto results =
       encounters::run_encounters(*order, runtime::ConfigPath::from_environment(), stages::all());
@@ -88,7 +100,7 @@ int encounters_command(const EncountersOptions& options) {
                encounters::encounter_table(results->all), reached, results->all.size());
   }
   if (results->interrupted_by == 0) return kExitGood;
-  std::fputs("clew: interrupted: encounters that had not ended are left out\n", stderr);
+  logs::info("interrupted; encounters that had not ended are left out");
   return kExitInterrupted;
 }
 

@@ -2,7 +2,6 @@
 #include "clew/fleet_run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
@@ -12,9 +11,11 @@
 #include "clew/json_line.hpp"
 #include "clew/plugin_options.hpp"
 #include "clew/run_output.hpp"
+#include "clew/terminal.hpp"
 #include "fleet/fleet_file.hpp"
 #include "fleet/fleet_plan.hpp"
 #include "fleet/fleet_run.hpp"
+#include "log/log.hpp"
 #include "runtime/config_source.hpp"
 #include "stages/all.hpp"
 
@@ -50,6 +51,9 @@ Result<void> check_options(const RunOptions& options) {
       {!options.compression.empty(), "--compression"},
       {options.on_record_error != "stop", "--on-record-error"},
       {!options.external.empty(), "--external"},
+      {!options.hosts.empty(), "--hosts"},
+      {!options.host.empty(), "--host"},
+      {options.fallback != "none", "--fallback"},
       {!options.prefix.empty(), "--prefix"},
       {options.no_hash, "--no-hash"},
       {!options.profile.empty(), "--profile"},
@@ -125,7 +129,7 @@ ordered_json json_of(const fleet::FleetPlan& plan, const FleetReport& report) {
   if (!report.aborted.empty()) json["aborted"] = report.aborted;
   json["robots"] = std::move(robots);
   json["ticks"] = report.ticks;
-  json["sim_time_s"] = static_cast<double>(report.ticks) * plan.tick_s();
+  json["sim_time_s"] = report.sim_time_s;
   json["least_gap_m"] =
       std::isfinite(report.least_gap_m) ? ordered_json(report.least_gap_m) : ordered_json(nullptr);
   json["contacts"] = report.contacts;
@@ -190,7 +194,7 @@ int run_fleet_command(const RunOptions& options, const core::Resource& file,
   run.record = options.record;
   run.force = options.force;
   run.interrupted = [&signals] { return signals.take(); };
-  if (::isatty(STDERR_FILENO) != 0) {
+  if (shows_progress()) {
     run.display = [&](std::uint64_t tick, std::size_t ended) {
       fmt::print(stderr, "\r\033[Ktick {}, {} of {} robots have ended", tick, ended,
                  plan->robots().size());
@@ -199,7 +203,7 @@ int run_fleet_command(const RunOptions& options, const core::Resource& file,
   const auto report = fleet::run_fleet(*plan, run);
   if (run.display) std::fputs("\r\033[K", stderr);
   if (!report.ok()) return complain(report.error());
-  if (!report->aborted.empty()) std::fprintf(stderr, "clew: %s\n", report->aborted.c_str());
+  if (!report->aborted.empty()) logs::error("{}", report->aborted);
   if (options.json) {
     fmt::print("{}\n", json_line(json_of(*plan, *report)));
   } else {

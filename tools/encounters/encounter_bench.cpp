@@ -33,8 +33,7 @@ class EncounterSource : public runtime::ConfigSource {
   const Encounter& encounter_;
 };
 
-EncounterResult result_of(const Encounter& encounter, const fleet::FleetReport& report,
-                          double tick_s) {
+EncounterResult result_of(const Encounter& encounter, const fleet::FleetReport& report) {
   EncounterResult result;
   result.name = encounter.name;
   result.family = encounter.family;
@@ -48,7 +47,7 @@ EncounterResult result_of(const Encounter& encounter, const fleet::FleetReport& 
   }
   result.contacts = report.contacts;
   result.least_gap_m = report.least_gap_m;
-  result.time_s = static_cast<double>(report.ticks) * tick_s;
+  result.time_s = report.sim_time_s;
   result.hash = report.hash;
   return result;
 }
@@ -92,7 +91,7 @@ Result<EncounterResults> run_encounters(const EncounterOrder& order,
     if (!report.ok()) {
       errors[i] = report.error();
     } else if (report->aborted.empty()) {
-      results[i] = result_of(encounters[i], *report, plan->tick_s());
+      results[i] = result_of(encounters[i], *report);
     }
   });
   for (const core::Error& error : errors) {

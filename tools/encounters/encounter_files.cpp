@@ -1,38 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <sys/stat.h>
-
-#include <cerrno>
-#include <climits>
-#include <cstdlib>
-#include <system_error>
 
 #include "encounters/encounter_bench.hpp"
 #include "files/whole_file.hpp"
+#include "fleet/output_folder.hpp"
+#include "hunt/yaml_text.hpp"
 
 namespace clew::encounters {
 namespace {
 
 using core::Result;
+using hunt::quoted;
 
 constexpr char kLicence[] = "# SPDX-License-Identifier: Apache-2.0\n";
-
-/// A text in the double quotes of YAML.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (byte < 0x20 || byte == 0x7f) {
-      out += fmt::format("\\x{:02x}", byte);
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
-}
 
 std::string fleet_text(const Encounter& encounter, const std::string& world_path) {
   const fleet::FleetFile& file = encounter.fleet;
@@ -48,33 +28,15 @@ std::string fleet_text(const Encounter& encounter, const std::string& world_path
   return text;
 }
 
-/// The whole path of a folder, which is made if it is not there.
-Result<std::string> whole_path(const std::string& folder) {
-  if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) {
-    return core::Error{"the folder cannot be made: " + std::generic_category().message(errno),
-                       folder};
-  }
-  char* const found = ::realpath(folder.c_str(), nullptr);
-  if (found == nullptr) return core::Error{std::generic_category().message(errno), folder};
-  std::string path = found;
-  std::free(found);
-  struct stat status {};
-  if (::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) return path;
-  return core::Error{"found a file; allowed: a folder", folder};
-}
-
 }  // namespace
 
 Result<void> write_encounters(const EncounterOrder& order, const std::string& folder, bool force) {
-  auto path = whole_path(folder);
+  const auto path = fleet::make_folder(folder);
   if (!path.ok()) return path.error();
   const auto encounters = make_encounters(order);
   for (const Encounter& encounter : encounters) {
     for (const char* ending : {".yaml", ".world.yaml"}) {
-      const std::string file = *path + '/' + encounter.name + ending;
-      struct stat status {};
-      if (force || ::lstat(file.c_str(), &status) != 0) continue;
-      return core::Error{"the file exists; give --force to overwrite it", file};
+      CLEW_RETURN_IF_ERROR(fleet::check_new_file(*path + '/' + encounter.name + ending, force));
     }
   }
   for (const Encounter& encounter : encounters) {
