@@ -35,7 +35,7 @@ TEST(RecordedIncident, SteersNoTerminalWhoeverWroteIt) {
       incident_from_json(7, R"({"kind": "refused", "stage": "run", "text": "\u001b[2J"})");
 
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->text, " [2J");
+  EXPECT_EQ(found->text, "\\x1b[2J");
 }
 
 /// Records ticks below `end`; an incident of tick 5 is told when tick 30 is written.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "contract/mission.hpp"
@@ -110,8 +111,14 @@ std::string path_of(const Subject& subject, const std::string& parameter) {
 }  // namespace
 
 Result<Mission> mission(const Subject& subject) {
-  return Mission::create(*subject.configs, subject.graph, kWorld, {subject.choice()},
-                         noise(subject));
+  runtime::GraphOverrides overrides;
+  overrides.world = kWorld;
+  overrides.with = {subject.choice()};
+  overrides.set = noise(subject);
+  overrides.robot_index = 1;  // robot 0 gives way to nobody
+  auto plan = runtime::prepare_run(subject.graph, overrides, *subject.configs, stages::all());
+  if (!plan.ok()) return plan.error();
+  return Mission::create(std::move(plan).value());
 }
 
 Result<Subject> find_graph(const runtime::BehaviourName& behaviour,
