@@ -87,7 +87,7 @@ TEST_F(Log, TellsTimesAndLevelsIfAsked) {
 TEST_F(Log, MakesControlCharactersOfOthersHarmless) {
   const std::string stranger = "\x1b[2J\r\n\xc2\x9b";
 
-  EXPECT_EQ(shown({}, [&] { info("{}", stranger); }), "clew: \\x1b[2J\\x0d\\x0a\\xc2\x9b\n");
+  EXPECT_EQ(shown({}, [&] { info("{}", stranger); }), "clew: \\x1b[2J\\x0d\\x0a\\xc2\\x9b\n");
   EXPECT_EQ(shown({}, [&] { complain("first\nsecond" + stranger.substr(0, 4)); }),
             "clew: first\nsecond\\x1b[2J\n");
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <string>
 #include <utility>
 
 #include "core/terminal_text.hpp"
@@ -13,12 +12,12 @@ namespace clew::tools {
 
 using core::terminal_text;
 
-/// As fmt::print, of what strangers may have written: it steers no terminal.
+/// As fmt::print, of what strangers may have written: it steers no terminal. Throws what that
+/// throws.
 template <typename... Values>
 void print_text(std::FILE* file, fmt::format_string<Values...> format, Values&&... values) {
-  const std::string text =
-      core::terminal_lines(fmt::format(format, std::forward<Values>(values)...));
-  std::fwrite(text.data(), 1, text.size(), file);
+  fmt::print(file, "{}",
+             core::terminal_lines(fmt::format(format, std::forward<Values>(values)...)));
 }
 template <typename... Values>
 void print_text(fmt::format_string<Values...> format, Values&&... values) {
