@@ -75,8 +75,8 @@ void HostedComponent::turn(Time now) {
   const bool waits = order_ && !child_ && !told_ && !line_.is_closed();
   if (waits && host_.clear_place(*this)) start(now);
   pass_on(now);
+  watch_connection(now);  // first, so that why it is let go is told before how it ended
   watch_child(now);
-  watch_connection(now);
 }
 
 void HostedComponent::handle(Frame frame) {
@@ -210,20 +210,8 @@ void HostedComponent::watch_child(Time now) {
 }
 
 void HostedComponent::watch_connection(Time now) {
-  if (!line_.is_closed()) {
-    const bool late = is_newcomer() && now - connected_at_ > kHelloTimeout;
-    if (late) return line_.close("said nothing");
-    const bool unheard = line_.is_open() && now - line_.heard_at() > kHostLostAfter;
-    if (unheard && reads_) return line_.close("was not heard for 2 s");
-    // It reads how the component ended, and leaves.
-    const bool done = told_ && line_.unsent_bytes() == 0;
-    if (done && now - *link_closed_at_ > kLastMoment) return line_.close("the component has ended");
-    if (order_ && !told_ && now - beat_at_ >= kHostBeatPeriod) {
-      beat_at_ = now;
-      line_.post(frame_type(HostFrame::kBeat), Text{});
-    }
-    return;
-  }
+  if (!line_.is_closed()) tend_connection(now);
+  if (!line_.is_closed()) return;
   if (!lost_at_) {
     lost_at_ = now;
     link_.reset();  // the component sees that its run is gone
@@ -231,6 +219,20 @@ void HostedComponent::watch_connection(Time now) {
   }
   const std::chrono::milliseconds grace = realtime_ ? kRestTimeout + kLastMoment : kEndGrace;
   if (is_running() && now - *lost_at_ > grace) child_->signal(SIGKILL);
+}
+
+void HostedComponent::tend_connection(Time now) {
+  const bool late = is_newcomer() && now - connected_at_ > kHelloTimeout;
+  if (late) return line_.close("said nothing");
+  const bool unheard = line_.is_open() && now - line_.heard_at() > kHostLostAfter;
+  if (unheard && reads_) return line_.close("was not heard for 2 s");
+  // It reads how the component ended, and leaves.
+  const bool done = told_ && line_.unsent_bytes() == 0;
+  if (done && now - *link_closed_at_ > kLastMoment) return line_.close("the component has ended");
+  if (order_ && !told_ && now - beat_at_ >= kHostBeatPeriod) {
+    beat_at_ = now;
+    line_.post(frame_type(HostFrame::kBeat), Text{});
+  }
 }
 
 void HostedComponent::end(const std::string& why) {

@@ -75,6 +75,7 @@ class HostedComponent {
   void pass_on(Time now);
   void watch_child(Time now);
   void watch_connection(Time now);
+  void tend_connection(Time now);
   /// `sense for desk (10.0.0.1:40312)`.
   std::string who() const;
 

@@ -72,12 +72,9 @@ class Hosted : public testing::Test {
   }
 
   HostedComponent::Time now() const { return Clock::now() + later_; }
-  void turn_host() {
+  void turn() {
     component_->turn(now());
     ::usleep(1000);
-  }
-  void turn() {
-    turn_host();
     relay_->turn(now());
     while (auto frame = relay_->next()) {
       if (frame->type != frame_type(HostFrame::kBeat)) last_ = std::move(frame);
@@ -147,8 +144,8 @@ TEST_F(Hosted, AnAssignmentThatWasNotOrderedEndsIt) {
 TEST_F(Hosted, AnAssignmentThatComesAfterItLeftItsLineChangesNothing) {
   order("exec {line}>&-; : > $folder/left; wait_for go; exit 3\n");
   ASSERT_TRUE(begins());
-  while (!program_->has_told("left")) turn_host();
-  turn_host();  // which sees it
+  ASSERT_TRUE(turn_until([&] { return program_->has_told("left"); }));
+  for (int i = 0; i < 20; ++i) turn();  // the host sees it
 
   assign(good_assignment());
   ASSERT_TRUE(turn_until([&] { return relay_->unsent_bytes() == 0; }));
@@ -157,6 +154,19 @@ TEST_F(Hosted, AnAssignmentThatComesAfterItLeftItsLineChangesNothing) {
   program_->tell("go");
 
   EXPECT_TRUE(turn_until([&] { return is_told(HostFrame::kEnded); }));
+}
+
+TEST_F(Hosted, WhoSaysNothingIsLetGoAndNamed) {
+  const Sockets sockets;
+  const TlsLine relay(sockets.relay, *desk_, HostRole::kRunner, "robot", now());
+  HostedComponent silent(sockets.host, *robot_, host_, now());
+  testing::internal::CaptureStderr();
+
+  silent.turn(now() + kHelloTimeout + std::chrono::seconds(1));
+
+  EXPECT_TRUE(silent.over());
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_NE(told.find(" is let go: said nothing"), std::string::npos) << told;
 }
 
 TEST_F(Hosted, ARefusedOrderClearsNobodysPlace) {
