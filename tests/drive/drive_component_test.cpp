@@ -51,6 +51,13 @@ class DriveRun {
     return std::get<domain::State>(messages_);
   }
   const domain::Messages& messages() const { return messages_; }
+  /// What is told of the tick before.
+  std::string told(bool command_came) const {
+    const runtime::TopicSet known = command_came ? outputs_ | command_ : outputs_;
+    domain::Inside inside;
+    component_->tell({messages_, outputs_ | command_, known, tick_ - 1}, inside);
+    return inside.text;
+  }
 
  private:
   std::optional<DriveComponent> component_;
@@ -167,6 +174,22 @@ TEST(DriveComponent, RestsAndSaysSoWhenACommandIsLate) {
 
   EXPECT_TRUE(state.command_late);
   EXPECT_EQ(state.pose_world_robot.x_m, 5.0);
+}
+
+TEST(DriveComponent, TellsWhyTheRobotRests) {
+  DriveRun run;
+  run.start();
+  run.step(ahead(0.1), false);
+  EXPECT_NE(run.told(false).find("The command of the tick before was late"), std::string::npos)
+      << run.told(false);
+  run.step(ahead(0.1));
+  EXPECT_NE(run.told(true).find("It was told to"), std::string::npos) << run.told(true);
+
+  DriveRun waiting("", true, 100, {}, {}, world::Goals{});
+  waiting.start();
+  waiting.step(ahead(0.1));
+  EXPECT_NE(waiting.told(true).find("It has no mission, and waits"), std::string::npos)
+      << waiting.told(true);
 }
 
 TEST(DriveComponent, ReachesTheTargetWithinItsRadiusAtTheEndOfATick) {
