@@ -361,8 +361,8 @@ Result<bool> take_part(Link& link, const Assignment& assignment, const std::stri
 }
 
 // Says what it waits for if that takes more than a moment.
-Result<int> find_run(int domain, Clock::duration patience) {
-  const auto deadline = Clock::now() + patience;
+Result<int> find_run(int domain, std::chrono::duration<double> patience) {
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(patience);
   auto socket = Link::connect(domain, std::min(deadline, Clock::now() + kSilence));
   if (socket.ok() || Clock::now() >= deadline) return socket;
   const auto wait = std::chrono::ceil<std::chrono::seconds>(deadline - Clock::now());
@@ -379,10 +379,8 @@ int complain(const Error& error) {
 
 int run_component_process(const std::string& stage, const RunPlace& place,
                           const std::vector<runtime::StageInfo>& stages, const MeetRobots& meet) {
-  const auto patience = std::chrono::duration<double>(place.connect_timeout_s);
-  const auto socket =
-      place.line ? Result<int>(*place.line)
-                 : find_run(place.domain, std::chrono::duration_cast<Clock::duration>(patience));
+  const std::chrono::duration<double> patience(place.connect_timeout_s);
+  const auto socket = place.line ? Result<int>(*place.line) : find_run(place.domain, patience);
   if (!socket.ok()) return complain(socket.error());
   Link link(*socket);
   const auto assignment = take_assignment(link, stage);
@@ -394,6 +392,7 @@ int run_component_process(const std::string& stage, const RunPlace& place,
     link.flush_until(Clock::now() + kEndGrace);
     return complain(ended.error());
   }
+  logs::debug(*ended ? "has ended with the run" : "has ended, since the run has gone");
   return *ended ? 0 : 1;
 }
 
