@@ -116,14 +116,15 @@ int parse_and_run(int argc, char** argv) {
   app.require_subcommand(1);
   // CLI11's callbacks return nothing, so each command leaves its status here.
   int status = kExitGood;
+  // In the order of the help.
   for (const auto add :
-       {add_run,        add_bench,  add_check,      add_list,   add_component, add_recorder,
-        add_bridge,     add_plot,   add_query,      add_info,   add_events,    add_explain,
-        add_echo,       add_rules,  add_export,     add_import, add_diff,      add_doctor,
-        add_replay,     add_view,   add_gateway,    add_report, add_live,      add_topic,
-        add_top,        add_world,  add_encounters, add_hunt,   add_shrink,    add_bisect,
-        add_tune,       add_train,  add_new,        add_keys,   add_sign,      add_check_plugin,
-        add_completion, add_manual, add_host,       add_relay}) {
+       {add_list,      add_check,   add_rules,  add_world,        add_doctor,     add_run,
+        add_component, add_bridge,  add_host,   add_keys,         add_live,       add_top,
+        add_topic,     add_view,    add_report, add_info,         add_events,     add_explain,
+        add_echo,      add_plot,    add_export, add_import,       add_sign,       add_replay,
+        add_diff,      add_bisect,  add_bench,  add_query,        add_encounters, add_hunt,
+        add_shrink,    add_tune,    add_new,    add_check_plugin, add_train,      add_completion,
+        add_recorder,  add_gateway, add_manual, add_relay}) {
     add(app, status);
   }
   add_versions(app);
