@@ -155,7 +155,9 @@ ChildCommand command_of(const Member& member, const runtime::RunPlan& plan,
     command.arguments = stage.deployment.exec;
     command.environment.merge(facts_for_program(plan, stage));
   } else {
-    command.arguments = {layout.program, "component", "-", member.stage};
+    const auto other = layout.stage_program.find(stage.info->name);
+    const bool is_other = other != layout.stage_program.end();
+    command.arguments = {is_other ? other->second : layout.program, "component", "-", member.stage};
   }
   if (const auto host = host_of(stage, layout); !host.empty()) {
     command.arguments = relay_command(member, host, layout, environment.domain());

@@ -24,6 +24,7 @@ struct HostsLayout {
 /// How to run a plan as separate processes. Nothing here changes what is computed.
 struct ProcessLayout {
   std::string program;                                  ///< the clew command
+  std::map<std::string, std::string> stage_program;     ///< by stage: another version of it
   std::string middleware = "cyclonedds";                ///< of stages that do not say
   std::map<std::string, std::string> stage_middleware;  ///< by stage
   std::optional<int> domain;                            ///< none: the first free one

@@ -7,7 +7,7 @@ import tempfile
 import unittest
 from xml.etree import ElementTree
 
-from clew_command import Run
+from clew_command import CLEW, Run
 
 ARRIVES = "outcome == reached and path_ratio < 3"
 
@@ -111,6 +111,62 @@ class Hunt(unittest.TestCase):
         self.assertEqual(same.report["settings"], [])
         self.assertEqual(graphs.status, 0, graphs.err)
 
+    def record(self):
+        recording = self.directory / "a.mcap"
+        Run(["run", "krishna_kalra", "--layout", "composed", "--max-ticks", 400, "--record",
+             recording])
+        return recording
+
+    def test_the_tick_is_found_from_which_on_a_change_is_too_late(self):
+        recording = self.record()
+        change = ["--with", "recover.detector=none"]
+
+        done = Run(["bisect", recording, "--ticks", *change, "--json"])
+        same = Run(["bisect", recording, "--ticks", "--set", "classify.capacity=64", "--json"])
+
+        self.assertEqual(done.status, 0, done.err)
+        last = done.report["last_tick"]
+        outcomes = {probe["tick"]: probe["outcome"] for probe in done.report["probes"]}
+        self.assertEqual((outcomes[0], outcomes[last], outcomes[last + 1]),
+                         ("timeout", "timeout", "reached"))
+        self.assertEqual(done.report["turns"], 1)
+        for tick, outcome in ((last, "timeout"), (last + 1, "reached")):
+            branch = Run(["replay", recording, "--branch", tick, *change, "--json"])
+            self.assertEqual(branch.report["outcome"], outcome)
+        self.assertEqual(same.status, 1, same.err)
+        self.assertIsNone(same.report["last_tick"])
+
+    def test_the_component_of_another_version_that_matters_is_found(self):
+        recording = self.record()
+        # Another version of *recover*: the same command with another word in its guidance.
+        own = pathlib.Path(CLEW)
+        text = own.read_bytes()
+        self.assertIn(b"wall on ", text)
+        other = self.directory / "other"
+        other.mkdir()
+        for library in own.parent.glob("libclew-*.so"):
+            (other / library.name).symlink_to(library)
+        (other / "clew").write_bytes(text.replace(b"wall on ", b"WALL on "))
+        (other / "clew").chmod(0o755)
+
+        done = Run(["bisect", recording, "--other-version", other / "clew", "--json"])
+        same = Run(["bisect", recording, "--other-version", own, "--json"])
+        none = Run(["bisect", recording, "--other-version", "/bin/true"])
+
+        self.assertEqual(done.status, 0, done.err)
+        self.assertEqual(done.report["first"], "recover")
+        for stage in done.report["stages"]:
+            first = stage["first_difference"]
+            if stage["stage"] == "recover":
+                # When the escape begins to follow the wall: `clew echo` shows its words.
+                self.assertEqual(first, {"tick": 140, "topic": "guidance"})
+            else:
+                self.assertIsNone(first)
+        self.assertFalse(done.report["verdicts_differ"])
+        self.assertEqual((same.status, same.report["first"]), (1, None), same.err)
+        self.assertEqual(none.status, 2)
+        self.assertIn("/bin/true: as the program of every component", none.err)
+
     def test_bad_input_is_told_with_its_place(self):
         shrink = ["shrink", "u-trap", "-o", self.directory / "x.yaml"]
         bad = self.directory / "bad.case.yaml"
@@ -132,6 +188,13 @@ class Hunt(unittest.TestCase):
                 (["hunt", "reactive", "--property", "ticks < 9", "--runs", "0"], "allowed: 1"),
                 (["bisect", "krishna_kalra", "none"], "none"),
                 (["bisect", "krishna_kalra"], "b is required"),
+                (["bisect", "krishna_kalra", "--ticks"], "--ticks needs the change"),
+                (["bisect", "krishna_kalra", "--ticks", "--with", "recover.detector=none"],
+                 "krishna_kalra"),
+                (["bisect", "a.mcap", "b.mcap", "--ticks"], "takes one run; found a second"),
+                (["bisect", "a.mcap", "b.mcap", "--set", "sense.range_m=1"], "found no --ticks"),
+                (["bisect", "krishna_kalra", "--other-version", "nix"],
+                 "nix: is no program that can be started"),
                 (["hunt", "--case", bad], "bad.case.yaml:4"),
                 ([*shrink, "--property", "ticks < 9"], "--graph: is missing"),
                 ([*shrink, "--graph", "reactive"], "--property: is missing"),

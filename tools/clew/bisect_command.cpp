@@ -2,29 +2,30 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "clew/bisect_output.hpp"
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
-#include "clew/json_line.hpp"
+#include "clew/own_program.hpp"
 #include "clew/plugin_options.hpp"
 #include "clew/property_option.hpp"
 #include "hunt/bisect.hpp"
 #include "recording/run_recording.hpp"
+#include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"
 
 namespace clew::tools {
 namespace {
 
 using core::Result;
-using hunt::BisectEnd;
-using hunt::BisectSetting;
-using nlohmann::ordered_json;
+using hunt::Property;
 
 struct BisectCommandOptions {
   std::string a;
   std::string b;
+  std::string version;  ///< another build of this command
+  bool ticks = false;
   std::string property;
   std::vector<std::string> plugins;
   runtime::GraphOverrides overrides;
@@ -73,102 +74,114 @@ Result<hunt::BisectSide> read_side(const std::string& name, const BisectCommandO
   return hunt::BisectSide{name, std::move(plan->bundle)};
 }
 
-ordered_json to_json(const BisectEnd& end) {
-  ordered_json json = {{"outcome_a", end.outcome_a},
-                       {"outcome_b", end.outcome_b},
-                       {"verdicts_differ", end.verdicts_differ},
-                       {"runs", end.runs}};
-  json["first"] = nullptr;
-  if (!end.settings.empty() && end.settings.front().first) {
-    json["first"] = end.settings.front().name;
+/// 0 if something was found, 1 if not.
+template <typename End>
+int finish(const Result<End>& end, bool found, const BisectCommandOptions& options,
+           const BisectNames& names) {
+  if (!end.ok()) return complain(end.error());
+  if (end->interrupted) return kExitInterrupted;
+  if (options.json) {
+    print_json(*end);
+  } else {
+    print_text(*end, names);
   }
-  json["cause"] = ordered_json::array();
-  for (const std::size_t index : end.cause) json["cause"].push_back(end.settings[index].name);
-  json["settings"] = ordered_json::array();
-  for (const BisectSetting& setting : end.settings) {
-    ordered_json one = {{"setting", setting.name}, {"a", setting.a}, {"b", setting.b}};
-    one["first_difference"] = nullptr;
-    if (setting.first) {
-      one["first_difference"] = {{"tick", setting.first->tick},
-                                 {"topic", domain::topic_name(setting.first->topic)}};
-    }
-    one["outcome"] = setting.outcome;
-    one["changes_verdict"] = setting.changes_verdict;
-    one["refused"] = setting.refused;
-    json["settings"].push_back(std::move(one));
-  }
-  return json;
+  return found ? kExitGood : kExitFailed;
 }
 
-std::string effect_of(const BisectSetting& setting) {
-  if (!setting.refused.empty()) return "cannot be changed alone: " + setting.refused;
-  if (!setting.first) return "makes no difference";
-  return fmt::format("first difference at tick {}, {}; outcome {}", setting.first->tick,
-                     domain::topic_name(setting.first->topic), setting.outcome);
-}
-
-void print(const BisectEnd& end, const BisectCommandOptions& options) {
-  fmt::print("a: {}: {}\nb: {}: {}\n", options.a, end.outcome_a, options.b, end.outcome_b);
-  if (end.settings.empty()) {
-    fmt::print("the two do not differ in any setting\n");
-    return;
-  }
-  fmt::print("\neach of b's settings in a, alone, the first that matters first:\n");
-  for (const BisectSetting& setting : end.settings) {
-    const bool has_values = !setting.a.empty() || !setting.b.empty();
-    fmt::print("  {}{}\n    {}\n", setting.name,
-               has_values ? fmt::format(": {} -> {}", setting.a.empty() ? "none" : setting.a,
-                                        setting.b.empty() ? "none" : setting.b)
-                          : std::string(),
-               effect_of(setting));
-  }
-  const char* const what = options.property.empty() ? "outcome" : "verdict";
-  if (!end.verdicts_differ) {
-    fmt::print("\nthe {} is the same\n", what);
-    return;
-  }
-  fmt::print("\nb's {} needs {}:\n", what, end.cause.size() == 1 ? "this one" : "these together");
-  for (const std::size_t index : end.cause) fmt::print("  {}\n", end.settings[index].name);
-}
-
-int bisect_command(const BisectCommandOptions& options) {
-  std::optional<hunt::Property> property;
-  if (!options.property.empty()) {
-    auto read = read_property(options.property);
-    if (!read.ok()) return complain(read.error());
-    property = std::move(read).value();
-  }
+int bisect_settings(const BisectCommandOptions& options, const std::optional<Property>& property) {
   const auto a = read_side(options.a, options);
   if (!a.ok()) return complain(a.error());
   const auto b = read_side(options.b, options);
   if (!b.ok()) return complain(b.error());
   const auto end = hunt::bisect(*a, *b, property, stages::all());
-  if (!end.ok()) return complain(end.error());
-  if (end->interrupted) return kExitInterrupted;
-  if (options.json) {
-    fmt::print("{}\n", json_line(to_json(*end)));
-  } else {
-    print(*end, options);
+  const bool found =
+      end.ok() && ((!end->settings.empty() && end->settings.front().first) || !end->cause.empty());
+  return finish(end, found, options, {options.a, options.b, property.has_value(), 0.0});
+}
+
+int bisect_ticks(const BisectCommandOptions& options, const std::optional<Property>& property) {
+  const auto recording = bridge::RunRecording::open(options.a);
+  if (!recording.ok()) return complain(recording.error());
+  const auto plugins = load_plugins_for(*recording, options.plugins);
+  if (!plugins.ok()) return complain(plugins.error());
+  const auto recorded = bridge::recorded_plan(*recording, stages::all());
+  if (!recorded.ok()) return complain(recorded.error());
+  const auto changed = bridge::changed_plan(*recording, options.overrides,
+                                            runtime::ConfigPath::from_environment(), stages::all());
+  if (!changed.ok()) return complain(changed.error());
+  const auto end = hunt::bisect_ticks(*recording, *recorded, *changed, property);
+  return finish(end, end.ok() && end->last_tick, options,
+                {options.a, {}, property.has_value(), recorded->graph.tick_s});
+}
+
+int bisect_versions(const BisectCommandOptions& options, const std::optional<Property>& property) {
+  const auto a = read_side(options.a, options);
+  if (!a.ok()) return complain(a.error());
+  const auto plan = runtime::prepare_run(a->bundle, stages::all());
+  if (!plan.ok()) return complain(plan.error());
+  const auto end = hunt::bisect_versions(*plan, {own_program(), options.version}, property);
+  const bool found =
+      end.ok() && ((!end->stages.empty() && end->stages.front().first) || !end->cause.empty());
+  return finish(end, found, options, {options.a, options.version, property.has_value(), 0.0});
+}
+
+/// Each form of the command takes its own options.
+Result<void> check_options(const BisectCommandOptions& options) {
+  const auto& overrides = options.overrides;
+  const bool has_change = !overrides.with.empty() || !overrides.set.empty();
+  if (options.ticks && !options.version.empty()) {
+    return core::Error{"--ticks and --other-version ask different questions: give one"};
   }
-  const bool found = !end->settings.empty() && end->settings.front().first.has_value();
-  return found || !end->cause.empty() ? kExitGood : kExitFailed;
+  if (options.ticks || !options.version.empty()) {
+    if (!options.b.empty()) {
+      return core::Error{fmt::format("{} takes one run; found a second, '{}'",
+                                     options.ticks ? "--ticks" : "--other-version", options.b)};
+    }
+  } else if (options.b.empty()) {
+    return core::Error{
+        "b is required; 'clew bisect A B' compares two runs, 'clew bisect A --ticks --with ...' "
+        "asks when a change is too late, 'clew bisect A --other-version PROGRAM' which component "
+        "of "
+        "another version matters"};
+  }
+  if (options.ticks != has_change) {
+    return core::Error{options.ticks
+                           ? "--ticks needs the change: --with or --set"
+                           : "--with and --set are the change of --ticks; found no --ticks"};
+  }
+  if (options.ticks && (overrides.world || overrides.robot || overrides.seed)) {
+    return core::Error{"--ticks goes on from a recording: --world, --robot and --seed are its own"};
+  }
+  return {};
+}
+
+int bisect_command(const BisectCommandOptions& options) {
+  if (const auto checked = check_options(options); !checked.ok()) return complain(checked.error());
+  std::optional<Property> property;
+  if (!options.property.empty()) {
+    auto read = read_property(options.property);
+    if (!read.ok()) return complain(read.error());
+    property = std::move(read).value();
+  }
+  if (options.ticks) return bisect_ticks(options, property);
+  if (!options.version.empty()) return bisect_versions(options, property);
+  return bisect_settings(options, property);
 }
 
 }  // namespace
 
 void add_bisect(CLI::App& main, int& status) {
   const auto options = std::make_shared<BisectCommandOptions>();
-  CLI::App* app = main.add_subcommand("bisect", "Find which setting makes two runs differ");
+  CLI::App* app =
+      main.add_subcommand("bisect", "Find which setting, tick or version makes two runs differ");
   app->add_option("a", options->a, "a recording, or a graph's name or path")->required();
-  app->add_option("b", options->b, "another")->required();
+  app->add_option("b", options->b, "another");
+  app->add_flag("--ticks", options->ticks,
+                "when it is too late for --with and --set in the recording a");
+  app->add_option("--other-version", options->version,
+                  "which component of another build of clew matters: a PROGRAM");
   add_property(*app, options->property);
-  app->add_option("--world", options->overrides.world, "another world for both graphs");
-  app->add_option("--robot", options->overrides.robot, "another robot for both graphs");
-  app->add_option("--seed", options->overrides.seed, "of both graphs' runs (1)")
-      ->check(whole_number());
-  app->add_option("--max-ticks", options->overrides.max_ticks,
-                  "time out after this many ticks (20000)")
-      ->check(CLI::PositiveNumber);
+  add_overrides(*app, options->overrides);
   add_plugins(*app, options->plugins);
   app->add_flag("--json", options->json, "print it as one JSON object");
   app->callback([options, &status] { status = bisect_command(*options); });

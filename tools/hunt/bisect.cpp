@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <utility>
 
-#include "core/hash128.hpp"
 #include "hunt/delta_debugging.hpp"
 #include "hunt/setting_tree.hpp"
 
@@ -19,39 +17,6 @@ using runtime::Bundle;
 
 constexpr char kGraph[] = "graph.yaml";
 
-/// What every topic said at every tick, as hashes.
-class Trace : public bridge::SampleSink {
- public:
-  Result<void> add(const bridge::SampleView& sample) override {
-    const core::Hash128 hash = core::hash128(std::string(sample.cdr));
-    samples_[{sample.tick, sample.topic}] = {hash.low, hash.high};
-    topics_[sample.topic] = sample.tick;
-    return {};
-  }
-
-  /// Of the topics that both have, as in `clew diff`; one that ends sooner differs there.
-  std::optional<FirstDifference> first_difference(const Trace& other) const {
-    for (const auto& [key, hash] : samples_) {
-      if (other.topics_.count(key.second) == 0) continue;
-      const auto found = other.samples_.find(key);
-      if (found == other.samples_.end() || found->second != hash) {
-        return FirstDifference{key.first, key.second};
-      }
-    }
-    for (const auto& [key, hash] : other.samples_) {
-      if (topics_.count(key.second) > 0 && samples_.count(key) == 0) {
-        return FirstDifference{key.first, key.second};
-      }
-    }
-    return std::nullopt;
-  }
-
- private:
-  std::map<std::pair<std::uint64_t, domain::Topic>, std::pair<std::uint64_t, std::uint64_t>>
-      samples_;
-  std::map<domain::Topic, std::uint64_t> topics_;  ///< the last tick of each
-};
-
 /// A difference of the graph, or of a file beside it.
 struct Difference {
   std::optional<SettingDifference> setting;
@@ -62,8 +27,8 @@ struct Difference {
 
 struct Ran {
   std::string outcome;
-  std::optional<bool> holds;
-  Trace trace;
+  std::string verdict;
+  RunTrace trace;
 };
 
 class Bisection {
@@ -83,8 +48,8 @@ class Bisection {
     ran_a_ = std::move(of_a).value();
     end_.outcome_a = ran_a_.outcome;
     end_.outcome_b = of_b->outcome;
-    verdict_b_ = verdict_of(*of_b);
-    end_.verdicts_differ = verdict_of(ran_a_) != verdict_b_;
+    verdict_b_ = of_b->verdict;
+    end_.verdicts_differ = ran_a_.verdict != verdict_b_;
     try_each_alone();
     if (end_.verdicts_differ) isolate();
     sort_settings();
@@ -92,12 +57,6 @@ class Bisection {
   }
 
  private:
-  /// One number for what is compared.
-  std::string verdict_of(const Ran& ran) const {
-    if (!property_) return ran.outcome;
-    return !ran.holds ? "undecided" : *ran.holds ? "holds" : "fails";
-  }
-
   Result<void> find_differences() {
     auto tree_a = SettingTree::parse(a_.bundle.at(kGraph), a_.name);
     if (!tree_a.ok()) return tree_a.error();
@@ -147,7 +106,7 @@ class Bisection {
       return core::Error{"interrupted"};
     }
     ran.outcome = (*outcome)->values.word(Field::kOutcome);
-    if (property_) ran.holds = property_->judge((*outcome)->values).holds;
+    ran.verdict = verdict_word(property_, **outcome);
     return ran;
   }
 
@@ -163,7 +122,7 @@ class Bisection {
       if (ran.ok()) {
         setting.first = ran_a_.trace.first_difference(ran->trace);
         setting.outcome = ran->outcome;
-        setting.changes_verdict = verdict_of(*ran) != verdict_of(ran_a_);
+        setting.changes_verdict = ran->verdict != ran_a_.verdict;
       } else {
         setting.refused = ran.error().text();
       }
@@ -177,7 +136,7 @@ class Bisection {
     end_.cause = minimise(all, [&](const std::vector<std::size_t>& changed) {
       if (changed.empty() || end_.interrupted) return false;
       const auto ran = run_bundle(mixed(changed));
-      return ran.ok() && verdict_of(*ran) == verdict_b_;
+      return ran.ok() && ran->verdict == verdict_b_;
     });
   }
 

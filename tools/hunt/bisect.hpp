@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "domain/topics.hpp"
 #include "hunt/case_run.hpp"
 #include "hunt/property.hpp"
+#include "hunt/run_trace.hpp"
 #include "runtime/config_source.hpp"
 
 namespace clew::hunt {
@@ -17,12 +16,6 @@ namespace clew::hunt {
 struct BisectSide {
   std::string name;
   runtime::Bundle bundle;
-};
-
-/// Where a run first differs from run A.
-struct FirstDifference {
-  std::uint64_t tick = 0;
-  domain::Topic topic = domain::Topic::kState;
 };
 
 /// A setting in which the two runs differ, and what it does alone: in run A, with B's value.

@@ -2,12 +2,21 @@
 #include "hunt/case_run.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
 #include <limits>
+#include <memory>
 
 #include "bench/trap_judge.hpp"
 #include "clew/run_output.hpp"
 #include "recorder/recording_sink.hpp"
+#include "recording/output_file.hpp"
+#include "recording/run_recording.hpp"
+#include "replay/branch.hpp"
 #include "run/composed_run.hpp"
+#include "supervisor/process_run.hpp"
 #include "world/world.hpp"
 #include "world_analysis/clearance_grid.hpp"
 #include "world_analysis/trap_map.hpp"
@@ -176,6 +185,51 @@ Result<void> check_is_ours(const RunPlan& plan) {
   return {};
 }
 
+/// A directory that is gone with this.
+class ScratchDirectory {
+ public:
+  static Result<std::unique_ptr<ScratchDirectory>> make() {
+    std::string path = (std::filesystem::temp_directory_path() / "clew-XXXXXX").string();
+    if (mkdtemp(path.data()) == nullptr) return core::Error{std::strerror(errno), path};
+    return std::unique_ptr<ScratchDirectory>(new ScratchDirectory(std::move(path)));
+  }
+  ScratchDirectory(const ScratchDirectory&) = delete;
+  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
+  ~ScratchDirectory() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  const std::string& path() const { return path_; }
+
+ private:
+  explicit ScratchDirectory(std::string path) : path_(std::move(path)) {}
+  std::string path_;
+};
+
+/// `run` runs the plan and shows each of its samples to the witness.
+template <typename RunIt>
+Result<std::optional<CaseOutcome>> judged_run(const RunPlan& plan, const Property* property,
+                                              bridge::SampleSink* recording, const RunIt& run) {
+  CLEW_RETURN_IF_ERROR(check_is_ours(plan));
+  const double radius_m = plan.setup.behaviour.robot.radius_m;
+  std::optional<TrapTruth> truth;
+  std::optional<bench::TrapJudge> judge;
+  if (property != nullptr && asks_for_traps(*property)) {
+    truth.emplace(plan);
+    judge.emplace(truth->get(), radius_m, detectors_of(plan.graph));
+  }
+  Witness witness(*plan.setup.world, radius_m, judge ? &*judge : nullptr, recording);
+  const auto report = run(witness);
+  if (!report.ok()) return report.error();
+  if (report->interrupted_by != 0) return std::optional<CaseOutcome>();
+  CaseOutcome outcome;
+  outcome.values = values_of(*report, plan, witness);
+  if (judge) add_judgement(*judge, outcome.values);
+  if (report->hash) outcome.hash = report->hash->hex();
+  outcome.ticks = report->statistics.truth ? report->statistics.truth->tick : 0;
+  return std::optional<CaseOutcome>(std::move(outcome));
+}
+
 }  // namespace
 
 Result<RunPlan> plan_case(const RunCase& which, const Workshop& workshop) {
@@ -195,24 +249,48 @@ Result<RunPlan> plan_case(const RunCase& which, const Workshop& workshop) {
 
 Result<std::optional<CaseOutcome>> run_plan(const RunPlan& plan, const Property* property,
                                             bridge::SampleSink* recording) {
-  CLEW_RETURN_IF_ERROR(check_is_ours(plan));
-  const double radius_m = plan.setup.behaviour.robot.radius_m;
-  std::optional<TrapTruth> truth;
-  std::optional<bench::TrapJudge> judge;
-  if (property != nullptr && asks_for_traps(*property)) {
-    truth.emplace(plan);
-    judge.emplace(truth->get(), radius_m, detectors_of(plan.graph));
-  }
-  Witness witness(*plan.setup.world, radius_m, judge ? &*judge : nullptr, recording);
-  const auto report = bridge::run_composed(plan, bridge::ComposedLayout{}, &witness, {});
-  if (!report.ok()) return report.error();
-  if (report->interrupted_by != 0) return std::optional<CaseOutcome>();
-  CaseOutcome outcome;
-  outcome.values = values_of(*report, plan, witness);
-  if (judge) add_judgement(*judge, outcome.values);
-  if (report->hash) outcome.hash = report->hash->hex();
-  outcome.ticks = report->statistics.truth ? report->statistics.truth->tick : 0;
-  return std::optional<CaseOutcome>(std::move(outcome));
+  return judged_run(plan, property, recording, [&](Witness& witness) {
+    return bridge::run_composed(plan, bridge::ComposedLayout{}, &witness, {});
+  });
+}
+
+Result<std::optional<CaseOutcome>> run_branch(const bridge::RunRecording& recording,
+                                              const RunPlan& recorded, const RunPlan& plan,
+                                              std::uint64_t tick, const Property* property) {
+  return judged_run(plan, property, nullptr, [&](Witness& witness) -> Result<bridge::RunReport> {
+    auto start = bridge::branch_off(recording, recorded, plan, tick);
+    if (!start.ok()) return start.error();
+    CLEW_RETURN_IF_ERROR(bridge::copy_samples_before(recording, tick, witness));
+    return bridge::run_composed(plan, std::move(start).value(), bridge::ComposedLayout{}, &witness,
+                                {});
+  });
+}
+
+Result<std::optional<CaseOutcome>> run_as_processes(const RunPlan& plan,
+                                                    const bridge::ProcessLayout& layout,
+                                                    const Property* property,
+                                                    bridge::SampleSink* trace) {
+  const auto scratch = ScratchDirectory::make();
+  if (!scratch.ok()) return scratch.error();
+  const std::string file = (*scratch)->path() + "/run.mcap";
+  return judged_run(plan, property, trace, [&](Witness& witness) -> Result<bridge::RunReport> {
+    CLEW_RETURN_IF_ERROR(bridge::mcap::OutputFile::reserve(file, true));
+    const bridge::RecordingOrder order{file, bridge::describe_run(plan), 0.0};
+    auto report = bridge::run_processes(plan, layout, order, {});
+    if (!report.ok() || report->interrupted_by != 0) return report;
+    if (!report->aborted.empty()) return core::Error{report->aborted};
+    const auto recording = bridge::RunRecording::open(file);
+    if (!recording.ok()) return recording.error();
+    CLEW_RETURN_IF_ERROR(bridge::copy_samples_before(
+        *recording, std::numeric_limits<std::uint64_t>::max(), witness));
+    return report;
+  });
+}
+
+std::string verdict_word(const std::optional<Property>& property, const CaseOutcome& outcome) {
+  if (!property) return outcome.values.word(Field::kOutcome);
+  const auto holds = property->judge(outcome.values).holds;
+  return !holds ? "undecided" : *holds ? "holds" : "fails";
 }
 
 Result<std::optional<CaseOutcome>> run_case(const RunCase& which, const Property& property,

@@ -9,8 +9,10 @@
 
 #include "hunt/property.hpp"
 #include "hunt/run_fields.hpp"
+#include "recording/run_recording.hpp"
 #include "run/sample_sink.hpp"
 #include "runtime/run_plan.hpp"
+#include "supervisor/process_layout.hpp"
 
 namespace clew::hunt {
 
@@ -59,6 +61,23 @@ core::Result<std::optional<CaseOutcome>> run_case(const RunCase& which, const Pr
 core::Result<std::optional<CaseOutcome>> run_plan(const runtime::RunPlan& plan,
                                                   const Property* property,
                                                   bridge::SampleSink* recording);
+
+/// Runs `plan` from `tick` of a recording on, as bridge::branch_off does; what is recorded before
+/// that counts as the run's own.
+core::Result<std::optional<CaseOutcome>> run_branch(const bridge::RunRecording& recording,
+                                                    const runtime::RunPlan& recorded,
+                                                    const runtime::RunPlan& plan,
+                                                    std::uint64_t tick, const Property* property);
+
+/// Runs a plan as processes, and shows its samples to `trace` afterwards. Refused, too: a run that
+/// was aborted, with the reason.
+core::Result<std::optional<CaseOutcome>> run_as_processes(const runtime::RunPlan& plan,
+                                                          const bridge::ProcessLayout& layout,
+                                                          const Property* property,
+                                                          bridge::SampleSink* trace);
+
+/// What two runs are compared by: `holds`, `fails` or `undecided`; without a property the outcome.
+std::string verdict_word(const std::optional<Property>& property, const CaseOutcome& outcome);
 
 /// Where the robot was at the end of each tick of a case.
 core::Result<std::vector<core::Pose2>> track_of(const RunCase& which, const Workshop& workshop);

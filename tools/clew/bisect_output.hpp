@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "hunt/bisect.hpp"
+#include "hunt/tick_bisect.hpp"
+#include "hunt/version_bisect.hpp"
+
+namespace clew::tools {
+
+/// What the answers are about.
+struct BisectNames {
+  std::string a;
+  std::string b;
+  bool has_property = false;
+  double tick_s = 0.0;
+};
+
+/// One line of JSON each, or text for people.
+void print_json(const hunt::BisectEnd& end);
+void print_text(const hunt::BisectEnd& end, const BisectNames& names);
+void print_json(const hunt::TickBisectEnd& end);
+void print_text(const hunt::TickBisectEnd& end, const BisectNames& names);
+void print_json(const hunt::VersionBisectEnd& end);
+void print_text(const hunt::VersionBisectEnd& end, const BisectNames& names);
+
+}  // namespace clew::tools
