@@ -30,7 +30,10 @@ function look_on(line) {
   const socket = new WebSocket(`ws://127.0.0.1:${port}/live`, ["clew.view.v1"], {
     headers: { Cookie: `clew_view_${port}=${searchParams.get("token")}`, Origin: `http://127.0.0.1:${port}` },
   });
-  socket.on("message", (data) => { counted.bytes += data.length; });
+  socket.on("message", (data, is_binary) => {
+    counted.bytes += data.length;
+    if (!is_binary && JSON.parse(data).ended) socket.send('{"has_all": true}');
+  });
   socket.on("error", (error) => { throw error; });
   return counted;
 }

@@ -7,7 +7,7 @@ import { button, by_id, element } from "./elements";
 import { names_of } from "./graph_names";
 import type { MapView } from "./map_view";
 import { ask_control } from "./server";
-import type { Choices, Order } from "./server";
+import type { Choices, Order, RuleEdit } from "./server";
 import type { Session } from "./session";
 import type { Point } from "./world";
 
@@ -85,10 +85,15 @@ export class Control {
     this.goal.setAttribute("aria-pressed", "false");
     this.map.pick(undefined);
     const [x, y] = [Number(place[0].toFixed(kCentimetres)), Number(place[1].toFixed(kCentimetres))];
-    const tick = await this.ask({ order: "goal", x, y });
-    if (tick === undefined) return;
-    this.session.run?.goals.push({ tick, place: [x, y] });
-    this.session.tell("data");
+    await this.ask({ order: "goal", x, y });
+  }
+
+  /// The run goes on with these rule bases. Throws what the run says against it.
+  async use_rules(rules: RuleEdit[]): Promise<{ said: string; command: string }> {
+    if (this.over) throw new Error("the run has ended; branch its recording");
+    const { tick, command } = await ask_control({ order: "swap", with: {}, set: [], rules });
+    this.note("rules", tick, command);
+    return { said: `used from tick ${tick} on`, command };
   }
 
   private async do_swap(): Promise<void> {
@@ -103,13 +108,17 @@ export class Control {
     this.message.textContent = "";
     try {
       const { tick, command } = await ask_control(order);
-      this.told.prepend(element("li", {}, `${order.order} at tick ${tick}`, element("code", { title: "The same on the command line" }, command)));
+      this.note(order.order, tick, command);
       by_id("notice").textContent = order.order === "pause" ? `paused at tick ${tick}` : "";
       return tick;
     } catch (error) {
       this.message.textContent = error instanceof Error ? error.message : String(error);
       return undefined;
     }
+  }
+
+  private note(what: string, tick: number, command: string): void {
+    this.told.prepend(element("li", {}, `${what} at tick ${tick}`, element("code", { title: "The same on the command line" }, command)));
   }
 
   private current(stage: string, part: string): string | undefined {

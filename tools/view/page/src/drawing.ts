@@ -28,7 +28,7 @@ export class Drawing implements MapTool {
   readonly box = element("div", { class: "row", id: "drawing" });
   readonly world: World = {
     name: "drawn", bounds: [0, 0, kSide_m, kSide_m], walls: [], polygons: [], circles: [], moving: [],
-    start: [5, 1.5, Math.PI / 2], target: [5, 9], target_radius_m: 0.2,
+    start: [5, 1.5, Math.PI / 2], target: [5, 9], target_radius_m: 0.2, waypoints: [],
   };
   private part: Part = "wall";
   private from: Point | undefined;

@@ -9,7 +9,7 @@ import { draw_grid, draw_list } from "./inside_drawings";
 import type { MapView } from "./map_view";
 import type { Run } from "./run";
 import { RuleEditor, rule_files } from "./rule_editor";
-import type { Branch } from "./rule_editor";
+import type { RuleUse } from "./rule_editor";
 import { ask_insides } from "./server";
 import type { Choices, Told } from "./server";
 import type { Session } from "./session";
@@ -30,7 +30,7 @@ export class Insides {
   private told: Told | undefined;
   private told_of: { run: Run | undefined; tick: number } | undefined;
   /// What rules can be edited with, once the server has told.
-  private branches: { choices: Choices; branch: Branch } | undefined;
+  private edits: { choices: Choices; use: RuleUse } | undefined;
   private readonly editors = new Map<Run, Map<string, RuleEditor[]>>();
   private readonly draw = once_a_frame(() => this.draw_now());
 
@@ -43,20 +43,20 @@ export class Insides {
     this.look();
   }
 
-  /// From now on rules can be edited: `branch` goes on with them.
-  let_edit(choices: Choices, branch: Branch): void {
-    this.branches = { choices, branch };
+  /// From now on rules can be edited, and are used so.
+  let_edit(choices: Choices, use: RuleUse): void {
+    this.edits = { choices, use };
     this.draw();
   }
 
   /// What is written in them stays from tick to tick.
   private editors_of(stage: string): RuleEditor[] {
     const run = this.told_of?.run;
-    if (!run || !this.branches) return [];
-    const { choices, branch } = this.branches;
+    if (!run || !this.edits) return [];
+    const { choices, use } = this.edits;
     const of_run = this.editors.get(run) ?? new Map<string, RuleEditor[]>();
     this.editors.set(run, of_run);
-    const editors = of_run.get(stage) ?? rule_files(run, choices, stage).map((file) => new RuleEditor(file, branch));
+    const editors = of_run.get(stage) ?? rule_files(run, choices, stage).map((file) => new RuleEditor(file, use));
     of_run.set(stage, editors);
     return editors;
   }

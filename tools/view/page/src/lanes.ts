@@ -22,7 +22,8 @@ interface Lane {
 }
 
 const kLanes: Lane[] = [
-  { stage: "drive", topic: "state", path: "speed_mps", shade: (v) => (v > 1e-9 ? 0.15 : 0), meaning: "moving; safety stops, contacts, late commands" },
+  { stage: "run", meaning: "pauses, pace; what befell the run" },
+  { stage: "drive", topic: "state", path: "speed_mps", shade: (v) => (v > 1e-9 ? 0.15 : 0), meaning: "moving; way-points, new targets, safety stops, contacts, late commands" },
   { stage: "sense", topic: "scan", meaning: "how near the nearest return is" },
   { stage: "classify", topic: "landmark", path: "spatial_class", shade: (v) => 0.1 + v * 0.07, meaning: "spatial class 0 to 8; landmarks" },
   { stage: "plan", topic: "target", path: "x_m", meaning: "subgoals" },
@@ -43,7 +44,9 @@ export class Lanes {
   }
 
   private lanes(run: Run): Lane[] {
-    return kLanes.filter((lane) => lane.stage in run.graph || (lane.stage === "drive" && run.ticks.length > 0));
+    // A run that nobody touched and nothing befell has no lane for that.
+    const always = (stage: string): boolean => stage === "drive" ? run.ticks.length > 0 : stage === "run" && run.has_run_events;
+    return kLanes.filter((lane) => lane.stage in run.graph || always(lane.stage));
   }
 
   private x_of(tick: number, width: number): number {

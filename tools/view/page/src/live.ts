@@ -3,7 +3,7 @@
 // since while it ran the page was shown sixty ticks a second.
 
 import { Recording } from "./recording";
-import type { Topic } from "./recording";
+import type { Change, Incident, Topic } from "./recording";
 
 interface Description {
   name: string;
@@ -12,6 +12,10 @@ interface Description {
   bundle: Record<string, string>;
   topics: { number: number; name: string; type: string; idl: string }[];
 }
+
+type Told = Partial<Description> & {
+  ended?: string; missed?: number; changes?: Change[]; incidents?: Incident[];
+};
 
 export interface LiveListener {
   /// Something new is in the recording.
@@ -36,7 +40,7 @@ export class LiveRun {
     this.socket = new WebSocket(`ws://${location.host}/live`, ["clew.view.v1"]);
     this.socket.binaryType = "arraybuffer";
     this.socket.addEventListener("message", (event: MessageEvent<string | ArrayBuffer>) => {
-      if (typeof event.data === "string") this.take_text(JSON.parse(event.data) as Partial<Description> & { ended?: string; missed?: number });
+      if (typeof event.data === "string") this.take_text(JSON.parse(event.data) as Told);
       else this.take_samples(event.data);
     });
     this.socket.addEventListener("close", () => {
@@ -44,8 +48,14 @@ export class LiveRun {
     });
   }
 
-  private take_text(told: Partial<Description> & { ended?: string; missed?: number }): void {
-    if (told.missed !== undefined) {
+  private take_text(told: Told): void {
+    if (told.changes || told.incidents) {
+      // Those that came before the recording was read again are in it, too.
+      for (const recording of this.whole ? [this.recording, this.whole] : [this.recording]) {
+        for (const each of told.changes ?? []) recording.add_change(each.tick, each);
+        for (const each of told.incidents ?? []) recording.add_incident(each.tick, each);
+      }
+    } else if (told.missed !== undefined) {
       this.missed = told.missed;
     } else if (told.ended !== undefined) {
       this.outcome = told.ended;
@@ -82,6 +92,8 @@ export class LiveRun {
 
   private read_again(): void {
     this.whole = new Recording("live");
+    this.whole.changes.push(...this.recording.changes);
+    this.whole.incidents.push(...this.recording.incidents);
     this.topics.clear();
     this.describe();
     this.socket.send(JSON.stringify({ all: true, from: 0 }));
@@ -91,6 +103,7 @@ export class LiveRun {
     this.finished = true;
     // What did not come whole is no better than what is there.
     if (this.whole && this.whole.last_tick >= this.recording.last_tick) this.listener.again(this.whole);
+    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify({ has_all: true }));
     this.listener.ended(this.outcome, this.missed);
   }
 }

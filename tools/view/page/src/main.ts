@@ -148,7 +148,13 @@ async function add_what_if(): Promise<void> {
   const choices = await read_choices();
   what_if = new WhatIf(session, map, add_panel("what-if", "What if"), choices, ({ recording, name }) => open_served(recording, name));
   const asked = what_if;
-  insides.let_edit(choices, (rules) => asked.branch_with(rules));
+  insides.let_edit(choices, {
+    label: "Branch with these rules", title: "Go on from the chosen tick with the rule base as it is written here",
+    use: async (rules) => {
+      const { command, report } = await asked.branch_with(rules);
+      return { said: `${report.outcome} after ${report.ticks} ticks`, command };
+    },
+  });
   show_panel(session.runs.length === 0 ? "what-if" : "overview");
 }
 
@@ -183,6 +189,11 @@ async function watch(): Promise<void> {
   show_runs();
   const choices = await read_choices();
   control = new Control(session, map, add_panel("control", "Control"), choices);
+  const asked = control;
+  insides.let_edit(choices, {
+    label: "Use these rules from now on", title: "The run goes on with the rule base as it is written here, from the next tick that nobody has begun",
+    use: (rules) => asked.use_rules(rules),
+  });
   if (document.body.dataset["ended"] !== undefined) control.end();
   show_panel("overview");
 }

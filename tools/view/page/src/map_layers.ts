@@ -6,13 +6,14 @@ import { draw_mark, run_colour, run_dash } from "./theme";
 import type { Theme } from "./theme";
 import { thinned } from "./thinned";
 import { place_at } from "./world";
-import type { Point, World } from "./world";
+import type { MovingObstacle, Point, World } from "./world";
 
 export const kLayers: [string, string][] = [
   ["grid", "Grid"], ["path", "Path"], ["ahead", "Path still to come"], ["belief", "Believed path"],
   ["scan", "Scan"], ["landmarks", "Landmarks"], ["traps", "Traps and what proves them"],
   ["escapes", "Escapes, reflexes, stops"], ["targets", "Virtual targets"],
   ["obstacles", "Virtual obstacles"], ["moving", "Moving obstacles"], ["insides", "Insides of the chosen tick"],
+  ["changes", "Changes and incidents"],
 ];
 
 /// From the world to the canvas.
@@ -37,7 +38,8 @@ export function round_up(value: number): number {
   return 10 * power;
 }
 
-export function draw_world(scene: Scene, world: World, time_s: number): void {
+/// `robots`: those that are drawn as such, and not as obstacles of each other.
+export function draw_world(scene: Scene, world: World, time_s: number, robots: World[] = []): void {
   const { g, view, theme } = scene;
   const [left, bottom, right, top] = world.bounds;
   const [x, y] = view.at(left, top);
@@ -46,7 +48,6 @@ export function draw_world(scene: Scene, world: World, time_s: number): void {
   g.fillStyle = theme.field;
   g.fillRect(x, y, width, height);
   if (scene.layers.has("grid")) draw_grid(scene, world);
-  draw_target(scene, world);
   g.fillStyle = theme.solid;
   g.strokeStyle = theme.wall;
   g.lineJoin = g.lineCap = "round";
@@ -66,7 +67,7 @@ export function draw_world(scene: Scene, world: World, time_s: number): void {
   }
   g.stroke();
   g.strokeRect(x, y, width, height);
-  if (scene.layers.has("moving")) draw_moving(scene, world, time_s);
+  if (scene.layers.has("moving")) draw_moving(scene, world, time_s, robots);
 }
 
 function disc(scene: Scene, place: Point, radius_m: number, fill: boolean): void {
@@ -110,26 +111,12 @@ function draw_grid(scene: Scene, world: World): void {
   g.fillText("m", px + 8, py + 9);
 }
 
-function draw_target(scene: Scene, world: World): void {
+function draw_moving(scene: Scene, world: World, time_s: number, robots: World[]): void {
   const { g, view, theme } = scene;
-  const [x, y] = view.at(...world.target);
-  const radius = Math.max(5, world.target_radius_m * view.scale);
-  g.strokeStyle = theme.target;
-  g.lineWidth = 2;
-  g.beginPath();
-  g.arc(x, y, radius, 0, 2 * Math.PI);
-  g.stroke();
-  g.beginPath();
-  for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
-    g.moveTo(x + (dx ?? 0) * radius * 0.4, y + (dy ?? 0) * radius * 0.4);
-    g.lineTo(x + (dx ?? 0) * radius * 1.7, y + (dy ?? 0) * radius * 1.7);
-  }
-  g.stroke();
-}
-
-function draw_moving(scene: Scene, world: World, time_s: number): void {
-  const { g, view, theme } = scene;
+  const is_robot = ({ jumps, path }: MovingObstacle): boolean => jumps &&
+    robots.some(({ start }) => path[0]?.[1] === start[0] && path[0][2] === start[1]);
   for (const obstacle of world.moving) {
+    if (is_robot(obstacle)) continue;
     g.strokeStyle = theme.moving;
     g.lineWidth = 1;
     g.setLineDash([3, 4]);
@@ -183,6 +170,8 @@ export function draw_paths(scene: Scene, run: Run): void {
 
 const kLayerOf: Partial<Record<RunEvent["kind"], string>> = {
   landmark: "landmarks", trap: "traps", virtual_target: "", unreachable: "escapes",
+  // The mission says where it is, and the lanes when.
+  waypoint: "", change: "changes", incident: "changes", restart: "changes",
 };
 
 /// What matters most comes last, on top.
@@ -337,8 +326,9 @@ export function draw_start(scene: Scene, world: World): void {
   g.stroke();
 }
 
-/// With its number where there are several: robots have one shape.
-export function draw_robot(scene: Scene, run: Run, numbered: boolean): void {
+/// With its number where there are several: robots have one shape. `nth`: among those that stand
+/// upon each other, whose numbers lie side by side; none: it has no number.
+export function draw_robot(scene: Scene, run: Run, nth?: number): void {
   const at = run.index_at(scene.tick);
   const { g, view, theme } = scene;
   const body = (x: number, y: number, heading: number, ghost: boolean): void => {
@@ -363,13 +353,12 @@ export function draw_robot(scene: Scene, run: Run, numbered: boolean): void {
   if (belief && scene.layers.has("belief")) body(belief.x, belief.y, belief.heading, true);
   if (!truth) return;
   body(truth.x, truth.y, truth.heading, false);
-  if (numbered) draw_number(scene, run, view.at(truth.x, truth.y));
+  if (nth !== undefined) draw_number(scene, run, nth, view.at(truth.x, truth.y));
 }
 
-function draw_number({ g, view, theme }: Scene, run: Run, [x, y]: Point): void {
+function draw_number({ g, view, theme }: Scene, run: Run, nth: number, [x, y]: Point): void {
   const away = Math.max(5, run.radius_m * view.scale) + 7;
-  // Runs that stand upon each other have their numbers side by side.
-  const at: Point = [x + away + 9 * run.index, y - away];
+  const at: Point = [x + away + 12 * nth, y - away];
   g.font = "700 12px system-ui, sans-serif";
   g.textAlign = "center";
   g.textBaseline = "middle";

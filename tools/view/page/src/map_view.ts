@@ -5,15 +5,22 @@ import { by_id, button, element, fit_canvas, once_a_frame } from "./elements";
 import { InsideLayers } from "./inside_layers";
 import type { ToldTick } from "./inside_layers";
 import { MapCursor } from "./map_cursor";
+import { draw_mission } from "./map_goals";
 import {
   draw_events, draw_paths, draw_robot, draw_scan, draw_start, draw_virtual_obstacles, draw_virtual_targets, draw_world, kLayers,
   round_up,
 } from "./map_layers";
 import type { Scene, View } from "./map_layers";
+import { mission_of_world } from "./missions";
+import type { Standing } from "./missions";
 import type { Run, RunEvent } from "./run";
 import type { Session } from "./session";
 import { kKindNames, theme } from "./theme";
+import { same_room } from "./world";
 import type { Point, World } from "./world";
+
+/// Their height: the world is shown below them.
+const kButtons = 40;
 
 /// What takes the pointer in place of panning, and a world to show in place of the runs'.
 export interface MapTool {
@@ -97,9 +104,32 @@ export class MapView {
 
   private get world(): World | undefined {
     if (this.tool) return this.tool.shown;
-    const run = this.first;
-    const goal = run?.goals.filter((each) => each.tick <= this.session.tick).pop();
-    return run?.world && goal ? { ...run.world, target: goal.place } : run?.world;
+    return this.first?.world;
+  }
+
+  /// Where robots are sent at the chosen tick; of a world without a run, its own target.
+  private draw_goals(scene: Scene, world: World, shown: Run[]): void {
+    const [x, y] = world.start;
+    if (shown.length === 0) return draw_mission(scene, { tick: 0, mission: mission_of_world(world), from: [x, y], passed: 0 });
+    const ways = new Map<string, { standing: Standing; whose: Run[] }>();
+    for (const run of shown) {
+      const standing = run.progress.at(this.session.tick);
+      if (!standing) continue;
+      const key = JSON.stringify(standing.mission.waypoints);
+      const way = ways.get(key) ?? { standing, whose: [] };
+      ways.set(key, way);
+      way.whose.push(run);
+    }
+    for (const { standing, whose } of ways.values()) draw_mission(scene, standing, ways.size > 1 ? whose : []);
+  }
+
+  /// The runs of the shown world, or of its room. A path in another world would mean nothing here.
+  private get shown(): Run[] {
+    if (this.tool) return [];
+    const { first } = this;
+    const text = (run: Run | undefined): string | undefined => run?.recording.bundle.get("world.yaml");
+    return this.session.shown.filter((run) => text(run) === text(first) ||
+      (run.world !== undefined && first?.world !== undefined && same_room(run.world, first.world)));
   }
 
   /// The run whose world is shown.
@@ -119,8 +149,8 @@ export class MapView {
     const height = this.canvas.clientHeight;
     if (!world || width === 0) return;
     const [left, bottom, right, top] = world.bounds;
-    this.scale = Math.min((width - 80) / (right - left), (height - 70) / (top - bottom));
-    this.centre = [(left + right) / 2, (bottom + top) / 2];
+    this.scale = Math.min((width - 80) / (right - left), (height - kButtons - 55) / (top - bottom));
+    this.centre = [(left + right) / 2, (bottom + top) / 2 + (kButtons / 2 - 10) / this.scale];
     this.fitted = true;
     this.draw();
   }
@@ -182,18 +212,18 @@ export class MapView {
     const world = this.world;
     if (!world || this.scale === 0) return;
     const scene: Scene = { g, view: this.view(), theme: colours, layers: this.layers, tick: this.session.tick };
-    draw_world(scene, world, this.session.tick * (this.session.run?.tick_s ?? 0));
+    const { shown } = this;
+    const worlds = shown.flatMap((run) => run.world ? [run.world] : []);
+    draw_world(scene, world, this.session.tick * (this.session.run?.tick_s ?? 0), worlds);
+    this.draw_goals(scene, world, shown);
     if (this.tool) draw_start(scene, world);
-    else this.draw_runs(scene);
+    else this.draw_runs(scene, shown);
     this.draw_ruler(g);
     this.draw_scale(g, height);
     this.cursor.draw(g, colours);
   }
 
-  private draw_runs(scene: Scene): void {
-    // A path in another world would mean nothing here.
-    const world_of = (run: Run | undefined): string | undefined => run?.recording.bundle.get("world.yaml");
-    const shown = this.session.shown.filter((run) => world_of(run) === world_of(this.first));
+  private draw_runs(scene: Scene, shown: Run[]): void {
     const told = this.inside_layers.shown_tick;
     const has_insides = told !== undefined && shown.includes(told.run);
     if (has_insides) this.inside_layers.draw_areas(scene);
@@ -206,7 +236,18 @@ export class MapView {
       draw_events(scene, run);
     }
     if (has_insides) this.inside_layers.draw_places(scene);
-    for (const run of shown) draw_robot(scene, run, shown.length > 1);
+    this.draw_robots(scene, shown);
+  }
+
+  private draw_robots(scene: Scene, shown: Run[]): void {
+    const at_place = new Map<string, number>();
+    for (const run of shown) {
+      const pose = run.truth[run.index_at(scene.tick)];
+      const place = `${pose?.x.toFixed(2)} ${pose?.y.toFixed(2)}`;
+      const nth = at_place.get(place) ?? 0;
+      at_place.set(place, nth + 1);
+      draw_robot(scene, run, shown.length > 1 ? nth : undefined);
+    }
   }
 
   private draw_scale(g: CanvasRenderingContext2D, height: number): void {
@@ -245,11 +286,13 @@ export class MapView {
     g.font = "600 12px system-ui, sans-serif";
     const width = g.measureText(text).width;
     g.fillStyle = colours.ground;
-    g.fillRect((x1 + x2) / 2 + 8, (y1 + y2) / 2 - 9, width + 8, 18);
+    // Beside the line, so that neither it nor the cross at its end lies on the text.
+    const [x, y] = [(x1 + x2) / 2 + (Math.abs(y2 - y1) > Math.abs(x2 - x1) ? 12 : -width / 2), (y1 + y2) / 2 - 24];
+    g.fillRect(x - 4, y - 9, width + 8, 18);
     g.fillStyle = colours.text;
     g.textAlign = "left";
     g.textBaseline = "middle";
-    g.fillText(text, (x1 + x2) / 2 + 12, (y1 + y2) / 2);
+    g.fillText(text, x, y);
   }
 
   private add_controls(): void {

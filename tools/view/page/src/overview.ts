@@ -55,13 +55,16 @@ export class Overview {
       rows.push(["guidance", (kModes[guidance.mode] ?? "?") + (guidance.why ? `: ${guidance.why}` : "")]);
       rows.push([guidance.target_is_virtual ? "virtual target" : "target", `${guidance.target_x_m.toFixed(2)}, ${guidance.target_y_m.toFixed(2)} m`]);
     }
+    const now = run.progress.at(tick);
+    if (now && now.mission.waypoints.length > 1) rows.push(["way-points reached", `${now.passed} of ${now.mission.waypoints.length}`]);
     const command = message("command") as { motion: Motion } | undefined;
     if (command) rows.push(["command", motion_text(command.motion)]);
     return rows;
   }
 
   private list_events(run: Run): void {
-    const events = run.events.filter((event) => event.kind !== "landmark");
+    // What befell a run may be told late.
+    const events = run.events.filter((event) => event.kind !== "landmark").sort((a, b) => a.tick - b.tick);
     const key = `${run.index} ${events.length}`;
     if (key !== this.listed) {
       this.listed = key;

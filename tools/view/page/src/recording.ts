@@ -69,9 +69,25 @@ export class Topic {
   }
 }
 
+/// What somebody changed in the run while it went on, or ordered: `pause`, `pace`.
+export interface Change {
+  tick: number;
+  changes: string[];
+  order: string;
+}
+/// What befell the run.
+export interface Incident {
+  tick: number;
+  kind: string;
+  stage: string;
+  text: string;
+}
+
 export class Recording {
   readonly topics = new Map<string, Topic>();
   readonly bundle = new Map<string, string>();
+  readonly changes: Change[] = [];
+  readonly incidents: Incident[] = [];
   tick_s = 0.1;
   seed = "";
   /// What its recorder wrote at the end; nothing of one that was cut off or is not read yet.
@@ -91,6 +107,18 @@ export class Recording {
     return this.topics.get(name);
   }
 
+  /// Takes what a file says, as far as it is what we know.
+  add_change(tick: number, said: unknown): void {
+    const { changes, order } = (said ?? {}) as Partial<Change>;
+    this.changes.push({
+      tick, changes: Array.isArray(changes) ? changes.map(String) : [], order: typeof order === "string" ? order : "",
+    });
+  }
+  add_incident(tick: number, said: unknown): void {
+    const { kind, stage, text } = (said ?? {}) as Partial<Incident>;
+    this.incidents.push({ tick, kind: String(kind), stage: String(stage), text: String(text) });
+  }
+
   get first_tick(): number {
     const firsts = [...this.topics.values()].filter((topic) => topic.length > 0).map((topic) => topic.ticks[0] ?? 0);
     return firsts.length === 0 ? 0 : Math.min(...firsts);
@@ -104,6 +132,8 @@ export class Recording {
 }
 
 const kText = new TextDecoder();
+const kChanges = "clew/interventions";
+const kIncidents = "clew/incidents";
 
 /// Takes the bytes of an MCAP file, in pieces of any size, into a recording.
 export class McapFeed {
@@ -116,6 +146,8 @@ export class McapFeed {
   });
   private readonly schemas = new Map<number, McapTypes.Schema>();
   private readonly channels = new Map<number, Topic>();
+  /// Channels of what is no sample.
+  private readonly sides = new Map<number, string>();
 
   constructor(private readonly recording: Recording) {}
 
@@ -130,6 +162,7 @@ export class McapFeed {
       case "Message": {
         const tick = Math.round(Number(record.logTime) / 1e9 / this.recording.tick_s);
         this.channels.get(record.channelId)?.add(tick, record.sequence, record.data);
+        this.take_side(record.channelId, tick, record.data);
         break;
       }
       case "Schema":
@@ -147,7 +180,16 @@ export class McapFeed {
     }
   }
 
+  private take_side(channel: number, tick: number, data: Uint8Array): void {
+    const side = this.sides.get(channel);
+    if (side === undefined) return;
+    const said: unknown = JSON.parse(kText.decode(data));
+    if (side === kChanges) this.recording.add_change(tick, said);
+    else this.recording.add_incident(tick, said);
+  }
+
   private take_channel(channel: McapTypes.Channel): void {
+    if (channel.topic === kChanges || channel.topic === kIncidents) this.sides.set(channel.id, channel.topic);
     const schema = this.schemas.get(channel.schemaId);
     if (this.channels.has(channel.id) || schema?.encoding !== "omgidl") return;
     const name = channel.topic.replace(/^\//, "");

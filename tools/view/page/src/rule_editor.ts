@@ -4,7 +4,7 @@
 
 import { button, element } from "./elements";
 import type { Run } from "./run";
-import type { Choices, RuleEdit, Started } from "./server";
+import type { Choices, RuleEdit } from "./server";
 
 /// A file that a parameter of the run's graph names.
 export interface RuleFile {
@@ -17,8 +17,14 @@ export interface RuleFile {
   text: string;
 }
 
-/// Goes on from the chosen tick with these files in place of those that the graph names.
-export type Branch = (rules: RuleEdit[]) => Promise<Started>;
+/// What is done with these files, in place of those that the graph names: a run that is over is
+/// branched from the chosen tick, one under way goes on with them.
+export interface RuleUse {
+  label: string;
+  title: string;
+  /// What came of it, and the command line that does the same.
+  use(rules: RuleEdit[]): Promise<{ said: string; command: string }>;
+}
 
 type Tree = Record<string, unknown>;
 const is_tree = (value: unknown): value is Tree => typeof value === "object" && value !== null && !Array.isArray(value);
@@ -67,8 +73,8 @@ export class RuleEditor {
   private readonly message = element("p", { class: "warn", role: "alert" });
   private readonly done = element("p", { class: "faint", role: "status" });
 
-  constructor(private readonly of: RuleFile, private readonly branch: Branch) {
-    const go = button("Branch with these rules", "Go on from the chosen tick with the rule base as it is written here", () => void this.go());
+  constructor(private readonly of: RuleFile, private readonly use: RuleUse) {
+    const go = button(use.label, use.title, () => void this.go());
     go.className = "strong";
     this.box = element("details", { class: "rule-editor", "data-rules": `${of.stage}.${of.name}` },
       element("summary", {}, `rule base ${of.file}`), this.lines,
@@ -126,11 +132,10 @@ export class RuleEditor {
     this.message.textContent = "";
     this.done.replaceChildren();
     try {
-      const started = await this.branch([{ stage, part, behaviour, name, text }]);
+      const { said, command } = await this.use.use([{ stage, part, behaviour, name, text }]);
       const save = element("a", { download: `${this.of.file.replaceAll("/", "_")}-edited.yaml`, href: URL.createObjectURL(new Blob([text], { type: "application/yaml" })) },
         "Save the rule base");
-      this.done.append(`${started.report.outcome} after ${started.report.ticks} ticks. The same on the command line, as long as this server runs: `,
-        element("code", {}, started.command), " ", save, " to keep it.");
+      this.done.append(`${said}. The same on the command line, as long as this server runs: `, element("code", {}, command), " ", save, " to keep it.");
     } catch (error) {
       this.message.textContent = error instanceof Error ? error.message : String(error);
     }

@@ -2,13 +2,15 @@
 // What the page shows of a run, followed tick by tick as samples arrive: the path, true and
 // believed, and the events of each stage.
 
-import type { Recording } from "./recording";
+import { Progress, first_mission, mission_of_change } from "./missions";
+import type { Change, Incident, Recording } from "./recording";
 import { read_graph, read_robot_radius_m, read_world } from "./world";
 import type { Point, World } from "./world";
 
 export type EventKind =
   | "landmark" | "reflex" | "trap" | "escape_begun" | "escape_ended" | "escape_failed"
-  | "virtual_target" | "unreachable" | "collision" | "hit" | "safety_stop" | "late" | "end";
+  | "virtual_target" | "unreachable" | "collision" | "hit" | "safety_stop" | "late" | "end"
+  | "waypoint" | "change" | "incident" | "restart";
 
 /// Something that happened, at a place of the world.
 export interface RunEvent {
@@ -66,8 +68,12 @@ export class Run {
   served: number | undefined;
   private has_texts = false;
   private counts = [0, 0, 0];
-  /// Where the robot was sent from this page while it went, and from which tick on.
-  readonly goals: { tick: number; place: Point }[] = [];
+  /// Where it was sent, and how far it came.
+  readonly progress = new Progress();
+  /// Whether something was done to it, or befell it, that is no stage's.
+  has_run_events = false;
+  private changes_taken = 0;
+  private incidents_taken = 0;
   private target: Point | undefined;
 
   constructor(public recording: Recording, readonly index: number) {}
@@ -79,6 +85,10 @@ export class Run {
     this.counts = [0, 0, 0];
     this.target = undefined;
     this.outcome = "running";
+    this.changes_taken = this.incidents_taken = 0;
+    this.has_run_events = false;
+    this.progress.clear();
+    this.begin_mission();
   }
 
   get tick_s(): number {
@@ -116,9 +126,11 @@ export class Run {
     const until = performance.now() + budget_ms;
     // A tick is whole once a sample of the next one is there, or nothing more will come.
     while (this.ticks.length < states.length) {
+      this.take_changes(states.ticks[this.ticks.length] ?? 0);
       this.take(states.ticks[this.ticks.length] ?? 0, this.ticks.length);
       if (this.ticks.length % 64 === 0 && performance.now() > until) return this.ticks.length < states.length;
     }
+    this.take_incidents();
     return false;
   }
 
@@ -144,6 +156,40 @@ export class Run {
     this.world = read_world(this.recording.bundle.get("world.yaml") ?? "");
     this.radius_m = read_robot_radius_m(this.recording.bundle.get("robot.yaml") ?? "");
     this.has_texts = true;
+    this.begin_mission();
+  }
+
+  private begin_mission(): void {
+    const [x, y] = this.world?.start ?? [0, 0];
+    if (this.world) this.progress.begin(first_mission(this.world, this.graph), [x, y]);
+  }
+
+  /// What holds from this tick on. A change of the goal is the drive's, one of a behaviour its stage's.
+  private take_changes(tick: number): void {
+    const { changes } = this.recording;
+    for (let change = changes[this.changes_taken]; change && change.tick <= tick; change = changes[++this.changes_taken]) {
+      const before = this.truth[this.truth.length - 1];
+      const place: Point = before ? [before.x, before.y] : [this.world?.start[0] ?? 0, this.world?.start[1] ?? 0];
+      const mission = this.world && mission_of_change(change, this.world);
+      if (mission) this.progress.begin(mission, place);
+      this.add(change.tick, stage_of_change(change), "change", place, change.order || change.changes.join(", "));
+    }
+  }
+
+  /// They may come late: nobody waits for them.
+  private take_incidents(): void {
+    const { incidents } = this.recording;
+    for (; this.incidents_taken < incidents.length; this.incidents_taken++) {
+      const incident = incidents[this.incidents_taken];
+      const pose = incident && this.truth[this.index_at(incident.tick)];
+      if (!incident || !pose) return;
+      this.add(incident.tick, this.stage_of_incident(incident), incident.kind === "restart" ? "restart" : "incident", [pose.x, pose.y],
+        incident.text, incident.kind);
+    }
+  }
+
+  private stage_of_incident(incident: Incident): string {
+    return incident.stage in this.graph ? incident.stage : "run";
   }
 
   private take(tick: number, index: number): void {
@@ -163,8 +209,9 @@ export class Run {
     this.take_entries(tick);
   }
 
-  private add(tick: number, stage: string, kind: EventKind, place: Point, text = ""): void {
-    this.events.push({ tick, stage, kind, rule: "", text, shadow: false, place });
+  private add(tick: number, stage: string, kind: EventKind, place: Point, text = "", rule = ""): void {
+    this.events.push({ tick, stage, kind, rule, text, shadow: false, place });
+    if (stage === "run") this.has_run_events = true;
   }
 
   private take_state(tick: number, place: Point, number: (topic: string, path: string) => number): void {
@@ -176,6 +223,10 @@ export class Run {
     });
     if (number("state", "command_late") === 1) this.add(tick, "drive", "late", place, "the command came too late");
     const outcome = kOutcomes[number("state", "outcome")] ?? "running";
+    const [x, y] = place;
+    for (const { number: reached, of } of this.progress.see(tick, { x, y, heading: 0 }, outcome === "reached")) {
+      this.add(tick, "drive", "waypoint", place, `${reached} of ${of}`);
+    }
     if (outcome !== "running" && this.outcome === "running") this.add(tick, "drive", "end", place, outcome);
     this.outcome = outcome;
   }
@@ -210,4 +261,11 @@ export class Run {
       this.events.push(event);
     }
   }
+}
+
+/// `recover.detector=none` is recover's; a new goal is the drive's; pause and pace are the run's.
+function stage_of_change(change: Change): string {
+  const first = change.changes[0];
+  if (first === undefined) return "run";
+  return first.startsWith("goal=") ? "drive" : first.slice(0, first.search(/[.=]/));
 }

@@ -70,7 +70,7 @@ export type Order =
   | { order: "step"; ticks: number }
   | { order: "pace"; factor: number }
   | { order: "goal"; x: number; y: number }
-  | ({ order: "swap" } & Changes);
+  | ({ order: "swap"; rules?: RuleEdit[] } & Changes);
 /// From which tick on it holds, and the command line that does the same.
 export interface Carried {
   tick: number;

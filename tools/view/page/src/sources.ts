@@ -16,6 +16,8 @@ export interface Served {
   live: boolean;
 }
 
+/// The first piece is small: what somebody sees at once is made of it. Then each is twice as large.
+const kFirstPiece = 128 << 10;
 const kPiece = 4 << 20;
 
 /// Nothing between two pieces would let the page answer.
@@ -24,8 +26,8 @@ const breathe = (): Promise<void> => new Promise((resolve) => setTimeout(resolve
 /// Reads a file piece by piece. `on_piece` is called when more of it is there.
 export async function read_served(id: number, recording: Recording, on_piece: () => void): Promise<void> {
   const feed = new McapFeed(recording);
-  for (let start = 0, size = Infinity; start < size;) {
-    const answer = await fetch(`recordings/${id}`, { headers: { Range: `bytes=${start}-${start + kPiece - 1}` } });
+  for (let start = 0, size = Infinity, piece = kFirstPiece; start < size; piece = Math.min(2 * piece, kPiece)) {
+    const answer = await fetch(`recordings/${id}`, { headers: { Range: `bytes=${start}-${start + piece - 1}` } });
     if (answer.status === 416) return;
     if (!answer.ok) throw new Error(`${answer.status}: ${await answer.text()}`);
     const total = /\/(\d+)$/.exec(answer.headers.get("Content-Range") ?? "")?.[1];
@@ -41,8 +43,9 @@ export async function read_served(id: number, recording: Recording, on_piece: ()
 
 export async function read_embedded(bytes: Uint8Array, recording: Recording, on_piece: () => void): Promise<void> {
   const feed = new McapFeed(recording);
-  for (let start = 0; start < bytes.length; start += kPiece) {
-    feed.append(bytes.subarray(start, start + kPiece));
+  for (let start = 0, piece = kFirstPiece; start < bytes.length; piece = Math.min(2 * piece, kPiece)) {
+    feed.append(bytes.subarray(start, start + piece));
+    start += piece;
     on_piece();
     await breathe();
   }

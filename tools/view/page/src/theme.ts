@@ -62,6 +62,7 @@ export const kKindNames: Record<EventKind, string> = {
   escape_begun: "escape begun", escape_ended: "escape ended", escape_failed: "escape failed",
   virtual_target: "virtual target set", unreachable: "unreachable", collision: "collision",
   hit: "hit by an obstacle", safety_stop: "safety stop", late: "late command", end: "end of the run",
+  waypoint: "way-point reached", change: "changed", incident: "incident", restart: "restarted",
 };
 
 /// A mark of about `size` pixels in radius; hollow for a detector that only watches.
@@ -104,6 +105,29 @@ export function draw_mark(g: CanvasRenderingContext2D, kind: EventKind, x: numbe
       g.lineTo(0, 0);
       g.lineTo(s * 0.5, 0);
       g.fillStyle = ground;
+      break;
+    case "waypoint":  // a ring with its centre
+      g.arc(0, 0, s * 0.95, 0, 2 * Math.PI);
+      g.moveTo(s * 0.3, 0);
+      g.arc(0, 0, s * 0.3, 0, 2 * Math.PI);
+      g.fillStyle = ground;
+      break;
+    case "change":  // put in from above
+      polygon(g, [[0, s], [s * 0.9, -s * 0.2], [s * 0.35, -s * 0.2], [s * 0.35, -s], [-s * 0.35, -s], [-s * 0.35, -s * 0.2],
+        [-s * 0.9, -s * 0.2]]);
+      break;
+    case "incident":  // an exclamation mark
+      g.rect(-s * 0.2, -s, s * 0.4, s * 1.1);
+      g.rect(-s * 0.2, s * 0.6, s * 0.4, s * 0.4);
+      break;
+    case "restart":  // an arrow that goes round
+      g.arc(0, 0, s * 0.75, -0.3, 1.45 * Math.PI);
+      g.moveTo(s * 0.1, -s * 1.2);
+      g.lineTo(s * 0.1, -s * 0.3);
+      g.moveTo(s * 0.1, -s * 1.2);
+      g.lineTo(s * 0.75, -s * 0.8);
+      g.lineTo(s * 0.1, -s * 0.3);
+      g.fillStyle = "transparent";
       break;
     case "safety_stop":
       polygon(g, Array.from({ length: 8 }, (_, i) => {

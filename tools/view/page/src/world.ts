@@ -24,6 +24,8 @@ export interface World {
   start: [number, number, number];
   target: Point;
   target_radius_m: number;
+  /// Before the target, in their order.
+  waypoints: { place: Point; radius_m: number }[];
 }
 
 interface WorldFile {
@@ -38,6 +40,7 @@ interface WorldFile {
   start?: [number, number, number];
   target?: Point;
   target_radius?: number;
+  waypoints?: number[][];
 }
 
 /// Nothing if the text is no world.
@@ -61,7 +64,16 @@ export function read_world(text: string): World | undefined {
     start: file.start,
     target: file.target,
     target_radius_m: file.target_radius ?? 0,
+    waypoints: (file.waypoints ?? []).map(([x = 0, y = 0, radius]) => ({ place: [x, y], radius_m: radius ?? file.target_radius ?? 0 })),
   };
+}
+
+/// Whether two worlds are those of robots that are about in one room: each has the others as
+/// obstacles that jump.
+export function same_room(a: World, b: World): boolean {
+  const room = ({ bounds, walls, polygons, circles }: World): string => JSON.stringify([bounds, walls, polygons, circles]);
+  const has_others = (world: World): boolean => world.moving.some(({ jumps }) => jumps);
+  return has_others(a) && has_others(b) && room(a) === room(b);
 }
 
 export function read_robot_radius_m(text: string): number {
