@@ -8,17 +8,6 @@
 #include "domain/words.hpp"
 
 namespace clew::recover {
-namespace {
-
-constexpr double kTrailSpacing_m = 0.1;
-// A place of the trail, or aside, is reached within this.
-constexpr double kClose_m = 0.2;
-// Less than this is no progress.
-constexpr double kProgress_m = 0.1;
-// Where it looks for room beside itself, in this order; both sides of each.
-constexpr double kAside_deg[] = {90.0, 75.0, 60.0};
-
-}  // namespace
 
 /// Notes the way that the robot comes. An escape that was cut off, since the goal was taken away,
 /// is at work no more.
@@ -27,7 +16,8 @@ void RightOfWay::watch(const Situation& situation) {
   if (state_.phase != Phase::kNone) return;
   auto& trail = state_.trail_odom;
   const core::Vec2 here = situation.pose().position();
-  if (!trail.empty() && core::length(trail[trail.size() - 1].position() - here) < kTrailSpacing_m)
+  if (!trail.empty() &&
+      core::length(trail[trail.size() - 1].position() - here) < parameters_.trail_spacing_m)
     return;
   if (trail.full()) {
     const std::size_t half = kTrailPoints / 2;
@@ -59,10 +49,11 @@ EscapeStatus RightOfWay::step(const Situation& situation, domain::Guidance& guid
   if (robot_index_ == 0) return end();
   if (state_.phase == Phase::kBack) go_back(situation);
   if (state_.phase == Phase::kAside) {
-    const bool there = core::distance_m(situation.pose(), state_.goal_odom) <= kClose_m;
+    const bool there = core::distance_m(situation.pose(), state_.goal_odom) <= parameters_.reach_m;
     // Who has come to stand there makes it go round and round.
     const double gone_m = situation.odometry.travel_m - state_.begin_travel_m;
-    const bool too_far = gone_m >= parameters_.most_back_m + 2.0 * (parameters_.aside_m + kClose_m);
+    const bool too_far =
+        gone_m >= parameters_.most_back_m + 2.0 * (parameters_.aside_m + parameters_.reach_m);
     if (there || too_far || is_stuck(situation)) begin_phase(Phase::kHold, situation);
   }
   if (state_.phase == Phase::kHold) {
@@ -85,8 +76,8 @@ EscapeStatus RightOfWay::step(const Situation& situation, domain::Guidance& guid
 /// Takes the last place of the trail that is not reached yet, or goes on with another phase.
 void RightOfWay::go_back(const Situation& situation) {
   auto& trail = state_.trail_odom;
-  while (!trail.empty() &&
-         core::distance_m(situation.pose(), trail[trail.size() - 1].position()) <= kClose_m) {
+  while (!trail.empty() && core::distance_m(situation.pose(), trail[trail.size() - 1].position()) <=
+                               parameters_.reach_m) {
     trail.resize(trail.size() - 1);
   }
   const double back_m = situation.odometry.travel_m - state_.begin_travel_m;
@@ -98,12 +89,13 @@ void RightOfWay::go_back(const Situation& situation) {
 }
 
 bool RightOfWay::find_room_aside(const Situation& situation) {
-  for (const double aside_deg : kAside_deg) {
+  for (const double aside_rad :
+       {parameters_.aside_rad, parameters_.second_aside_rad, parameters_.third_aside_rad}) {
     for (const double side : {1.0, -1.0}) {
-      const double bearing_rad = side * core::radians(aside_deg);
+      const double bearing_rad = side * aside_rad;
       if (!is_free(situation.scan, bearing_rad)) continue;
       const core::Pose2& pose = situation.pose();
-      state_.goal_odom = pose.position() + (parameters_.aside_m + kClose_m) *
+      state_.goal_odom = pose.position() + (parameters_.aside_m + parameters_.reach_m) *
                                                core::direction(pose.heading_rad + bearing_rad);
       return true;
     }
@@ -114,7 +106,7 @@ bool RightOfWay::find_room_aside(const Situation& situation) {
 /// Whether the body may go aside that way, as far as the scan shows.
 bool RightOfWay::is_free(const domain::Scan& scan, double bearing_rad) const {
   const double beside_m = radius_m_ + parameters_.clearance_m;
-  const double ahead_m = parameters_.aside_m + kClose_m + beside_m;
+  const double ahead_m = parameters_.aside_m + parameters_.reach_m + beside_m;
   if (scan.range_max_m + radius_m_ < ahead_m) return false;  // it does not show so much
   bool in_view = false;
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
@@ -130,7 +122,7 @@ bool RightOfWay::is_free(const domain::Scan& scan, double bearing_rad) const {
 }
 
 bool RightOfWay::is_stuck(const Situation& situation) {
-  if (core::distance_m(situation.pose(), state_.progress_odom) >= kProgress_m) {
+  if (core::distance_m(situation.pose(), state_.progress_odom) >= parameters_.progress_m) {
     state_.progress_odom = situation.pose().position();
     state_.progress_tick = situation.tick;
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/angle.hpp"
 #include "core/bounded_vector.hpp"
 #include "core/geometry.hpp"
 #include "core/result.hpp"
@@ -20,6 +21,12 @@ struct RightOfWayParameters {
   double clearance_m = 0.05;
   double hold_s = 6.0;
   double stuck_s = 4.0;
+  double reach_m = 0.2;
+  double progress_m = 0.1;
+  double trail_spacing_m = 0.1;
+  double aside_rad = core::radians(90.0);
+  double second_aside_rad = core::radians(75.0);
+  double third_aside_rad = core::radians(60.0);
 };
 
 template <typename Visitor>
@@ -35,6 +42,18 @@ void visit_parameters(Visitor& visit, RightOfWayParameters& p) {
                "how long robot 1 holds; a robot of a higher index that many times as long");
   visit.number("stuck_s", p.stuck_s, "s", {0.1, 100.0},
                "a way back or aside without progress for so long ends, and it holds there");
+  visit.number("reach_m", p.reach_m, "m", {0.01, 1.0},
+               "a place on the way back, or aside, counts as reached within this distance");
+  visit.number("progress_m", p.progress_m, "m", {0.01, 1.0},
+               "least motion that counts as progress");
+  visit.number(
+      "trail_spacing_m", p.trail_spacing_m, "m", {0.01, 1.0},
+      "distance between the places that it notes of the way it came; it keeps 128 of them");
+  visit.angle("aside_deg", p.aside_rad, {1.0, 179.0},
+              "direction, from straight ahead, in which it looks for room first, on both sides");
+  visit.angle("second_aside_deg", p.second_aside_rad, {1.0, 179.0},
+              "where it looks next, if there is no room");
+  visit.angle("third_aside_deg", p.third_aside_rad, {1.0, 179.0}, "where it looks last");
 }
 
 /// Robots that are in each other's way, each waiting for the other: a rule of way by robot_index

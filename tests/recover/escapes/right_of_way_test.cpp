@@ -105,8 +105,8 @@ std::string phase_of(const RightOfWay& escape, const Situation& situation) {
 }
 
 /// The first virtual target that is not on the way back, which was along y = 0; else the last one.
-core::Vec2 target_aside(const domain::Scan& scan) {
-  RightOfWay escape({}, setup_of(1));
+core::Vec2 target_aside(const domain::Scan& scan, const RightOfWayParameters& parameters = {}) {
+  RightOfWay escape(parameters, setup_of(1));
   drive(escape, 4.0);
   core::Vec2 target = core::Vec2::Zero();
   for (std::uint64_t i = 0; i < 30; ++i) {
@@ -135,6 +135,68 @@ TEST(RightOfWay, GoesAsideWhereThereIsRoom) {
   ASSERT_GT(std::abs(first_y_m), 0.5);
   (first_y_m < 0.0 ? scan.ranges_m.front() : scan.ranges_m.back()) = 0.5;
   EXPECT_LT(target_aside(scan).y() * first_y_m, -0.25);
+}
+
+/// In the open it goes aside at once, after 1 m back: to the left first, where y is below 0.
+TEST(RightOfWay, GoesAsideInTheFirstDirectionWithRoomAsFarAsItSays) {
+  const domain::Scan open = wide_scan(3.0, 3.0, 3.0);
+  RightOfWayParameters parameters;
+  EXPECT_NEAR(target_aside(open, parameters).y(), -0.9, 1e-9);
+
+  parameters.reach_m = 0.4;
+  EXPECT_NEAR(target_aside(open, parameters).y(), -1.1, 1e-9);
+  parameters.aside_rad = core::radians(45.0);
+  EXPECT_NEAR(target_aside(open, parameters).y(), -1.1 * std::sqrt(0.5), 1e-9);
+}
+
+/// Both sides are blocked at 90 degrees, so the second direction has its turn, then the third.
+TEST(RightOfWay, LooksInTheSecondAndThirdDirectionWhereTheFirstHasNoRoom) {
+  domain::Scan scan = wide_scan(3.0, 3.0, 3.0);
+  RightOfWayParameters parameters;
+  parameters.aside_m = 1.5;
+  parameters.second_aside_rad = core::radians(30.0);
+  parameters.third_aside_rad = core::radians(20.0);
+  scan.ranges_m.front() = scan.ranges_m.back() = 0.5;
+  EXPECT_NEAR(target_aside(scan, parameters).y(), -1.7 * std::sin(core::radians(30.0)), 1e-9);
+
+  parameters.second_aside_rad = core::radians(85.0);
+  EXPECT_NEAR(target_aside(scan, parameters).y(), -1.7 * std::sin(core::radians(20.0)), 1e-9);
+}
+
+double trail_points(const RightOfWay& escape) {
+  domain::Inside inside;
+  escape.tell(Scene().situation(), inside);
+  for (const domain::InsideValue& value : inside.values.values()) {
+    if (value.name == "trail_points") return std::get<double>(value.value);
+  }
+  return -1.0;
+}
+
+TEST(RightOfWay, NotesAPlaceOfItsWayOnceInASpacing) {
+  RightOfWayParameters parameters;
+  parameters.trail_spacing_m = 0.45;
+  RightOfWay escape(parameters, setup_of(1));
+  drive(escape, 2.0);
+
+  EXPECT_EQ(trail_points(escape), 5.0) << "at 0, 0.5, 1, 1.5 and 2 m";
+}
+
+/// It creeps back by 0.1 m a tick of 0.5 s, which is no progress for who wants 2 m within 4 s.
+TEST(RightOfWay, HoldsWhereItGetsOnTooSlowly) {
+  RightOfWayParameters parameters;
+  parameters.progress_m = 2.0;
+  RightOfWay escape(parameters, setup_of(1));
+  drive(escape, 4.0);
+  std::uint64_t ticks = 0;
+  for (domain::Guidance guidance; !guidance.has_override && ticks < 40; ++ticks) {
+    const double x_m = 4.0 - 0.1 * static_cast<double>(ticks);
+    const Scene scene = Scene().tick(50 + ticks).at(x_m, 0, 180).travelled(8.0 - x_m);
+    const Situation situation = scene.situation().with(wide_scan(0.3, 3.0, 0.3));
+    if (ticks == 0) escape.begin(situation, {});
+    guidance = {};
+    escape.step(situation, guidance);
+  }
+  EXPECT_EQ(ticks, 9U) << "4 s are 8 ticks after the first";
 }
 
 /// Each tick of an escape from begin to end, saved and loaded before it.

@@ -11,8 +11,8 @@ using core::Result;
 using core::YamlNode;
 
 constexpr Range kRatio = {0.0, 1.0};
-constexpr Range kTurnDeg = {-90.0, 90.0};
-constexpr Range kStepM = {0.0, 1.0};
+constexpr Range kTurn_deg = {-90.0, 90.0};
+constexpr Range kStep_m = {0.0, 1.0};
 
 }  // namespace
 
@@ -40,11 +40,11 @@ Result<WallRules> WallRules::parse(const core::Resource& resource) {
       rules.far_ratio > rules.break_ratio) {
     return root.error("close_ratio, good_ratio, far_ratio and break_ratio must rise");
   }
-  CLEW_RETURN_IF_ERROR(read_angle(root, "blocked_turn_deg", kTurnDeg, rules.blocked_turn_rad));
-  CLEW_RETURN_IF_ERROR(read_angle(root, "close_turn_deg", kTurnDeg, rules.close_turn_rad));
-  CLEW_RETURN_IF_ERROR(read_angle(root, "far_turn_deg", kTurnDeg, rules.far_turn_rad));
-  CLEW_RETURN_IF_ERROR(read_number(root, "blocked_step_m", kStepM, rules.blocked_step_m));
-  CLEW_RETURN_IF_ERROR(read_number(root, "free_step_m", kStepM, rules.free_step_m));
+  CLEW_RETURN_IF_ERROR(read_angle(root, "blocked_turn_deg", kTurn_deg, rules.blocked_turn_rad));
+  CLEW_RETURN_IF_ERROR(read_angle(root, "close_turn_deg", kTurn_deg, rules.close_turn_rad));
+  CLEW_RETURN_IF_ERROR(read_angle(root, "far_turn_deg", kTurn_deg, rules.far_turn_rad));
+  CLEW_RETURN_IF_ERROR(read_number(root, "blocked_step_m", kStep_m, rules.blocked_step_m));
+  CLEW_RETURN_IF_ERROR(read_number(root, "free_step_m", kStep_m, rules.free_step_m));
   return rules;
 }
 
