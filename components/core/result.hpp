@@ -22,7 +22,8 @@ struct Error {
   std::string text() const;
 };
 
-/// A value, or the reason why the input did not give one.
+/// A value, or the reason why the input did not give one. It is asked by `ok()` alone: a Result
+/// converts to no bool, so that nobody takes the value of a Result<bool> for its success.
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -30,7 +31,6 @@ class [[nodiscard]] Result {
   Result(Error error) : content_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
   bool ok() const { return content_.index() == 0; }
-  explicit operator bool() const { return ok(); }
 
   const T& value() const& {
     CLEW_CHECK(ok(), error().text());
@@ -68,7 +68,6 @@ class [[nodiscard]] Result<void> {
   Result(Error error) : error_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
   bool ok() const { return !error_.has_value(); }
-  explicit operator bool() const { return ok(); }
   const Error& error() const {
     CLEW_CHECK(!ok(), "a result that is no error");
     return *error_;

@@ -2,6 +2,7 @@
 #include "core/yaml_fields.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace clew::core {
@@ -65,16 +66,21 @@ Result<void> read_numbers(const YamlNode& map, const char* key, const char* what
   return {};
 }
 
+Result<std::int64_t> count_of(const YamlNode& node, std::int64_t least, std::int64_t most) {
+  const auto number = node.integer();
+  if (!number.ok() || (*number >= least && *number <= most)) return number;
+  const bool open = most == std::numeric_limits<std::int64_t>::max();
+  return node.error("found " + node.found() + ", expected a whole number " +
+                    (open ? "of at least " + std::to_string(least)
+                          : "from " + std::to_string(least) + " to " + std::to_string(most)));
+}
+
 Result<void> read_count(const YamlNode& map, const char* key, std::int64_t least, std::int64_t most,
                         std::uint64_t& field) {
   const auto node = map.at(key);
   if (!node.ok()) return node.error();
-  const auto number = node->integer();
+  const auto number = count_of(*node, least, most);
   if (!number.ok()) return number.error();
-  if (*number < least || *number > most) {
-    return node->error("found " + node->found() + ", expected a whole number from " +
-                       std::to_string(least) + " to " + std::to_string(most));
-  }
   field = static_cast<std::uint64_t>(*number);
   return {};
 }

@@ -29,6 +29,9 @@ Result<void> read_angle(const YamlNode& map, const char* key, Range range_deg, d
 Result<void> read_numbers(const YamlNode& map, const char* key, const char* what, Range range,
                           std::array<double, 3>& fields);
 
+/// The whole number that `node` is, within its range, both ends included.
+Result<std::int64_t> count_of(const YamlNode& node, std::int64_t least, std::int64_t most);
+
 /// The whole number at a key that must be there, within its range, both ends included.
 Result<void> read_count(const YamlNode& map, const char* key, std::int64_t least, std::int64_t most,
                         std::uint64_t& field);

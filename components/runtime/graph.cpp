@@ -17,11 +17,6 @@ namespace {
 using core::Error;
 using core::Result;
 
-bool has_parameter(const std::vector<core::ParameterInfo>& infos, const std::string& name) {
-  return std::any_of(infos.begin(), infos.end(),
-                     [&](const core::ParameterInfo& info) { return info.name == name; });
-}
-
 // The data files that parameters name, each with the place that names it: that of `owner` for a
 // default.
 void note_files(const std::vector<core::ParameterInfo>& infos, const core::ParameterValues& values,
@@ -62,9 +57,9 @@ Result<void> distribute_parameters(const RawStage& raw, std::vector<RawParameter
     variant = *found;
   }
   for (const RawParameter& parameter : raw.parameters) {
-    if (has_parameter(info.parameters, parameter.name)) {
+    if (declares(info.parameters, parameter.name)) {
       of_stage.push_back(parameter);
-    } else if (variant != nullptr && has_parameter(variant->parameters, parameter.name)) {
+    } else if (variant != nullptr && declares(variant->parameters, parameter.name)) {
       behaviour->parameters.push_back(parameter);
     } else {
       // --set gives parameters, a file all that a stage's map may hold.
@@ -117,7 +112,7 @@ Result<void> check_beside_exec(const RawStage& raw) {
                                 : "whose tick and limits it has"));
   }
   for (const RawParameter& parameter : raw.parameters) {
-    if (!has_parameter(raw.info->parameters, parameter.name)) continue;
+    if (!declares(raw.info->parameters, parameter.name)) continue;
     return parameter.where.error(has + ": " + parameter.name +
                                  " would be a parameter of ours, and nobody would use it");
   }

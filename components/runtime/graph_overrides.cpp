@@ -50,19 +50,10 @@ Result<RawStage*> find_stage(RawGraph& graph, const Assignment& assignment) {
                assignment.option};
 }
 
-bool declares(const std::vector<core::ParameterInfo>& infos, const std::string& name) {
-  return std::any_of(infos.begin(), infos.end(),
-                     [&](const core::ParameterInfo& info) { return info.name == name; });
-}
-
 const VariantInfo* variant_of(const StageInfo& stage, const std::string& part_name,
                               const std::string& name) {
   const PartInfo* part = find_part(stage, part_name);
-  if (part == nullptr) return nullptr;
-  for (const VariantInfo& variant : part->variants) {
-    if (variant.name == name) return &variant;
-  }
-  return nullptr;
+  return part == nullptr ? nullptr : part->find(name);
 }
 
 // The parameters that a swapped-out behaviour leaves behind mean nothing to the new one.

@@ -3,6 +3,7 @@
 
 #include <cctype>
 
+#include "core/quoted.hpp"
 #include "runtime/goals.hpp"
 #include "runtime/plugin_list.hpp"
 #include "runtime/raw_graph.hpp"
@@ -22,23 +23,13 @@ bool is_plain(const std::string& text) {
   return true;
 }
 
-std::string quote(const std::string& text) {
-  if (is_plain(text)) return text;
-  std::string quoted = "\"";
-  for (char c : text) {
-    if (static_cast<unsigned char>(c) < ' ') {
-      quoted += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
-      continue;
-    }
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
-  }
-  return quoted + '"';
+std::string yaml_word(const std::string& text) {
+  return is_plain(text) ? text : core::yaml_quoted(text);
 }
 
 std::string list(const std::vector<std::string>& words) {
   std::string text = "[";
-  for (const std::string& word : words) text += (text.size() > 1 ? ", " : "") + quote(word);
+  for (const std::string& word : words) text += (text.size() > 1 ? ", " : "") + yaml_word(word);
   return text + ']';
 }
 
@@ -46,7 +37,7 @@ struct ValueText {
   std::string operator()(bool v) const { return v ? "true" : "false"; }
   std::string operator()(std::int64_t v) const { return std::to_string(v); }
   std::string operator()(double v) const { return fmt::format("{}", v); }
-  std::string operator()(const std::string& v) const { return quote(v); }
+  std::string operator()(const std::string& v) const { return yaml_word(v); }
   std::string operator()(const std::vector<std::string>& v) const { return list(v); }
 };
 
@@ -61,16 +52,15 @@ std::string parameters_text(const std::vector<core::ParameterInfo>& infos,
 }
 
 const VariantInfo& variant_named(const PartInfo& part, const std::string& name) {
-  for (const VariantInfo& variant : part.variants) {
-    if (variant.name == name) return variant;
-  }
-  CLEW_CHECK(false, part.name + " '" + name + "' was not checked");
+  const VariantInfo* found = part.find(name);
+  CLEW_CHECK(found != nullptr, part.name + " '" + name + "' was not checked");
+  return *found;
 }
 
 std::string part_text(const PartInfo& part, const std::vector<PartChoice>& choices) {
   if (part.name == kBehaviourPart) {
     const PartChoice& choice = choices.front();
-    return "  behaviour: " + quote(choice.name) + '\n' +
+    return "  behaviour: " + yaml_word(choice.name) + '\n' +
            parameters_text(variant_named(part, choice.name).parameters, choice.parameters, "  ");
   }
   if (choices.empty()) return "  " + part.name + ": []\n";
@@ -79,7 +69,7 @@ std::string part_text(const PartInfo& part, const std::vector<PartChoice>& choic
     const std::string lead = part.is_list ? "    - " : "    ";
     const std::string values =
         parameters_text(variant_named(part, choice.name).parameters, choice.parameters, "        ");
-    text += lead + quote(choice.name) + ':' + (values.empty() ? " {}\n" : '\n' + values);
+    text += lead + yaml_word(choice.name) + ':' + (values.empty() ? " {}\n" : '\n' + values);
   }
   return text;
 }
@@ -97,7 +87,7 @@ std::string GraphStage::expanded_yaml() const {
   if (deployment.ros2) {
     text += "  ros2:" + std::string(deployment.ros2->empty() ? " {}\n" : "\n");
     for (const auto& [key, value] : *deployment.ros2) {
-      text += "    " + key + ": " + quote(value) + '\n';
+      text += "    " + key + ": " + yaml_word(value) + '\n';
     }
   }
   for (const PartInfo& part : info->parts) text += part_text(part, config.parts.at(part.name));
@@ -106,8 +96,8 @@ std::string GraphStage::expanded_yaml() const {
 }
 
 std::string Graph::expanded_yaml() const {
-  std::string text = fmt::format("world: {}\nrobot: {}\nseed: {}\nmax_ticks: {}\n", quote(world),
-                                 quote(robot), seed, max_ticks);
+  std::string text = fmt::format("world: {}\nrobot: {}\nseed: {}\nmax_ticks: {}\n",
+                                 yaml_word(world), yaml_word(robot), seed, max_ticks);
   if (robot_index > 0) text += fmt::format("robot_index: {}\n", robot_index);
   text += plugins_text(*this);
   text += goals_yaml(goals);

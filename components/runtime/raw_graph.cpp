@@ -2,6 +2,7 @@
 #include "runtime/raw_graph.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/nearest_name.hpp"
 #include "core/yaml_fields.hpp"
@@ -150,15 +151,6 @@ Result<RawStage> read_stage(const StageInfo& info, const YamlNode& node) {
   return stage;
 }
 
-Result<std::uint64_t> read_count(const YamlNode& node, const char* key) {
-  const auto value = node.integer();
-  if (!value.ok()) return value.error();
-  if (*value < 0) {
-    return node.error(std::string(key) + " is " + node.found() + "; allowed: 0 and above");
-  }
-  return static_cast<std::uint64_t>(*value);
-}
-
 /// `security: minted`, or `security: {directory: DIR}`.
 Result<void> read_security(const YamlNode& root, Graph& head) {
   const auto node = root.find("security");
@@ -205,12 +197,8 @@ Result<void> read_head(const YamlNode& root, Graph& head) {
   head.world_place = place_of(*root.find("world"));
   head.robot_place = place_of(*root.find("robot"));
   const auto count = [&](const char* key, std::uint64_t& field) -> Result<void> {
-    const auto node = root.find(key);
-    if (!node) return {};
-    const auto value = read_count(*node, key);
-    if (!value.ok()) return value.error();
-    field = *value;
-    return {};
+    constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
+    return root.find(key) ? core::read_count(root, key, 0, kMost, field) : Result<void>();
   };
   CLEW_RETURN_IF_ERROR(count("seed", head.seed));
   CLEW_RETURN_IF_ERROR(count("max_ticks", head.max_ticks));
@@ -288,13 +276,16 @@ const PartInfo* find_part(const StageInfo& stage, const std::string& name) {
   return nullptr;
 }
 
+bool declares(const std::vector<core::ParameterInfo>& infos, const std::string& name) {
+  return std::any_of(infos.begin(), infos.end(),
+                     [&](const core::ParameterInfo& info) { return info.name == name; });
+}
+
 Result<const VariantInfo*> find_variant(const StageInfo& stage, const PartInfo& part,
                                         const RawChoice& choice) {
+  if (const VariantInfo* found = part.find(choice.name)) return found;
   std::vector<std::string> known;
-  for (const VariantInfo& variant : part.variants) {
-    if (variant.name == choice.name) return &variant;
-    known.push_back(variant.name);
-  }
+  for (const VariantInfo& variant : part.variants) known.push_back(variant.name);
   return choice.where.error(core::unknown_name(stage.name + ' ' + part.name, choice.name, known));
 }
 

@@ -60,6 +60,8 @@ core::Result<core::ParameterValues> resolve_parameters(
     const std::vector<core::ParameterInfo>& infos, const std::vector<RawParameter>& given,
     const std::string& owner);
 
+/// Whether a parameter of that name is among them.
+bool declares(const std::vector<core::ParameterInfo>& infos, const std::string& name);
 /// The part of that name, or null.
 const PartInfo* find_part(const StageInfo& stage, const std::string& name);
 /// The variant of that name, or an error that lists the known ones.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/quoted.hpp"
 #include "core/yaml_fields.hpp"
 #include "core/yaml_reader.hpp"
 #include "world/world.hpp"
@@ -108,13 +109,8 @@ Result<void> check_parts_fit(const RunPlan& plan) {
   return {};
 }
 
-/// Who has only the bundle knows the graph's name from this. In single quotes, where only a quote
-/// has to be doubled.
-std::string name_line(const std::string& name) {
-  std::string quoted;
-  for (const char c : name) quoted += c == '\'' ? std::string("\'\'") : std::string(1, c);
-  return "name: '" + quoted + "'\n";
-}
+/// Who has only the bundle knows the graph's name from this.
+std::string name_line(const std::string& name) { return "name: " + core::yaml_quoted(name) + '\n'; }
 
 bool knows_world(const Graph& graph, const std::string& stage) {
   const GraphStage* found = graph.find(stage);
@@ -130,6 +126,7 @@ Result<RunPlan> read_run(const std::string& graph_name, const GraphOverrides& ov
   auto graph = load_graph(*file, graph_name, overrides, stages);
   if (!graph.ok()) return graph.error();
   RunPlan plan;
+  plan.known_stages = &stages;
   plan.graph = std::move(graph).value();
   CLEW_RETURN_IF_ERROR(check_referee(plan.graph, stages));
   CLEW_RETURN_IF_ERROR(load_robot(source, plan));

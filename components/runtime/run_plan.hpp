@@ -16,6 +16,7 @@ namespace clew::runtime {
 struct RunPlan {
   Graph graph;
   RunSetup setup;
+  const std::vector<StageInfo>* known_stages = nullptr;  ///< those it was prepared with
   Bundle bundle;  ///< the texts that this plan was made of; another plan made of them is the same
 };
 

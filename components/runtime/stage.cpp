@@ -22,4 +22,11 @@ std::string writer_of(Topic topic, const std::vector<StageInfo>& stages) {
   return "stage that writes " + std::string(domain::topic_name(topic));
 }
 
+const VariantInfo* PartInfo::find(const std::string& wanted) const {
+  for (const VariantInfo& variant : variants) {
+    if (variant.name == wanted) return &variant;
+  }
+  return nullptr;
+}
+
 }  // namespace clew::runtime

@@ -42,7 +42,7 @@ struct StageConfig {
   std::map<std::string, std::vector<PartChoice>> parts;  ///< by the part's name
 
   /// The only choice of a part that is no list.
-  const PartChoice& part(const std::string& name) const;
+  const PartChoice& part(const std::string& wanted) const;
 };
 
 /// What `clew list` prints of a behaviour, and what the check of a graph knows of it.
@@ -58,6 +58,9 @@ struct PartInfo {
   std::string name;
   bool is_list = false;  ///< any number, in order
   std::vector<VariantInfo> variants;
+
+  /// None if there is no variant of that name.
+  const VariantInfo* find(const std::string& wanted) const;
 };
 
 /// A value of a graph's key `mission`, short for the stage with one of its behaviours.

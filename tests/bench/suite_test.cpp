@@ -124,12 +124,13 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"graphs: [krishna_kalra, reactive]\n", "", "graphs"},
         Refusal{"[krishna_kalra, reactive]", "[]", "suite.yaml:3:9: the list is empty"},
         Refusal{"[krishna_kalra, reactive]", "[reactive, reactive]", "'reactive' stands twice"},
-        Refusal{"count: 3", "count: 0", "suite.yaml:6:29: found '0'; allowed: 1 to 1000"},
+        Refusal{"count: 3", "count: 0",
+                "suite.yaml:6:29: found '0', expected a whole number from 1 to 1000"},
         Refusal{"count: 3", "cuont: 3", "did you mean 'count'?"},
         Refusal{"families: [u, v]", "families: [u, sprial]",
                 "unknown family 'sprial' (did you mean 'spiral'?)"},
         Refusal{"[1, 2]", "[1, 1]", "seed 1 stands twice"},
-        Refusal{"[1, 2]", "[-1]", "allowed: 0 to"},
+        Refusal{"[1, 2]", "[-1]", "expected a whole number from 0 to"},
         Refusal{"max_ticks: 500", "max_ticks: many", "suite.yaml:8:12"},
         Refusal{"[nesting, family]", "[nestin]",
                 "suite.yaml:9:6: unknown grouping 'nestin' (did you mean 'nesting'?)"},
@@ -168,9 +169,9 @@ TEST(Suite, TakesARangeOfSeeds) {
   EXPECT_EQ(seeds_of("{count: 2}")->seeds, (std::vector<std::uint64_t>{1, 2}));
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {"{first: 7}", "count"},
-           {"{count: 0}", "suite.yaml:4:16: found '0'; allowed: 1 to 10000000"},
+           {"{count: 0}", "suite.yaml:4:16: found '0', expected a whole number from 1 to 10000000"},
            {"{count: 2, last: 4}", "last"},
-           {"{first: -1, count: 2}", "allowed: 0 to "}}) {
+           {"{first: -1, count: 2}", "expected a whole number from 0 to "}}) {
     const auto refused = seeds_of(text);
     ASSERT_FALSE(refused.ok()) << text;
     EXPECT_NE(refused.error().text().find(message), std::string::npos) << refused.error().text();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace clew::core {
@@ -25,6 +26,10 @@ TEST(Error, NamesThePlaceAsFarAsItIsKnown) {
   EXPECT_EQ((Error{"wrong", "a.yaml"}).text(), "a.yaml: wrong");
   EXPECT_EQ((Error{"wrong", ""}).text(), "wrong");
 }
+
+// Success is asked by ok() alone, all over the house: the compiler holds it.
+static_assert(!std::is_constructible_v<bool, Result<bool>>);
+static_assert(!std::is_constructible_v<bool, Result<void>>);
 
 TEST(Result, HoldsAValue) {
   const Result<int> result = half(8);

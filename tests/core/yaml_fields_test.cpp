@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 namespace clew::core {
@@ -92,6 +93,9 @@ TEST(YamlFields, ACountIsAWholeNumberWithinItsRange) {
   EXPECT_EQ(read("n: 20"), "accepted");
   EXPECT_EQ(field, 20u);
   EXPECT_EQ(read("n: 0"), "a.yaml:1:4: found '0', expected a whole number from 1 to 20");
+  EXPECT_EQ(
+      answer(read_count(parse("n: -1"), "n", 0, std::numeric_limits<std::int64_t>::max(), field)),
+      "a.yaml:1:4: found '-1', expected a whole number of at least 0");
   EXPECT_EQ(read("n: 21"), "a.yaml:1:4: found '21', expected a whole number from 1 to 20");
   EXPECT_EQ(read("m: 3"), "a.yaml:1:1: missing key 'n'");
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/quoted.hpp"
 #include "replay/component_replay.hpp"
 #include "rules/rule_base.hpp"
 
@@ -102,12 +103,6 @@ std::vector<std::string> coverage_row(const Variant& variant, const CoveredChoic
           names_of(never)};
 }
 
-std::string quoted_cell(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
-
 }  // namespace
 
 Result<std::vector<CoveredChoice>> coverage_of(const bridge::RunRecording& recording,
@@ -185,11 +180,11 @@ Table coverage_table(const BenchResults& results) {
 std::string coverage_csv(const BenchResults& results) {
   std::string text = "graph,stage,choice,case,ticks,decided,held\n";
   for (std::size_t i = 0; i < results.plan->variants.size(); ++i) {
-    const std::string graph = quoted_cell(results.plan->variants[i].label());
+    const std::string graph = core::csv_field(results.plan->variants[i].label());
     for (const auto& [stage, choice] : total_of(results, i)) {
       for (const Case& each : choice.cases) {
-        text += fmt::format("{},{},{},{},{},{},{}\n", graph, stage, quoted_cell(choice.of),
-                            quoted_cell(each.name), choice.ticks, each.decided, each.held);
+        text += fmt::format("{},{},{},{},{},{},{}\n", graph, stage, core::csv_field(choice.of),
+                            core::csv_field(each.name), choice.ticks, each.decided, each.held);
       }
     }
   }

@@ -37,14 +37,6 @@ Result<std::vector<std::string>> read_texts(const YamlNode& node) {
   return texts;
 }
 
-Result<std::int64_t> read_count(const YamlNode& node, std::int64_t least, std::int64_t most) {
-  const auto value = node.integer();
-  if (!value.ok()) return value.error();
-  if (*value >= least && *value <= most) return *value;
-  return node.error("found " + node.found() + "; allowed: " + std::to_string(least) + " to " +
-                    std::to_string(most));
-}
-
 /// A behaviour with parameters that are set along with it: `{laser: {range_m: 4}}`.
 Result<Variation::Value> read_behaviour(const YamlNode& node) {
   const auto behaviours = node.entries();
@@ -122,11 +114,11 @@ Result<void> read_generated(const YamlNode& node, GeneratedWorlds& generated) {
   CLEW_RETURN_IF_ERROR(node.check_keys({"seed", "count", "families"}));
   const auto count_node = node.at("count");
   if (!count_node.ok()) return count_node.error();
-  const auto count = read_count(*count_node, 1, kMostWorlds);
+  const auto count = core::count_of(*count_node, 1, kMostWorlds);
   if (!count.ok()) return count.error();
   generated.count = static_cast<int>(*count);
   if (const auto seed_node = node.find("seed")) {
-    const auto seed = read_count(*seed_node, 0, kMostCount);
+    const auto seed = core::count_of(*seed_node, 0, kMostCount);
     if (!seed.ok()) return seed.error();
     generated.seed = static_cast<std::uint64_t>(*seed);
   }
@@ -158,11 +150,11 @@ Result<void> read_seed_range(const YamlNode& node, Suite& suite) {
   CLEW_RETURN_IF_ERROR(node.check_keys({"first", "count"}));
   const auto count_node = node.at("count");
   if (!count_node.ok()) return count_node.error();
-  const auto count = read_count(*count_node, 1, kMostSeeds);
+  const auto count = core::count_of(*count_node, 1, kMostSeeds);
   if (!count.ok()) return count.error();
   std::uint64_t seed = 1;
   if (const auto first_node = node.find("first")) {
-    const auto first = read_count(*first_node, 0, kMostCount - kMostSeeds);
+    const auto first = core::count_of(*first_node, 0, kMostCount - kMostSeeds);
     if (!first.ok()) return first.error();
     seed = static_cast<std::uint64_t>(*first);
   }
@@ -176,7 +168,7 @@ Result<void> read_seeds(const YamlNode& node, Suite& suite) {
   if (!items.ok()) return items.error();
   if (items->empty()) return node.error("the list is empty; expected at least one seed");
   for (const YamlNode& item : *items) {
-    const auto seed = read_count(item, 0, kMostCount);
+    const auto seed = core::count_of(item, 0, kMostCount);
     if (!seed.ok()) return seed.error();
     const auto value = static_cast<std::uint64_t>(*seed);
     if (std::find(suite.seeds.begin(), suite.seeds.end(), value) != suite.seeds.end()) {
@@ -189,7 +181,7 @@ Result<void> read_seeds(const YamlNode& node, Suite& suite) {
 
 Result<void> read_numbers(const YamlNode& root, Suite& suite) {
   if (const auto node = root.find("max_ticks")) {
-    const auto value = read_count(*node, 1, kMostCount);
+    const auto value = core::count_of(*node, 1, kMostCount);
     if (!value.ok()) return value.error();
     suite.max_ticks = static_cast<std::uint64_t>(*value);
   }

@@ -14,6 +14,7 @@
 
 #include "bench/noted_signals.hpp"
 #include "core/check.hpp"
+#include "core/process_end.hpp"
 
 namespace clew::bench {
 namespace {
@@ -51,8 +52,8 @@ bool send_frame(int socket, FrameType type, const std::string& text) {
 /// The life of a worker: units come as numbers until the line closes.
 [[noreturn]] void serve(int socket, pid_t parent, const Work& work) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);  // it died before the line above
-  std::signal(SIGINT, SIG_IGN);           // the parent decides
+  if (::getppid() != parent) core::end_at_once(1);  // it died before the line above
+  std::signal(SIGINT, SIG_IGN);                     // the parent decides
   std::signal(SIGTERM, SIG_DFL);
   std::uint64_t unit = 0;
   while (::recv(socket, &unit, sizeof unit, MSG_WAITALL) == static_cast<ssize_t>(sizeof unit)) {
@@ -63,11 +64,11 @@ bool send_frame(int socket, FrameType type, const std::string& text) {
     });
     if (!done.ok()) {
       send_frame(socket, FrameType::kError, done.error().text());
-      ::_exit(1);
+      core::end_at_once(1);
     }
     if (!wanted || !send_frame(socket, FrameType::kDone, "")) break;
   }
-  ::_exit(0);
+  core::end_at_once(0);
 }
 
 class Pool {

@@ -33,9 +33,7 @@ const runtime::VariantInfo* find_variant(const runtime::BehaviourName& behaviour
     if (stage.name != behaviour.stage) continue;
     for (const runtime::PartInfo& part : stage.parts) {
       if (part.name != behaviour.part) continue;
-      for (const runtime::VariantInfo& variant : part.variants) {
-        if (variant.name == behaviour.name) return &variant;
-      }
+      if (const auto* variant = part.find(behaviour.name)) return variant;
     }
   }
   return nullptr;

@@ -11,6 +11,8 @@
 #include <cstring>
 #include <string>
 
+#include "core/process_end.hpp"
+
 namespace clew::contract {
 namespace {
 
@@ -28,7 +30,7 @@ core::Error failed(const std::string& what) { return {what}; }
     written += static_cast<std::size_t>(count);
   }
   std::fflush(nullptr);
-  ::_exit(result.ok() ? 0 : 1);
+  core::end_at_once(result.ok() ? 0 : 1);
 }
 
 std::string read_all(int pipe) {

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "core/quoted.hpp"
 #include "encounters/encounter_bench.hpp"
 #include "files/whole_file.hpp"
 #include "fleet/output_folder.hpp"
-#include "hunt/yaml_text.hpp"
 
 namespace clew::encounters {
 namespace {
 
 using core::Result;
-using hunt::quoted;
 
 constexpr char kLicence[] = "# SPDX-License-Identifier: Apache-2.0\n";
 
@@ -18,12 +17,12 @@ std::string fleet_text(const Encounter& encounter, const std::string& world_path
   const fleet::FleetFile& file = encounter.fleet;
   std::string text = fmt::format(
       "{}format: clew-fleet/1\nabout: {}\nworld: {}\nseed: {}\nmax_ticks: {}\nrobots:\n", kLicence,
-      quoted(file.about), quoted(world_path), *file.seed, *file.max_ticks);
+      core::yaml_quoted(file.about), core::yaml_quoted(world_path), *file.seed, *file.max_ticks);
   for (const fleet::RobotEntry& robot : file.robots) {
     text += fmt::format("  - {{name: {}, graph: {}, start: [{}, {}, {}], target: [{}, {}, {}]}}\n",
-                        robot.name, quoted(robot.graph), robot.start.x_m, robot.start.y_m,
-                        robot.start.heading_rad, robot.target.x(), robot.target.y(),
-                        *robot.target_radius_m);
+                        robot.name, core::yaml_quoted(robot.graph), robot.start.x_m,
+                        robot.start.y_m, robot.start.heading_rad, robot.target.x(),
+                        robot.target.y(), *robot.target_radius_m);
   }
   return text;
 }

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <limits>
 
+#include "core/quoted.hpp"
 #include "core/yaml_fields.hpp"
-#include "hunt/yaml_text.hpp"
 #include "runtime/config_source.hpp"
 
 namespace clew::hunt {
@@ -21,19 +21,9 @@ constexpr char kFormat[] = "clew-case/1";
 std::string list_line(const char* key, const std::vector<std::string>& items) {
   if (items.empty()) return {};
   std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + quoted(item);
+  for (const std::string& item : items)
+    text += (text.empty() ? "" : ", ") + core::yaml_quoted(item);
   return fmt::format("{}: [{}]\n", key, text);
-}
-
-/// A word as a shell takes it.
-std::string shell_word(const std::string& word) {
-  const bool is_plain = !word.empty() && word.find_first_not_of(
-                                             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                             "0123456789_-+=.,:/@%") == std::string::npos;
-  if (is_plain) return word;
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + '\'';
 }
 
 Result<void> read_text(const YamlNode& root, const char* key, std::string& field) {
@@ -77,16 +67,16 @@ Result<void> read_numbers(const YamlNode& root, CaseFile& file) {
 
 std::string case_text(const CaseFile& file) {
   std::string text = fmt::format("format: {}\n", kFormat);
-  if (!file.about.empty()) text += "about: " + quoted(file.about) + '\n';
-  text += "property: " + quoted(file.property) + '\n';
-  text += "graph: " + quoted(file.graph.graph) + '\n';
-  text += "world: " + quoted(file.world) + '\n';
-  if (file.graph.robot) text += "robot: " + quoted(*file.graph.robot) + '\n';
+  if (!file.about.empty()) text += "about: " + core::yaml_quoted(file.about) + '\n';
+  text += "property: " + core::yaml_quoted(file.property) + '\n';
+  text += "graph: " + core::yaml_quoted(file.graph.graph) + '\n';
+  text += "world: " + core::yaml_quoted(file.world) + '\n';
+  if (file.graph.robot) text += "robot: " + core::yaml_quoted(*file.graph.robot) + '\n';
   text += list_line("with", file.graph.with) + list_line("set", file.graph.set);
   text += fmt::format("seed: {}\n", file.seed);
   if (file.graph.max_ticks) text += fmt::format("max_ticks: {}\n", *file.graph.max_ticks);
   if (!file.outcome.empty()) text += "outcome: " + file.outcome + '\n';
-  if (!file.hash.empty()) text += "hash: " + quoted(file.hash) + '\n';
+  if (!file.hash.empty()) text += "hash: " + core::yaml_quoted(file.hash) + '\n';
   return text;
 }
 
@@ -134,10 +124,11 @@ Result<RunCase> run_of(const CaseFile& file, const std::string& path) {
 }
 
 std::string command_line(const GraphChoice& graph, const std::string& world, std::uint64_t seed) {
-  std::string line = "clew run " + shell_word(graph.graph) + " --world " + shell_word(world);
-  if (graph.robot) line += " --robot " + shell_word(*graph.robot);
-  for (const std::string& text : graph.with) line += " --with " + shell_word(text);
-  for (const std::string& text : graph.set) line += " --set " + shell_word(text);
+  std::string line =
+      "clew run " + core::shell_word(graph.graph) + " --world " + core::shell_word(world);
+  if (graph.robot) line += " --robot " + core::shell_word(*graph.robot);
+  for (const std::string& text : graph.with) line += " --with " + core::shell_word(text);
+  for (const std::string& text : graph.set) line += " --set " + core::shell_word(text);
   line += fmt::format(" --seed {}", seed);
   if (graph.max_ticks) line += fmt::format(" --max-ticks {}", *graph.max_ticks);
   return line + " --layout composed";

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "core/quoted.hpp"
 #include "core/yaml_reader.hpp"
-#include "hunt/yaml_text.hpp"
 
 namespace clew::hunt {
 namespace {
@@ -151,7 +151,7 @@ std::string SettingTree::line() const {
     case Kind::kNothing:
       return "null";
     case Kind::kScalar:
-      return is_plain(text) ? text : quoted(text);
+      return is_plain(text) ? text : core::yaml_quoted(text);
     case Kind::kList:
       for (const SettingTree& item : items) all += (all.empty() ? "" : ", ") + item.line();
       return '[' + all + ']';

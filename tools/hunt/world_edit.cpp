@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/angle.hpp"
-#include "hunt/yaml_text.hpp"
+#include "core/quoted.hpp"
 #include "world_analysis/clearance_grid.hpp"
 #include "world_analysis/reachability.hpp"
 #include "world_analysis/shortest_path.hpp"
@@ -63,7 +63,7 @@ std::string list_text(const char* key, const std::vector<Item>& items) {
 
 std::string world_text(const world::WorldFile& world) {
   std::string text = "format: clew-world/1\nname: " + world.name + '\n';
-  if (!world.about.empty()) text += "about: " + quoted(world.about) + '\n';
+  if (!world.about.empty()) text += "about: " + core::yaml_quoted(world.about) + '\n';
   text += "bounds: " + text_of(World::Segment{world.bounds_min, world.bounds_max}) + '\n';
   text += list_text("walls", world.walls) + list_text("polygons", world.polygons) +
           list_text("circles", world.circles) + list_text("moving", world.moving) +

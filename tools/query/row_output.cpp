@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/quoted.hpp"
+
 namespace clew::query {
 namespace {
 
@@ -23,13 +25,6 @@ nlohmann::ordered_json json_of(const Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return *number;
   if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   return nullptr;
-}
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 /// How wide a text of UTF-8 is on a terminal, as far as one character takes one place.
@@ -102,7 +97,7 @@ Result<void> JsonOutput::row(const std::vector<Cell>& cells) {
 Result<void> CsvOutput::begin(const std::vector<std::string>& columns) {
   std::string line;
   for (std::size_t i = 0; i < columns.size(); ++i)
-    line += (i == 0 ? "" : ",") + csv_field(columns[i]);
+    line += (i == 0 ? "" : ",") + core::csv_field(columns[i]);
   print_(line + '\n');
   return {};
 }
@@ -110,7 +105,7 @@ Result<void> CsvOutput::begin(const std::vector<std::string>& columns) {
 Result<void> CsvOutput::row(const std::vector<Cell>& cells) {
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    line += (i == 0 ? "" : ",") + csv_field(text_of(cells[i]));
+    line += (i == 0 ? "" : ",") + core::csv_field(text_of(cells[i]));
   }
   print_(line + '\n');
   return {};

@@ -10,6 +10,7 @@
 
 #include "bench/results_file.hpp"
 #include "bench/shards.hpp"
+#include "core/quoted.hpp"
 #include "files/whole_file.hpp"
 
 namespace clew::sweep {
@@ -30,13 +31,6 @@ std::string folder_in(const std::string& directory) {
 }
 
 std::string note_in(const std::string& folder) { return folder + "/sweep.jsonl"; }
-
-/// A word as a shell reads it back.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + '\'';
-}
 
 Result<bench::ResultsHeader> read_note(const std::string& folder) {
   auto reader = bench::LineReader::open(note_in(folder));
@@ -141,13 +135,14 @@ Result<void> ShardFolders::note_job(const std::string& job) const {
 Result<void> ShardFolders::write_script(const std::string& program, const bench::BenchOrder& order,
                                         std::size_t cores) const {
   std::string words;
-  for (const std::string& word : order.words()) words += ' ' + quoted(word);
+  for (const std::string& word : order.words()) words += ' ' + core::shell_word(word);
   return files::write_file(
-      script(), fmt::format("#!/bin/sh\n"
-                            "# A task of the sweep: goes on with one shard from where it is.\n"
-                            "exec {} bench{} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --jobs {} "
-                            "--out {}/\"$SLURM_ARRAY_TASK_ID\"\n",
-                            quoted(program), words, count(), cores, quoted(folder_)));
+      script(),
+      fmt::format("#!/bin/sh\n"
+                  "# A task of the sweep: goes on with one shard from where it is.\n"
+                  "exec {} bench{} --shard \"$SLURM_ARRAY_TASK_ID/{}\" --jobs {} "
+                  "--out {}/\"$SLURM_ARRAY_TASK_ID\"\n",
+                  core::shell_word(program), words, count(), cores, core::shell_word(folder_)));
 }
 
 }  // namespace clew::sweep

@@ -1,29 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "core/quoted.hpp"
 #include "world_import/world_draft.hpp"
 
 namespace clew::world_import {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return out + '"';
-}
 
 std::string point(const Vec2& place) { return fmt::format("[{}, {}]", place.x(), place.y()); }
 
 }  // namespace
 
 std::string world_text(const WorldDraft& draft) {
-  std::string text =
-      fmt::format("format: clew-world/1\nname: {}\nabout: {}\nbounds: [{}, {}, {}, {}]\n",
-                  quoted(draft.name), quoted(draft.about), draft.bounds_min.x(),
-                  draft.bounds_min.y(), draft.bounds_max.x(), draft.bounds_max.y());
+  std::string text = fmt::format(
+      "format: clew-world/1\nname: {}\nabout: {}\nbounds: [{}, {}, {}, {}]\n",
+      core::yaml_quoted(draft.name), core::yaml_quoted(draft.about), draft.bounds_min.x(),
+      draft.bounds_min.y(), draft.bounds_max.x(), draft.bounds_max.y());
   const auto list = [&](const char* key, const auto& items, const auto& item_text) {
     if (items.empty()) return;
     text += std::string(key) + ": [\n";
