@@ -21,6 +21,7 @@
 #include "component/sealed_participant.hpp"
 #include "component/start_barrier.hpp"
 #include "component/succession_worker.hpp"
+#include "core/process_end.hpp"
 #include "line/heartbeat.hpp"
 #include "line/link.hpp"
 #include "log/log.hpp"
@@ -173,7 +174,7 @@ JsonLines::Fail end_with_program(Link& link, const runtime::GraphStage& stage) {
   return [&link, type, name = stage.info->name](const Error& error) {
     link.post(type, Text{name + ": " + error.text()});
     link.flush_until(Clock::now() + kEndGrace);
-    std::_Exit(1);
+    core::end_at_once(1);
   };
 }
 

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <variant>
 
+#include "run/limits.hpp"
+
 namespace clew::bridge {
 namespace {
 
@@ -129,7 +131,7 @@ std::optional<ScanWatch::News> ScanWatch::look(Time now) {
 
 // Who was asleep cannot say that nothing came.
 void ScanWatch::forgive_sleep(Time now) {
-  if (waits_since_ && now - std::max(looked_at_, *waits_since_) > kAwake) {
+  if (waits_since_ && now - std::max(looked_at_, *waits_since_) > kScanWatchAwake) {
     *waits_since_ = std::min(now, *waits_since_ + (now - std::max(looked_at_, *waits_since_)));
   }
   looked_at_ = now;

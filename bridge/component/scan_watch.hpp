@@ -55,9 +55,8 @@ class ScanWatch {
   std::optional<News> scan_arrives(std::uint64_t stamp_tick, Time now);
   /// Takes the stamp of an odometry: drive is so far.
   void odometry_arrives(std::uint64_t stamp_tick, Time now);
-  /// Looks at the clock. Who does not look for longer than kAwake was asleep himself.
+  /// Looks at the clock. Who does not look for longer than kScanWatchAwake was asleep himself.
   std::optional<News> look(Time now);
-  static constexpr auto kAwake = std::chrono::milliseconds(100);
 
  private:
   enum class Trust { kFull, kStale, kNone };

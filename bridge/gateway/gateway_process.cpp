@@ -17,22 +17,16 @@
 #include "gateway/run_orders.hpp"
 #include "gateway/view_content.hpp"
 #include "line/link.hpp"
+#include "run/limits.hpp"
 
 namespace clew::bridge {
 namespace {
 
 /// Some hundred thousand ticks of the shipped graphs.
 constexpr std::size_t kMostHeldBytes = 256 * 1024 * 1024;
-/// What a person can see.
-constexpr auto kPassOnPeriod = std::chrono::milliseconds(16);
 /// So long a viewer may take to ask for what it has missed, when the run has ended.
 constexpr int kQuietTurns = 30;
 
-/// How soon a page hears what the run answers.
-constexpr auto kOrderPeriod = std::chrono::milliseconds(5);
-
-/// A program that takes longer to explain a tick is killed.
-constexpr auto kExplainPatience = std::chrono::minutes(1);
 /// Whoever looks on gives way to the run.
 constexpr int kNiceness = 5;
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/archive.hpp"
+#include "run/limits.hpp"
 #include "run/spool.hpp"
 
 namespace clew::bridge {
@@ -21,13 +22,9 @@ using Clock = std::chrono::steady_clock;
 
 /// What may wait for the gateway: some seconds of a fast run.
 constexpr std::size_t kMostWaitingBytes = 32 * 1024 * 1024;
-constexpr auto kStartPatience = std::chrono::seconds(10);
 constexpr char kNotStarted[] = "its gateway did not start";
-constexpr auto kEndPatience = std::chrono::seconds(3);
 /// A composed run hands its samples over in batches of this size.
 constexpr std::size_t kBatchBytes = 64 * 1024;
-/// And at least sixty times a second.
-constexpr auto kBatchPeriod = std::chrono::milliseconds(16);
 
 }  // namespace
 
@@ -69,7 +66,7 @@ core::Result<void> LiveFeed::take_address(const Frame& frame) {
 }
 
 core::Result<void> LiveFeed::wait_for_address() {
-  const auto frame = link_->wait_for_frame(started_at_ + kStartPatience);
+  const auto frame = link_->wait_for_frame(started_at_ + kGatewayStartPatience);
   if (!frame.ok()) return core::Error{kNotStarted, "--view"};
   return take_address(*frame);
 }
@@ -79,7 +76,7 @@ core::Result<void> LiveFeed::poll() {
   link_->flush();
   const bool open = link_->receive();
   if (const auto frame = link_->next()) return take_address(*frame);
-  if (open && Clock::now() < started_at_ + kStartPatience) return {};
+  if (open && Clock::now() < started_at_ + kGatewayStartPatience) return {};
   return core::Error{kNotStarted, "--view"};
 }
 
@@ -109,7 +106,7 @@ void LiveFeed::send() {
 }
 
 void LiveFeed::end(const std::string& how) {
-  const auto deadline = Clock::now() + kEndPatience;
+  const auto deadline = Clock::now() + kGatewayEndPatience;
   while (!waiting_.empty() && link_->flush_until(deadline) && Clock::now() < deadline) send();
   link_->post(FrameType::kRecordingEnd, Text{how});
   // Until viewers have what they are still to get: with this process the gateway ends.
@@ -130,7 +127,7 @@ core::Result<void> FedSink::add(const SampleView& sample) {
   if (page_.is_open()) {
     append_to_spool(sample, spool_);
     const auto now = Clock::now();
-    if (spool_.size() >= kBatchBytes || now - handed_on_at_ >= kBatchPeriod) {
+    if (spool_.size() >= kBatchBytes || now - handed_on_at_ >= kPassOnPeriod) {
       page_.add(spool_);
       spool_.clear();
       handed_on_at_ = now;

@@ -2,7 +2,6 @@
 #include "gateway/program_runs.hpp"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -12,6 +11,8 @@
 #include <csignal>
 #include <cstring>
 #include <utility>
+
+#include "run/program_start.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -35,31 +36,6 @@ int exit_status(int state) {
   return WIFSIGNALED(state) ? 128 + WTERMSIG(state) : WEXITSTATUS(state);
 }
 
-/// Starts a program in a group of its own, its output going to these files; the error's number.
-int spawn(const std::vector<std::string>& words, int out, int err, int& process_id) {
-  std::vector<std::string> copies = words;
-  std::vector<char*> pointers;
-  for (std::string& word : copies) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawnattr_init(&attributes);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
-  sigset_t none;
-  sigemptyset(&none);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
-  const int error =
-      ::posix_spawn(&process_id, pointers.front(), &actions, &attributes, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  posix_spawnattr_destroy(&attributes);
-  return error;
-}
-
 }  // namespace
 
 ProgramRuns::~ProgramRuns() {
@@ -77,7 +53,7 @@ core::Result<void> ProgramRuns::start(const std::vector<std::string>& words, Tim
   }
   Running running{0, ::memfd_create("clew-out", MFD_CLOEXEC),
                   ::memfd_create("clew-err", MFD_CLOEXEC), now + patience_, std::move(done)};
-  const int error = spawn(words, running.out, running.err, running.process_id);
+  const int error = start_program(words, running.out, running.err, running.process_id);
   if (error != 0) {
     ::close(running.out);
     ::close(running.err);

@@ -2,7 +2,6 @@
 /// What a relay and a host say to each other, besides what they pass on of a component's line.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -60,18 +59,6 @@ void visit_fields(V& v, ComponentEnd& m) {
   v(m.signal, m.status);
 }
 
-/// How often each end of a connection says that it is there.
-inline constexpr auto kHostBeatPeriod = std::chrono::milliseconds(250);
-/// An end that was not heard for so long is lost: its components are killed, or started again.
-inline constexpr auto kHostLostAfter = std::chrono::seconds(2);
-/// How long a host that does not answer is tried before a component is started here instead. Longer
-/// than what a host that is cut off needs to notice it, so that no component is there twice. A
-/// `clew host` that is stopped (SIGSTOP) notices nothing: its components go on until it is
-/// continued.
-inline constexpr auto kFallBackAfter = std::chrono::seconds(3);
-/// And how long without that: a run that stands still for 10 s ends.
-inline constexpr auto kHostPatience = std::chrono::seconds(9);
-inline constexpr auto kReconnectPeriod = std::chrono::milliseconds(200);
 /// What may wait in one direction before nothing more is taken from the other.
 inline constexpr std::size_t kMostRelayedBytes = std::size_t{4} << 20;
 

@@ -25,8 +25,6 @@ using core::Result;
 /// Connections at a time: more than any robot has components. Each may hold ten files: sockets,
 /// keys and inputs; a process may have 1024.
 constexpr std::size_t kMostComponents = 96;
-/// A run whose components have all left may start one again.
-constexpr auto kForgottenAfter = std::chrono::seconds(60);
 
 }  // namespace
 
@@ -126,7 +124,7 @@ void HostService::forget(Time now) {
                                    [](const auto& component) { return component->over(); }),
                     components_.end());
   for (auto memory = memory_.begin(); memory != memory_.end();) {
-    const bool old = now - memory->second.used_at > kForgottenAfter;
+    const bool old = now - memory->second.used_at > kRunForgottenAfter;
     memory = old ? memory_.erase(memory) : std::next(memory);
   }
 }

@@ -23,9 +23,6 @@ namespace {
 using core::Error;
 using core::Result;
 
-/// A component that has closed its line is about to end.
-constexpr auto kLastMoment = std::chrono::seconds(1);
-
 /// Replaces the path of a file that is on the other host.
 void put_here(std::string& path, const std::map<std::string, std::string>& here) {
   const auto found = here.find(path);

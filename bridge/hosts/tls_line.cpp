@@ -20,7 +20,6 @@ namespace {
 using core::Error;
 using core::Result;
 
-constexpr std::size_t kHeaderBytes = 5;  // type, then the payload's length
 constexpr std::size_t kMostAtOnce = std::size_t{256} * 1024;
 /// What the other end may send before what came is looked at.
 constexpr std::size_t kMostReceivedAtOnce = std::size_t{1} << 20;
@@ -68,7 +67,7 @@ TlsLine::TlsLine(int socket, SSL_CTX& context, HostRole own, std::string expecte
       expected_(std::move(expected)),
       ssl_(SSL_new(&context)),
       heard_at_(now),
-      most_payload_bytes_(kMostHelloBytes) {
+      received_(kMostHelloBytes) {
   if (ssl_ == nullptr || SSL_set_fd(ssl_.get(), socket) != 1) {
     close(all_reasons());
     return;
@@ -187,7 +186,6 @@ void TlsLine::send() {
 }
 
 void TlsLine::receive(Time now) {
-  received_.erase(0, std::exchange(consumed_, 0));
   std::array<char, 65536> buffer;
   for (std::size_t total = 0; total < kMostReceivedAtOnce;) {
     ERR_clear_error();
@@ -204,29 +202,17 @@ void TlsLine::receive(Time now) {
 }
 
 std::optional<Frame> TlsLine::next() {
-  if (received_.size() - consumed_ < kHeaderBytes) return std::nullopt;
-  std::uint32_t size = 0;
-  std::memcpy(&size, received_.data() + consumed_ + 1, sizeof size);
-  if (size > most_payload_bytes_) {
-    received_.clear();
-    consumed_ = 0;
-    close("the other end sends a frame of " + std::to_string(size) +
-          " bytes; allowed: " + std::to_string(most_payload_bytes_));
-    return std::nullopt;
+  auto frame = received_.next();
+  if (const auto size = received_.too_large()) {
+    close("the other end sends a frame of " + std::to_string(*size) +
+          " bytes; allowed: " + std::to_string(received_.most_payload()));
   }
-  if (received_.size() - consumed_ < kHeaderBytes + size) return std::nullopt;
-  Frame frame{static_cast<FrameType>(received_[consumed_]),
-              received_.substr(consumed_ + kHeaderBytes, size)};
-  consumed_ += kHeaderBytes + size;
   return frame;
 }
 
 void TlsLine::post_bytes(FrameType type, std::string_view payload) {
   if (is_closed()) return;
-  std::array<char, kHeaderBytes> header{};
-  const auto size = static_cast<std::uint32_t>(payload.size());
-  header[0] = static_cast<char>(type);
-  std::memcpy(header.data() + 1, &size, sizeof size);
+  const auto header = FrameBuffer::header_of(type, payload);
   unsent_.append(header.data(), header.size()).append(payload);
   if (is_open()) send();
 }

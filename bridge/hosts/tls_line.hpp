@@ -13,6 +13,7 @@
 #include "core/archive.hpp"
 #include "core/result.hpp"
 #include "hosts/host_identity.hpp"
+#include "line/frame_buffer.hpp"
 #include "line/frames.hpp"
 
 namespace clew::bridge {
@@ -61,7 +62,7 @@ class TlsLine {
   Time heard_at() const { return heard_at_; }
 
   /// Once the other end has said what it wants, it may send more.
-  void allow_payload(std::size_t bytes) { most_payload_bytes_ = bytes; }
+  void allow_payload(std::size_t bytes) { received_.allow_payload(bytes); }
   /// The next whole frame received, if any.
   std::optional<Frame> next();
 
@@ -102,11 +103,9 @@ class TlsLine {
   std::string why_;
   std::string peer_;
   Time heard_at_;
-  std::size_t most_payload_bytes_;
   std::string unsent_;
   std::size_t sent_of_unsent_ = 0;
-  std::string received_;
-  std::size_t consumed_ = 0;
+  FrameBuffer received_;
 };
 
 /// What to poll a component's or supervisor's link for, whose frames go on to `line`: nothing is

@@ -21,17 +21,7 @@
 namespace clew::bridge {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 5;  // type, then the payload's length
-
-using Header = std::array<char, kHeaderBytes>;
-
-Header header_of(FrameType type, std::string_view payload) {
-  Header header;
-  const auto size = static_cast<std::uint32_t>(payload.size());
-  header[0] = static_cast<char>(type);
-  std::memcpy(header.data() + 1, &size, sizeof size);
-  return header;
-}
+constexpr std::size_t kHeaderBytes = FrameBuffer::kHeaderBytes;
 
 // An address without a file: it vanishes with its socket, and each network namespace has its own.
 struct Address {
@@ -134,7 +124,7 @@ std::size_t Link::frame_bytes(std::string_view payload) { return kHeaderBytes + 
 
 std::optional<std::size_t> Link::send_some(FrameType type, std::string_view payload,
                                            std::size_t offset) {
-  const Header header = header_of(type, payload);
+  const auto header = FrameBuffer::header_of(type, payload);
   const std::lock_guard<std::mutex> lock(sending_);
   while (offset < frame_bytes(payload)) {
     const std::size_t of_payload = offset < kHeaderBytes ? 0 : offset - kHeaderBytes;
@@ -156,7 +146,7 @@ std::optional<std::size_t> Link::send_some(FrameType type, std::string_view payl
 }
 
 bool Link::post_bytes(FrameType type, std::string_view payload) {
-  const Header header = header_of(type, payload);
+  const auto header = FrameBuffer::header_of(type, payload);
   const std::lock_guard<std::mutex> lock(sending_);
   unsent_.append(header.data(), header.size()).append(payload);
   return flush_locked();
@@ -197,10 +187,6 @@ bool Link::flush_until(Time deadline) {
 }
 
 bool Link::receive() {
-  if (consumed_ > 0) {
-    received_.erase(0, consumed_);
-    consumed_ = 0;
-  }
   char buffer[65536];
   while (true) {
     const ssize_t got = ::recv(socket_, buffer, sizeof buffer, MSG_DONTWAIT);
@@ -216,20 +202,9 @@ bool Link::receive() {
 }
 
 std::optional<Frame> Link::next() {
-  if (received_.size() - consumed_ < kHeaderBytes) return std::nullopt;
-  std::uint32_t size = 0;
-  std::memcpy(&size, received_.data() + consumed_ + 1, sizeof size);
-  if (size > most_payload_bytes_) {
-    // Nothing behind it makes sense. The next receive() finds the line closed.
-    ::shutdown(socket_, SHUT_RDWR);
-    received_.clear();
-    consumed_ = 0;
-    return std::nullopt;
-  }
-  if (received_.size() - consumed_ < kHeaderBytes + size) return std::nullopt;
-  Frame frame{static_cast<FrameType>(received_[consumed_]),
-              received_.substr(consumed_ + kHeaderBytes, size)};
-  consumed_ += kHeaderBytes + size;
+  auto frame = received_.next();
+  // The next receive() finds the line closed.
+  if (received_.too_large()) ::shutdown(socket_, SHUT_RDWR);
   return frame;
 }
 

@@ -15,6 +15,7 @@
 
 #include "core/archive.hpp"
 #include "core/result.hpp"
+#include "line/frame_buffer.hpp"
 #include "line/frames.hpp"
 
 namespace clew::bridge {
@@ -29,7 +30,7 @@ class Link {
   /// Takes the socket over. A frame with a payload larger than `most_payload_bytes` closes the
   /// line.
   explicit Link(int socket, std::size_t most_payload_bytes = kMostPayloadBytes)
-      : socket_(socket), most_payload_bytes_(most_payload_bytes) {}
+      : socket_(socket), received_(most_payload_bytes) {}
   ~Link();
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
@@ -42,7 +43,7 @@ class Link {
 
   int socket() const { return socket_; }
   /// Once the other end has said who it is, it may send more.
-  void allow_payload(std::size_t bytes) { most_payload_bytes_ = bytes; }
+  void allow_payload(std::size_t bytes) { received_.allow_payload(bytes); }
 
   /// Sends a frame: at once what the socket takes, the rest by flush(). False when the other end is
   /// gone.
@@ -81,12 +82,10 @@ class Link {
   bool flush_locked();
 
   int socket_;
-  std::size_t most_payload_bytes_;
   mutable std::mutex sending_;
   std::string unsent_;
   std::size_t sent_of_unsent_ = 0;
-  std::string received_;
-  std::size_t consumed_ = 0;
+  FrameBuffer received_;
 };
 
 /// The supervisor's listening end, which holds its domain while it lives.

@@ -3,14 +3,9 @@
 
 #include <algorithm>
 
+#include "run/limits.hpp"
+
 namespace clew::bridge {
-namespace {
-
-// A tick later than this is taken for held up, not for late.
-constexpr auto kSlack = std::chrono::milliseconds(100);
-
-}  // namespace
-
 Playback::Playback(double tick_s, double rate, bool paused)
     : tick_s_(tick_s), rate_(rate), paused_(paused) {}
 
@@ -68,7 +63,7 @@ void Playback::begin(Time now) {
     return;
   }
   if (rate_ <= 0.0) return;
-  if (now - due_ > kSlack) due_ = now;
+  if (now - due_ > kPlaybackSlack) due_ = now;
   due_ += std::chrono::duration_cast<std::chrono::steady_clock::duration>(
       std::chrono::duration<double>(tick_s_ / rate_));
 }

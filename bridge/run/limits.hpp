@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Every time-out, period and depth of a run and its line, each with its reason. Those of DDS
-/// itself are in dds/participant.hpp and dds/rtps_ports.hpp.
+/// Every time-out, period and depth of a run, its line, its hosts and its lookers-on, each with its
+/// reason. Those of DDS itself are in dds/participant.hpp and dds/rtps_ports.hpp, of a connection
+/// of the web in gateway/web_limits.hpp. Bridges (ros2, robot, domains) are programs of their own
+/// and have theirs.
 #pragma once
 
 #include <chrono>
@@ -97,8 +99,13 @@ inline constexpr auto kPatience = std::chrono::hours(1);
 inline constexpr double kReplayPatience_s = 60.0;
 /// In real time a run whose end has come goes on until the robot rests, but not for longer.
 inline constexpr auto kRestTimeout = std::chrono::seconds(2);
-/// How long a process may take to end once it should.
+/// How long a process may take to end once it should. In a coverage build it first writes what it
+/// ran.
+#ifdef CLEW_COVERAGE
+inline constexpr auto kEndGrace = std::chrono::milliseconds(20000);
+#else
 inline constexpr auto kEndGrace = std::chrono::milliseconds(500);
+#endif
 /// A component that is on the wire itself comes back when everybody has given up its predecessor:
 /// until then nobody could tell the two apart.
 inline constexpr auto kThirdPartyBackoff = std::chrono::seconds(2);
@@ -138,5 +145,57 @@ inline constexpr int kTicksPerRound = 64;
 inline constexpr auto kRetryPeriod = std::chrono::milliseconds(1);
 /// A reader that acknowledges nothing for so long is worth a line.
 inline constexpr auto kHeldUpPeriod = std::chrono::seconds(10);
+
+// ---- who is late, and what its process does meanwhile ----
+
+/// In real time, the larger of both: a step that is over by then disturbs nobody.
+inline constexpr double kLateAfter_s = 0.3;
+inline constexpr double kLateAfterTicks = 2.0;
+/// In lockstep a large search takes its time.
+inline constexpr double kLateInLockstepAfter_s = 10.0;
+/// Most steps are over by then: before it there is nothing to look at.
+inline constexpr auto kLateLookAfter = std::chrono::milliseconds(50);
+inline constexpr auto kLateLookInLockstepAfter = std::chrono::milliseconds(1000);
+/// Often enough to see most of what a process does in a third of a second.
+inline constexpr auto kLateLookPeriod = std::chrono::milliseconds(20);
+/// Two heartbeats missed: it may be stopped.
+inline constexpr auto kSilentAfter = std::chrono::milliseconds(250);
+/// Who looks after the scans less often than this was asleep himself.
+inline constexpr auto kScanWatchAwake = std::chrono::milliseconds(100);
+
+// ---- other hosts ----
+
+/// How often each end of a connection says that it is there.
+inline constexpr auto kHostBeatPeriod = std::chrono::milliseconds(250);
+/// An end that was not heard for so long is lost: its components are killed, or started again.
+inline constexpr auto kHostLostAfter = std::chrono::seconds(2);
+/// How long a host that does not answer is tried before a component is started here instead. Longer
+/// than what a host that is cut off needs to notice it, so that no component is there twice. A
+/// `clew host` that is stopped (SIGSTOP) notices nothing: its components go on until it is
+/// continued.
+inline constexpr auto kFallBackAfter = std::chrono::seconds(3);
+/// And how long without that: a run that stands still for 10 s ends.
+inline constexpr auto kHostPatience = std::chrono::seconds(9);
+/// A cable that is back is noticed soon, and a host that is gone is not flooded.
+inline constexpr auto kReconnectPeriod = std::chrono::milliseconds(200);
+/// A component that has closed its line is about to end.
+inline constexpr auto kLastMoment = std::chrono::seconds(1);
+/// A run whose components have all left a host may start one there again.
+inline constexpr auto kRunForgottenAfter = std::chrono::seconds(60);
+
+// ---- who looks on ----
+
+/// A gateway that has not started by then is told of; a run does not wait longer.
+inline constexpr auto kGatewayStartPatience = std::chrono::seconds(10);
+/// How long a run that ends waits for what its gateway has not taken yet.
+inline constexpr auto kGatewayEndPatience = std::chrono::seconds(3);
+/// What a person can see: sixty times a second.
+inline constexpr auto kPassOnPeriod = std::chrono::milliseconds(16);
+/// How soon a page hears what the run answers.
+inline constexpr auto kOrderPeriod = std::chrono::milliseconds(5);
+/// A program that takes longer to explain a tick is killed.
+inline constexpr auto kExplainPatience = std::chrono::minutes(1);
+/// In a replay at a pace, a tick later than this is taken for held up, not for late.
+inline constexpr auto kPlaybackSlack = std::chrono::milliseconds(100);
 
 }  // namespace clew::bridge

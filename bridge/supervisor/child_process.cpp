@@ -13,6 +13,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/process_end.hpp"
+
 namespace clew::bridge {
 namespace {
 
@@ -38,7 +40,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 [[noreturn]] void become(char* const* arguments, char** environment, const ChildCommand& command,
                          int parent, int error_pipe) {
   ::prctl(PR_SET_PDEATHSIG, command.brings_to_rest ? SIGTERM : SIGKILL);
-  if (::getppid() != parent) ::_exit(1);
+  if (::getppid() != parent) core::end_at_once(1);
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -54,7 +56,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   ::execvp(arguments[0], arguments);
   const int why = errno;
   const ssize_t written = ::write(error_pipe, &why, sizeof why);
-  ::_exit(written == sizeof why ? 127 : 126);
+  core::end_at_once(written == sizeof why ? 127 : 126);
 }
 
 }  // namespace

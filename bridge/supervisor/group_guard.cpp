@@ -10,6 +10,8 @@
 #include <csignal>
 #include <utility>
 
+#include "core/process_end.hpp"
+
 namespace clew::bridge {
 namespace {
 
@@ -24,7 +26,7 @@ namespace {
   while (::read(STDIN_FILENO, &byte, 1) < 0 && errno == EINTR) {
   }
   ::kill(-group, SIGKILL);
-  ::_exit(0);
+  core::end_at_once(0);
 }
 
 }  // namespace

@@ -5,20 +5,10 @@
 
 #include <algorithm>
 
+#include "run/limits.hpp"
+
 namespace clew::bridge {
 namespace {
-
-using std::chrono::milliseconds;
-
-constexpr double kLateAfter_s = 0.3;
-constexpr double kLateAfterTicks = 2.0;
-constexpr double kLateInLockstepAfter_s = 10.0;
-/// Most steps are over by then: before it there is nothing to look at.
-constexpr auto kLookAfter = milliseconds(50);
-constexpr auto kLookInLockstepAfter = milliseconds(1000);
-constexpr auto kLookPeriod = milliseconds(20);
-/// Two heartbeats missed: it may be stopped.
-constexpr auto kSilentAfter = milliseconds(250);
 
 double seconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -51,7 +41,6 @@ LateWatch::LateWatch(const runtime::RunPlan& plan, bool realtime, Activity activ
 std::vector<domain::Incident> LateWatch::watch(const std::vector<Member>& members,
                                                const TicksOf& written, Time now) {
   std::vector<domain::Incident> late;
-  Time::duration starved{};
   for (const Member& member : members) {
     if (!is_suspicious(member, members, written, now)) {
       suspects_.erase(member.stage);
@@ -63,11 +52,11 @@ std::vector<domain::Incident> LateWatch::watch(const std::vector<Member>& member
     if (is_new || suspect.ticks != ticks) {
       suspect = Suspect{ticks, now, now, {}, 0.0, 0.0, false};
     }
-    if (now - suspect.since < (realtime_ ? kLookAfter : kLookInLockstepAfter)) continue;
-    if (suspect.seen && now - suspect.looked_at < kLookPeriod) continue;
+    if (now - suspect.since < (realtime_ ? kLateLookAfter : kLateLookInLockstepAfter)) continue;
+    if (suspect.seen && now - suspect.looked_at < kLateLookPeriod) continue;
     const auto activity = activity_(process_id_of(member));
     if (!activity) continue;
-    starved = std::max(starved, look(suspect, *activity, now));
+    look(suspect, *activity, now);
     const bool stopped = realtime_ && activity->stopped;
     if (suspect.told || (!stopped && std::max(suspect.used_s, suspect.waited_s) < limit_s_)) {
       continue;
@@ -75,14 +64,13 @@ std::vector<domain::Incident> LateWatch::watch(const std::vector<Member>& member
     suspect.told = true;
     late.push_back({0, kIncident, member.stage, what(member, suspect, now)});
   }
-  starved_ += starved;
   return late;
 }
 
 bool LateWatch::is_suspicious(const Member& member, const std::vector<Member>& members,
                               const TicksOf& written, Time now) const {
   // Of a process on another host the kernel here knows nothing.
-  if (member.down || member.elsewhere || process_id_of(member) == 0) return false;
+  if (member.down || !member.host.empty() || process_id_of(member) == 0) return false;
   // What it does is seen on the wire only. In lockstep its graph says for how long to wait.
   if (member.third_party) return realtime_ && inputs_are_there(member, members, written);
   if (!member.link) return false;
@@ -104,20 +92,15 @@ bool LateWatch::inputs_are_there(const Member& member, const std::vector<Member>
   return true;
 }
 
-LateWatch::Time::duration LateWatch::look(Suspect& suspect, const ProcessActivity& activity,
-                                          Time now) {
+void LateWatch::look(Suspect& suspect, const ProcessActivity& activity, Time now) {
   const auto passed = now - suspect.looked_at;
   suspect.looked_at = now;
   const auto before = std::exchange(suspect.seen, activity);
-  if (!before) return {};
+  if (!before) return;
   const double used_s = std::max(activity.processor_s - before->processor_s, 0.0);
   suspect.used_s += used_s;
-  if (activity.runnable || before->runnable) {
-    const double starved_s = std::max(seconds(passed) - used_s, 0.0);
-    return std::chrono::duration_cast<Time::duration>(std::chrono::duration<double>(starved_s));
-  }
-  if (used_s == 0.0) suspect.waited_s += seconds(passed);
-  return {};
+  const bool starved = activity.runnable || before->runnable;
+  if (!starved && used_s == 0.0) suspect.waited_s += seconds(passed);
 }
 
 std::string LateWatch::what(const Member& member, const Suspect& suspect, Time now) const {

@@ -40,8 +40,6 @@ class LateWatch {
                                       Time now);
   /// Nothing of the past counts any more.
   void forget() { suspects_.clear(); }
-  /// For how long, since the last call, somebody in a step wanted a processor and was given none.
-  Time::duration take_starved() { return std::exchange(starved_, {}); }
 
  private:
   /// Since a component was first seen in a step.
@@ -59,8 +57,8 @@ class LateWatch {
                      const TicksOf& written, Time now) const;
   bool inputs_are_there(const Member& member, const std::vector<Member>& members,
                         const TicksOf& written) const;
-  /// Counts what has passed since the last look; for how long of it the process was starved.
-  static Time::duration look(Suspect& suspect, const ProcessActivity& activity, Time now);
+  /// Counts what has passed since the last look.
+  static void look(Suspect& suspect, const ProcessActivity& activity, Time now);
   std::string what(const Member& member, const Suspect& suspect, Time now) const;
 
   const runtime::RunPlan& plan_;
@@ -68,7 +66,6 @@ class LateWatch {
   const double limit_s_;
   const Activity activity_;
   std::map<std::string, Suspect> suspects_;  ///< by the member's name
-  Time::duration starved_{};
 };
 
 }  // namespace clew::bridge

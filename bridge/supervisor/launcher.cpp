@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "component/json_lines.hpp"
+#include "core/quoted.hpp"
 #include "plugins/plugin_loader.hpp"
 #include "run/limits.hpp"
 #include "supervisor/run_participants.hpp"
@@ -23,20 +24,10 @@ using runtime::Graph;
 using runtime::GraphStage;
 using runtime::Topic;
 
-/// The word as a shell takes it for one.
-std::string for_shell(const std::string& word) {
-  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::strchr("_-./=:,@%+", c) != nullptr;
-  });
-  if (plain && !word.empty()) return word;
-  std::string quoted = "'";
-  for (const char c : word) c == '\'' ? quoted += "'\\''" : quoted += c;
-  return quoted + '\'';
-}
-
 // The run has the graph, so the line does not depend on where it is typed.
 std::string component_line(const std::string& program, const std::string& stage, int domain) {
-  return for_shell(program) + " component - " + stage + " --domain " + std::to_string(domain);
+  return core::shell_word(program) + " component - " + stage + " --domain " +
+         std::to_string(domain);
 }
 
 std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const GraphStage& stage) {
@@ -58,9 +49,9 @@ std::vector<ExpectedEndpoint> expected_endpoints(const Graph& graph, const Graph
 }
 
 /// The child through which a member's process on another host is as if it were here.
-std::vector<std::string> relay_command(const Member& member, const std::string& host,
-                                       const ProcessLayout& layout, int domain) {
-  std::vector<std::string> words = {layout.program, "relay",    layout.hosts->file,    host,
+std::vector<std::string> relay_command(const Member& member, const ProcessLayout& layout,
+                                       int domain) {
+  std::vector<std::string> words = {layout.program, "relay",    layout.hosts->file,    member.host,
                                     member.stage,   "--domain", std::to_string(domain)};
   if (layout.hosts->fall_back) words.emplace_back("--fall-back");
   return words;
@@ -159,8 +150,8 @@ ChildCommand command_of(const Member& member, const runtime::RunPlan& plan,
     const bool is_other = other != layout.stage_program.end();
     command.arguments = {is_other ? other->second : layout.program, "component", "-", member.stage};
   }
-  if (const auto host = host_of(stage, layout); !host.empty()) {
-    command.arguments = relay_command(member, host, layout, environment.domain());
+  if (!member.host.empty()) {
+    command.arguments = relay_command(member, layout, environment.domain());
   }
   for (const std::string& each : member.stages) {
     const auto prefix = layout.prefix.find(each);
@@ -185,9 +176,9 @@ std::string how_to_start(const runtime::RunPlan& plan, const GraphStage& stage,
     auto variables = environment.variables();
     variables.merge(facts_for_program(plan, stage));
     for (const auto& [name, value] : variables) {
-      command += ' ' + name + '=' + for_shell(value);
+      command += ' ' + name + '=' + core::shell_word(value);
     }
-    for (const std::string& word : stage.deployment.exec) command += ' ' + for_shell(word);
+    for (const std::string& word : stage.deployment.exec) command += ' ' + core::shell_word(word);
   } else {
     command = component_line(program, process_of(stage), domain);
   }

@@ -131,7 +131,7 @@ std::vector<Member> list_members(const runtime::RunPlan& plan, const ProcessLayo
     member->stages.push_back(stage.info->name);
     if (layout.external.count(stage.info->name) != 0) member->external = true;
     if (stage.ports.delayed_inputs.any()) member->starts_ticks = true;
-    if (!host_of(stage, layout).empty()) member->elsewhere = true;
+    if (auto host = host_of(stage, layout); !host.empty()) member->host = std::move(host);
   }
   return members;
 }

@@ -32,7 +32,7 @@ struct Member {
   bool third_party = false;         ///< a third-party component: no line, seen only on the wire
   bool external = false;            ///< a person starts it
   bool starts_ticks = false;
-  bool elsewhere = false;  ///< on another host: the process here only passes on what it says
+  std::string host;  ///< if on another: the process here only passes on what it says
   std::optional<ChildProcess> child;
   std::unique_ptr<Link> link;
   std::int64_t process_id = 0;       ///< of the process at the other end of its line

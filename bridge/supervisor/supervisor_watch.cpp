@@ -42,8 +42,7 @@ void Supervisor::watch(Time now) {
   }
 }
 
-// In lockstep a recording says nothing of how long a step took: it is told in the log. Time in
-// which a step was given no processor is no stall.
+// In lockstep a recording says nothing of how long a step took: it is told in the log.
 void Supervisor::watch_late(Time now) {
   if (!gone_ || last_tick_ || live_control_.holds()) return late_watch_.forget();
   const auto written = [this](const Member& member) {
@@ -58,7 +57,6 @@ void Supervisor::watch_late(Time now) {
       tell(std::move(late));
     }
   }
-  stalled_since_ = std::min(stalled_since_ + late_watch_.take_starved(), now);
 }
 
 void Supervisor::watch_start(Time now) {

@@ -112,8 +112,6 @@ TEST_F(Late, AccusesNobodyWhoWantsAProcessorAndIsGivenNone) {
     kernel_.runnable = true;
 
     EXPECT_EQ(pass(watch, seconds(20), 0.0), std::vector<std::string>{});
-    EXPECT_GT(watch.take_starved(), seconds(15));
-    EXPECT_EQ(watch.take_starved(), seconds(0)) << "it is told once";
   }
 }
 
@@ -145,7 +143,6 @@ TEST_F(Late, LetsALargeSearchTakeItsTimeInLockstep) {
 
   EXPECT_TRUE(pass(watch, seconds(10), 1.0).empty());
   EXPECT_EQ(pass(watch, seconds(2), 1.0).size(), 1u);
-  EXPECT_EQ(watch.take_starved(), seconds(0)) << "it was given all that it wanted";
 }
 
 TEST_F(Late, ForgetsWhatWasBeforeAPause) {
@@ -160,10 +157,10 @@ TEST_F(Late, ForgetsWhatWasBeforeAPause) {
 TEST_F(Late, WhoIsOnAnotherHostIsNotNamed) {
   LateWatch watch = make(true);
   member("control").busy = true;
-  member("control").elsewhere = true;
+  member("control").host = "robot";
   EXPECT_TRUE(pass(watch, seconds(2)).empty()) << "its process here is a relay, which waits";
 
-  member("control").elsewhere = false;
+  member("control").host.clear();
   EXPECT_EQ(pass(watch, seconds(2)).size(), 1u);
 }
 
