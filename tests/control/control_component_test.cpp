@@ -21,8 +21,8 @@ class Recorder final : public Controller {
     motion.step_m = 0.1 * scan.ranges_m[3];
     return motion;
   }
-  void save(core::StateWriter&) const override {}
-  void load(core::StateReader&) override {}
+  void save(core::StateWriter& writer) const override { writer(calls); }
+  void load(core::StateReader& reader) override { reader(calls); }
 
   int calls = 0;
   core::Vec2 target = core::Vec2::Zero();
@@ -40,8 +40,12 @@ class Shy final : public Reaction {
     motion.turn_rad = 0.5;
     return motion;
   }
-  void save(core::StateWriter&) const override {}
-  void load(core::StateReader&) override {}
+  void save(core::StateWriter& writer) const override { writer(true); }
+  void load(core::StateReader& reader) override {
+    bool shy = false;
+    reader(shy);
+    reader.check(shy, "it is not shy");
+  }
 };
 
 class ControlComponentTest : public ::testing::Test {
@@ -186,6 +190,33 @@ TEST_F(ControlComponentTest, GivesUpWhatIsUnreachable) {
 
   EXPECT_EQ(step().kind, CommandKind::kGiveUp);
   EXPECT_EQ(controller_->calls, 0);
+}
+
+TEST_F(ControlComponentTest, SavesGuardApproachControllerAndReactions) {
+  make_shy();
+  step();
+  core::StateWriter first;
+  component_->save(first);
+  make_shy();
+  core::StateReader reader(first.bytes());
+  component_->load(reader);
+
+  EXPECT_TRUE(reader.complete());
+  EXPECT_EQ(controller_->calls, 1);
+  core::StateWriter second;
+  component_->save(second);
+  EXPECT_EQ(second.bytes(), first.bytes());
+}
+
+TEST_F(ControlComponentTest, RefusesAStateInWhichTheGuardTurnsToNoSide) {
+  core::StateWriter writer;
+  component_->save(writer);
+  std::string bytes(writer.bytes());
+  bytes[0] = 2;  // the guard's state begins with the side
+  core::StateReader reader(bytes);
+  component_->load(reader);
+
+  EXPECT_FALSE(reader.ok());
 }
 
 }  // namespace

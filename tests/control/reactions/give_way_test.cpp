@@ -131,5 +131,41 @@ TEST_F(GiveWayTest, AMotionInVelocitiesIsJudgedAlike) {
   EXPECT_TRUE(react().has_value());
 }
 
+/// What it tells of its inside: the text, and the names of its values.
+std::string told_by(const GiveWay& reaction, const domain::Odometry& odometry,
+                    const domain::Scan& scan, const domain::Landmark& landmark,
+                    const domain::Motion& wanted, domain::Inside& inside) {
+  reaction.tell(odometry, scan, landmark, wanted, inside);
+  std::string names;
+  for (const domain::InsideValue& value : inside.values.values()) names += value.name + ' ';
+  return names;
+}
+
+TEST_F(GiveWayTest, TellsThatNothingComesNear) {
+  domain::Inside inside;
+
+  EXPECT_EQ(told_by(reaction_, {}, scan_, landmark_, wanted_, inside), "movers keep ");
+  EXPECT_EQ(inside.text, "Nothing comes near, so there is nobody to give way to.");
+}
+
+TEST_F(GiveWayTest, TellsWhatTheWantedMotionAndTheChosenOneLeaveFree) {
+  see(ObjectMotion::kApproaching, {2.0, 0.0}, {-0.6, 0.0});
+  domain::Odometry odometry;
+  odometry.pose_odom_robot = {1.0, 1.0, 0.5 * core::kPi};
+  domain::Inside inside;
+
+  EXPECT_EQ(told_by(reaction_, odometry, scan_, landmark_, wanted_, inside),
+            "movers keep clearance_as_wanted clearance_chosen deviation ");
+  EXPECT_EQ(inside.text.rfind("Of 1 moving object, the nearest will leave ", 0), 0U) << inside.text;
+  EXPECT_NE(inside.text.find("leaves"), std::string::npos);
+  // The object is 2 m ahead of a robot that looks along y; in 3 s it comes 1.8 m nearer.
+  ASSERT_EQ(inside.picture.layers.size(), 1U);
+  const auto& way = inside.picture.layers[0].places_odom;
+  ASSERT_EQ(way.size(), 2U);
+  EXPECT_NEAR(way[0].x(), 1.0, 1e-9);
+  EXPECT_NEAR(way[0].y(), 3.0, 0.3);
+  EXPECT_LT(way[1].y(), way[0].y() - 1.0);
+}
+
 }  // namespace
 }  // namespace clew::control
