@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """clew bridge domains: topics of a run on other domains, by both vendors, without loss or echo."""
-import contextlib
 import json
 import pathlib
 import signal
-import socket
 import tempfile
 import time
 import unittest
 
-from clew_command import Run, start, write_file
+from clew_command import Run, free_domains, start, write_file
 
 # The robot wanders before a wall, so the run is as long as its limit says.
 RUN = ["krishna_kalra", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none"]
@@ -18,21 +16,6 @@ SAMPLES = TICKS + 1
 # 66 ticks a second: a run's writers keep 512 samples for who is late.
 PACE = ["--pace", "20x"]
 PATIENCE_S = 60
-
-
-def free_domains(count):
-    """DDS domains on whose ports nobody listens."""
-    found = []
-    for domain in range(30, 100):
-        with contextlib.closing(socket.socket(socket.AF_INET, socket.SOCK_DGRAM)) as probe:
-            try:
-                probe.bind(("127.0.0.1", 7400 + 250 * domain + 10))
-            except OSError:
-                continue
-            found.append(domain)
-            if len(found) == count:
-                return found
-    raise AssertionError("no free domains")
 
 
 class Bridge:

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the clew command as a user would, and looks at what it leaves behind."""
+import contextlib
 import importlib.machinery
 import importlib.util
 import json
 import os
 import pathlib
+import socket
 import subprocess
 import tempfile
 import time
@@ -153,3 +155,18 @@ def write_file(text, suffix=".yaml"):
     path = pathlib.Path(directory) / f"file{suffix}"
     path.write_text(text)
     return path
+
+
+def free_domains(count):
+    """DDS domains on whose ports nobody listens."""
+    found = []
+    for domain in range(30, 100):
+        with contextlib.closing(socket.socket(socket.AF_INET, socket.SOCK_DGRAM)) as probe:
+            try:
+                probe.bind(("127.0.0.1", 7400 + 250 * domain + 10))
+            except OSError:
+                continue
+            found.append(domain)
+            if len(found) == count:
+                return found
+    raise AssertionError("no free domains")

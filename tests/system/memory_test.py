@@ -2,11 +2,14 @@
 """No process of a run grows with the run's length: what a long recorded run needs, a short one needs,
 too, within a tenth; and a component needs what is said of its vendor at most."""
 import pathlib
+import sys
 import tempfile
 import unittest
 
-from clew_command import LAYOUTS, SOAK
-from resident import ENDLESS, peaks_kib
+from clew_command import CLEW, LAYOUTS, SOAK, SOURCE
+
+sys.path.insert(0, str(SOURCE / "tools"))
+from resident import ENDLESS, peaks_kib  # noqa: E402
 
 SHORT, LONG = (10_000, 1_000_000) if SOAK else (2_500, 10_000)
 # One process is over in a moment, and would not be looked at.
@@ -21,8 +24,8 @@ class Memory(unittest.TestCase):
             record = ["--record", pathlib.Path(directory) / "r.mcap", "--force"]
             for name in ("composed", "cyclonedds", "fastdds"):
                 times = COMPOSED_TIMES if name == "composed" else 1
-                short, long = (peaks_kib([*ENDLESS, *LAYOUTS[name], "--max-ticks", times * ticks,
-                                          *record]) for ticks in (SHORT, LONG))
+                short, long = (peaks_kib(CLEW, [*ENDLESS, *LAYOUTS[name], "--max-ticks", times * ticks,
+                                                *record]) for ticks in (SHORT, LONG))
 
                 self.assertIn("run", long)
                 self.assertEqual(len(long), 1 if name == "composed" else 7)

@@ -4,10 +4,13 @@ ask for it is told so."""
 import os
 import pathlib
 import subprocess
+import sys
 import unittest
 
-from clew_command import CLEW, Run, components_of, start, wait_until
-from resident import ENDLESS
+from clew_command import CLEW, SOURCE, Run, components_of, start, wait_until
+
+sys.path.insert(0, str(SOURCE / "tools"))
+from resident import ENDLESS  # noqa: E402
 
 MAY = subprocess.run(["chrt", "--fifo", "1", "true"], capture_output=True, check=False).returncode == 0
 

@@ -2,19 +2,17 @@
 """A live run on the wire of ROS 2: nodes with nothing of Clew in them, on either vendor, see what
 rmw_cyclonedds and rmw_fastrtps would show them. Samples are decoded by npm's
 @foxglove/rosmsg2-serialization with the official definitions."""
-import contextlib
 import json
 import os
 import pathlib
 import signal
-import socket
 import subprocess
 import tempfile
 import threading
 import time
 import unittest
 
-from clew_command import SOURCE, Run, start, wait_until
+from clew_command import SOURCE, Run, free_domains, start, wait_until
 
 FAR_SIDE = pathlib.Path(os.environ.get("CLEW_ROS2_TESTS", SOURCE / "build/tests/ros2"))
 TYPES = {
@@ -41,21 +39,6 @@ HASHES = {
     "ros_discovery_info":
         "RIHS01_91a0593bacdcc50ea9bdcf849a938b128412cc1ea821245c663bcd26f83c295e",
 }
-
-
-def free_domains(count):
-    """DDS domains on whose ports nobody listens."""
-    found = []
-    for domain in range(30, 100):
-        with contextlib.closing(socket.socket(socket.AF_INET, socket.SOCK_DGRAM)) as probe:
-            try:
-                probe.bind(("127.0.0.1", 7400 + 250 * domain + 10))
-            except OSError:
-                continue
-            found.append(domain)
-            if len(found) == count:
-                return found
-    raise AssertionError("no free domains")
 
 
 class FarSide:

@@ -10,8 +10,7 @@ import tempfile
 import threading
 import unittest
 
-from clew_command import SOURCE, Run, components_of, start, wait_until
-from ros2_bridge_test import free_domains
+from clew_command import SOURCE, Run, components_of, free_domains, start, wait_until
 
 ROBOTS = pathlib.Path(os.environ.get("CLEW_ROS2_TESTS", SOURCE / "build/tests/ros2"))
 WALLS = [(0, 0, 4, 0), (4, 0, 4, 3), (4, 3, 0, 3), (0, 3, 0, 0), (1.6, 1.1, 1.6, 1.9)]

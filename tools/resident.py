@@ -1,14 +1,29 @@
 # SPDX-License-Identifier: Apache-2.0
 """How much memory each process of a run takes at its peak."""
 import pathlib
+import subprocess
 import time
 
-from clew_command import command_line, processes_of_session, start
-
 # In this world nobody arrives, and without a detector nobody gives up: every run has all ticks.
-ENDLESS = ["run", "krishna_kalra", "--world", "unsolvable-box", "--with", "recover.detector=none"]
+ENDLESS = ["run", "krishna_kalra", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none"]
 # Samples come every few milliseconds; the last one before the end is near the peak.
 PERIOD_S = 0.02
+
+
+def command_line(pid):
+    """The words of a process's command; none if it is gone."""
+    try:
+        return pathlib.Path(f"/proc/{pid}/cmdline").read_bytes().decode().split("\0")
+    except OSError:
+        return []
+
+
+def session_of(pid):
+    """The session of a process; none if it is gone."""
+    try:
+        return int(pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[3])
+    except (OSError, IndexError):
+        return None
 
 
 def role(pid):
@@ -29,13 +44,16 @@ def peak_kib(pid):
     return int(lines[0].split()[1]) if lines else None
 
 
-def peaks_kib(arguments):
-    """The peak of each process of a run that ends at its last tick, by role."""
-    process = start(arguments, start_new_session=True)
+def peaks_kib(clew, arguments):
+    """The peak of each process of a run that ends at its last tick, by role; `clew` is the command."""
+    process = subprocess.Popen([clew, *map(str, arguments)], text=True, stdin=subprocess.DEVNULL,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                               start_new_session=True)
     peaks = {}
     while process.poll() is None:
-        for pid in processes_of_session(process.pid):
-            peak = peak_kib(pid)
+        for pid in [int(entry.name) for entry in pathlib.Path("/proc").iterdir()
+                    if entry.name.isdigit()]:
+            peak = peak_kib(pid) if session_of(pid) == process.pid else None
             if peak and role(pid):
                 peaks[role(pid)] = peak
         time.sleep(PERIOD_S)
