@@ -61,7 +61,8 @@ double Body::free_fraction(const world::World& world, const Stretch& stretch) {
   const double radius_m = radius_m_ + (safety_.enabled ? safety_.margin_m : 0.0);
   const world::Sweep sweep = stretch.sweep(world, radius_m);
   if (!sweep.contact || !stretch.approaches(sweep.contact_point, sweep.free_fraction)) return 1.0;
-  if (!state_.blocked) ++(safety_.enabled ? state_.safety_stops : state_.collisions);
+  auto& contacts = safety_.enabled ? state_.safety_stops : state_.collisions;
+  if (!state_.blocked) ++contacts;
   state_.blocked = true;
   return sweep.free_fraction;
 }

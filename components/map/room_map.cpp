@@ -9,7 +9,7 @@ namespace clew::map {
 namespace {
 
 // A disc that touches has room: distances are rounded to floats.
-constexpr float kRoundingM = 1e-6F;
+constexpr float kRounding_m = 1e-6F;
 
 // How many cells lie between each cell of a row and the nearest blocked one, capped; 0 next to it,
 // -1 on it.
@@ -34,7 +34,7 @@ double to_side(std::int32_t gap) { return gap < 0 ? 0.0 : gap + 0.5; }
 
 void RoomMap::passable(double radius_m, std::vector<std::uint8_t>& flags) const {
   flags.resize(room_m.size());
-  const float least_m = static_cast<float>(radius_m) - kRoundingM;
+  const float least_m = static_cast<float>(radius_m) - kRounding_m;
   for (std::size_t i = 0; i < room_m.size(); ++i) flags[i] = room_m[i] >= least_m ? 1 : 0;
 }
 

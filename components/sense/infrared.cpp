@@ -8,8 +8,8 @@
 namespace clew::sense {
 namespace {
 
-constexpr double kLeftRad = core::radians(90.0);
-constexpr double kQuarterRad = core::radians(-90.0);
+constexpr double kLeft_rad = core::radians(90.0);
+constexpr double kQuarter_rad = core::radians(-90.0);
 
 }  // namespace
 
@@ -19,16 +19,16 @@ core::Result<std::unique_ptr<Infrared>> Infrared::create(const Parameters& param
 }
 
 Infrared::Infrared(const Parameters& parameters, double radius_m)
-    : parameters_(parameters), radius_m_(radius_m), fan_(kLeftRad, kQuarterRad, kCount) {}
+    : parameters_(parameters), radius_m_(radius_m), fan_(kLeft_rad, kQuarter_rad, kCount) {}
 
 domain::ScanLayout Infrared::layout() const {
-  return {"infrared", kCount, kLeftRad, kQuarterRad, 0.0, parameters_.range_m, parameters_.curve};
+  return {"infrared", kCount, kLeft_rad, kQuarter_rad, 0.0, parameters_.range_m, parameters_.curve};
 }
 
 void Infrared::measure(const world::World& world, const core::Pose2& pose_world_robot,
                        double sim_time_s, const core::Random& random, domain::Scan& scan) const {
-  scan.bearing_first_rad = kLeftRad;
-  scan.bearing_step_rad = kQuarterRad;
+  scan.bearing_first_rad = kLeft_rad;
+  scan.bearing_step_rad = kQuarter_rad;
   scan.beam_width_rad = 0.0;
   scan.range_min_m = parameters_.range_min_m;
   scan.range_max_m = parameters_.range_m;

@@ -6,7 +6,7 @@
 namespace clew::sense {
 namespace {
 
-constexpr double kAsternRad = core::kPi;
+constexpr double kAstern_rad = core::kPi;
 
 }  // namespace
 
@@ -20,19 +20,19 @@ SonarRing::SonarRing(const Parameters& parameters, double radius_m)
       radius_m_(radius_m),
       cones_(static_cast<std::size_t>(parameters.sonars)) {
   for (std::size_t i = 0; i < cones_.size(); ++i) {
-    const double bearing_rad = kAsternRad + static_cast<double>(i) * bearing_step_rad();
+    const double bearing_rad = kAstern_rad + static_cast<double>(i) * bearing_step_rad();
     cones_[i] = world::ConeDirection::of(bearing_rad, 0.5 * parameters.cone_rad);
   }
 }
 
 domain::ScanLayout SonarRing::layout() const {
-  return {"sonar_ring",       cones_.size(),        kAsternRad,
+  return {"sonar_ring",       cones_.size(),        kAstern_rad,
           bearing_step_rad(), parameters_.cone_rad, parameters_.range_m};
 }
 
 void SonarRing::measure(const world::World& world, const core::Pose2& pose_world_robot,
                         double sim_time_s, const core::Random& random, domain::Scan& scan) const {
-  scan.bearing_first_rad = kAsternRad;
+  scan.bearing_first_rad = kAstern_rad;
   scan.bearing_step_rad = bearing_step_rad();
   scan.beam_width_rad = parameters_.cone_rad;
   scan.range_min_m = 0.0;

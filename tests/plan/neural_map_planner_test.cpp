@@ -12,7 +12,7 @@
 namespace clew::plan {
 namespace {
 
-constexpr double kRadiusM = 0.15;
+constexpr double kRadius_m = 0.15;
 
 /// A room of 6 m x 4 m with `obstacles`, and a planner in it.
 class Room {
@@ -26,13 +26,13 @@ class Room {
                                      "room.yaml");
     EXPECT_TRUE(world.ok()) << world.error().text();
     world_ = std::make_shared<const world::World>(std::move(world).value());
-    map_ = WorldMap::create(world_, 0.05, {kRadiusM, 0.1}).value();
+    map_ = WorldMap::create(world_, 0.05, {kRadius_m, 0.1}).value();
     planner_ = make_planner();
   }
 
   std::unique_ptr<NeuralMapPlanner> make_planner() const {
     domain::BehaviourSetup setup;
-    setup.robot.radius_m = kRadiusM;
+    setup.robot.radius_m = kRadius_m;
     setup.tick_s = 0.5;
     return NeuralMapPlanner::create(parameters_, setup).value();
   }
@@ -49,7 +49,7 @@ class Room {
     core::Vec2 robot = world_->start().position();
     for (int subgoals = 1; subgoals < 100; ++subgoals) {
       const Subgoal next = step(robot);
-      EXPECT_EQ(world_->sweep_disc(robot, next.place, kRadiusM, 0.0, 0.0).free_fraction, 1.0)
+      EXPECT_EQ(world_->sweep_disc(robot, next.place, kRadius_m, 0.0, 0.0).free_fraction, 1.0)
           << robot.transpose() << " to " << next.place.transpose();
       if (next.place == world_->target()) return subgoals;
       robot = next.place;
@@ -61,7 +61,7 @@ class Room {
   /// Whether a body of the robot's size, but for two millimetres, gets straight from place to
   /// place.
   bool is_free(const core::Vec2& from, const core::Vec2& to) const {
-    return world_->sweep_disc(from, to, kRadiusM - 2e-3, 0.0, 0.0).free_fraction == 1.0;
+    return world_->sweep_disc(from, to, kRadius_m - 2e-3, 0.0, 0.0).free_fraction == 1.0;
   }
 
  private:

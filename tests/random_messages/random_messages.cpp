@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "random_messages.hpp"
 
-#include <utility>
-
 namespace clew::bridge {
 
 double RandomMessages::number(double low, double high) {
@@ -17,27 +15,6 @@ std::string RandomMessages::text(std::size_t bound) {
   std::string text(count(bound), ' ');
   for (char& c : text) c = static_cast<char>('a' + count(25));
   return text;
-}
-
-void RandomMessages::agree(domain::Motion& motion) {
-  const auto keep = [&](double& number, domain::CommandKind user) {
-    if (motion.kind != user) number = 0.0;
-  };
-  keep(motion.turn_rad, domain::CommandKind::kTurnAndStep);
-  keep(motion.step_m, domain::CommandKind::kTurnAndStep);
-  keep(motion.speed_mps, domain::CommandKind::kVelocities);
-  keep(motion.turn_rate_radps, domain::CommandKind::kVelocities);
-  keep(motion.left_mps, domain::CommandKind::kWheelSpeeds);
-  keep(motion.right_mps, domain::CommandKind::kWheelSpeeds);
-}
-
-void RandomMessages::agree(domain::VirtualObstacle& box) {
-  box.x_min_m = box.x_max_m - number(0.0, 9.0);
-  box.y_min_m = box.y_max_m - number(0.0, 9.0);
-}
-
-void RandomMessages::agree(domain::Scan& scan) {
-  for (double& range : scan.ranges_m) range *= scan.range_max_m;
 }
 
 }  // namespace clew::bridge

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,25 @@ TEST(Recipe, NamesTheRegistryAndTheTableOfParameters) {
   for (const std::string& stage : kStages) {
     EXPECT_TRUE(says(recipe_of(stage), "A line in `registry.cpp`")) << stage;
     EXPECT_TRUE(says(recipe_of(stage), "`tools/parameter-tables`")) << stage;
+  }
+}
+
+/// Nine files at most, each of which is there, but for the new type.
+TEST(Recipe, OfATopicNamesAtMostNineFiles) {
+  const std::string text = text_of("bridge/wire/README.md");
+  const auto begin = text.find("\n## Adding a topic\n");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string recipe = text.substr(begin);
+  std::vector<std::string> files;
+  const std::regex path("`((idl|components|tests)/[a-zA-Z_/]+\\.[a-z]+)`");
+  for (std::sregex_iterator found(recipe.begin(), recipe.end(), path), end; found != end; ++found) {
+    files.push_back((*found)[1]);
+  }
+
+  EXPECT_EQ(files.size(), 9U);
+  EXPECT_TRUE(says(recipe, "Seven files.") && says(recipe, "Nine, if"));
+  for (const std::string& file : files) {
+    if (file != "idl/Quiet.idl") text_of(file);
   }
 }
 

@@ -54,6 +54,10 @@ TEST(Structure, FunctionsAreShort) { EXPECT_EQ(broken(check_functions), ""); }
 
 TEST(Structure, ClassesAreShort) { EXPECT_EQ(broken(check_classes), ""); }
 
+TEST(Structure, TimeOutsOfARunStandInOneFile) { EXPECT_EQ(broken(check_time_outs), ""); }
+
+TEST(Structure, ConstantsSpellTheirUnitsAsFieldsDo) { EXPECT_EQ(broken(check_units), ""); }
+
 const std::set<std::string> kOwn = {"core/angle.hpp",      "domain/topics.hpp", "world/world.hpp",
                                     "runtime/node.hpp",    "sense/cones.hpp",   "control/stage.hpp",
                                     "dds/participant.hpp", "fastdds/types.hpp", "clew/version.hpp"};
@@ -292,6 +296,29 @@ TEST(ClassRule, LimitsTheLengthOfClasses) {
   EXPECT_EQ(classes("\nclass A final : public B {\n" + body(251) + "};\n"),
             (Texts{"tools/a.hpp:2: a class of 251 lines, over 250: two classes"}));
   EXPECT_EQ(classes("template <typename T>\nstruct A {\n" + body(251) + "};\n").size(), 1U);
+}
+
+TEST(TimeOutRule, WantsThemInOneFile) {
+  const std::string text = "x = std::chrono::seconds(0);\nconstexpr auto kLong = seconds(10);\n";
+
+  EXPECT_EQ(check_time_outs(source_file("bridge/line/a.cpp", text)),
+            (Texts{"bridge/line/a.cpp:2: a time-out; they stand in bridge/run/limits.hpp"}));
+  for (const char* path : {"bridge/run/limits.hpp", "bridge/dds/a.hpp", "tools/clew/a.cpp"}) {
+    EXPECT_TRUE(check_time_outs(source_file(path, text)).empty()) << path;
+  }
+}
+
+TEST(UnitRule, WantsTheUnitBehindAnUnderscore) {
+  const auto units = [](const std::string& text) {
+    return check_units(source_file("tools/a.cpp", text));
+  };
+
+  EXPECT_TRUE(
+      units("constexpr double kWidth_rad = 1.0;\nint kMostKinds, kPlan, kNs, kIDs;\n").empty());
+  EXPECT_EQ(units("\nconstexpr double kWidth"
+                  "Rad = 1.0;\n"),
+            (Texts{"tools/a.cpp:2: kWidth"
+                   "Rad: a unit stands behind _, as in kWidth_rad"}));
 }
 
 TEST(ClassRule, CountsAClassWithinAnotherForBoth) {

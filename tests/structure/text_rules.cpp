@@ -196,4 +196,32 @@ std::vector<std::string> check_classes(const SourceFile& file) {
   return found;
 }
 
+std::vector<std::string> check_units(const SourceFile& file) {
+  static const std::regex kJoined(R"(\bk[A-Z]\w*?[a-z](Deg|Hz|M|Mps|Ms|Ns|Rad|Radps|S)\b)");
+  std::vector<std::string> found;
+  if (!is_c_or_cpp(file)) return found;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    std::smatch match;
+    if (!std::regex_search(file.lines[i], match, kJoined)) continue;
+    found.push_back(
+        violation(file, i + 1, match.str() + ": a unit stands behind _, as in kWidth_rad"));
+  }
+  return found;
+}
+
+std::vector<std::string> check_time_outs(const SourceFile& file) {
+  static const std::regex kWritten(R"(\b(hours|minutes|seconds|milliseconds)\([1-9])");
+  static const std::regex kElsewhere(
+      "bridge/(dds|domains|robot|ros2)/.*|bridge/gateway/web_limits.hpp");
+  std::vector<std::string> found;
+  const std::string home = "bridge/run/limits.hpp";
+  if (file.path.rfind("bridge/", 0) != 0 || file.path == home) return found;
+  if (std::regex_match(file.path, kElsewhere)) return found;
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    if (!std::regex_search(file.lines[i], kWritten)) continue;
+    found.push_back(violation(file, i + 1, "a time-out; they stand in " + home));
+  }
+  return found;
+}
+
 }  // namespace clew::structure

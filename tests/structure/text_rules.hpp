@@ -23,4 +23,10 @@ std::vector<std::string> check_functions(const SourceFile& file);
 /// No class is over 250 lines from brace to brace.
 std::vector<std::string> check_classes(const SourceFile& file);
 
+/// A constant's unit is spelt as a field's is: kWidth_rad, not joined to the name.
+std::vector<std::string> check_units(const SourceFile& file);
+
+/// The time-outs of a run stand in bridge/run/limits.hpp, each with its reason.
+std::vector<std::string> check_time_outs(const SourceFile& file);
+
 }  // namespace clew::structure

@@ -54,7 +54,8 @@ void learn(const NeuroFuzzyRecipe& recipe, const Net::Gradient& gradient, double
     for (std::size_t j = 0; j < NeuroFuzzyNets::kSets; ++j) {
       double& output = net.outputs[i][j];
       output -= recipe.rate_outputs * delta_v_mps * (as_one ? row : gradient.outputs[i][j]);
-      output = std::clamp(output, NeuroFuzzyNets::kOutputsMps.min, NeuroFuzzyNets::kOutputsMps.max);
+      output =
+          std::clamp(output, NeuroFuzzyNets::kOutputs_mps.min, NeuroFuzzyNets::kOutputs_mps.max);
     }
   }
 }

@@ -22,14 +22,14 @@ using domain::Topic;
 
 constexpr char kTrainer[] = "clew train neuro-fuzzy";
 
-constexpr double kRadiusM = 0.15;                     // of the robot, disc-015
+constexpr double kRadius_m = 0.15;                    // of the robot, disc-015
 constexpr std::uint32_t kPlaceRandomComponent = 102;  // apart from those of the stages
 constexpr std::uint32_t kTriesAPlace = 100;
 
 /// Puts the robot at random free places of a world, and asks the expert.
 Result<void> ask_expert(const world::World& world, std::uint64_t places, const core::Random& random,
                         std::vector<TrainingGroup>& groups) {
-  const sense::Infrared sensor({}, kRadiusM);
+  const sense::Infrared sensor({}, kRadius_m);
   const auto infrareds = FourInfrareds::create(sensor.layout(), kTrainer);
   if (!infrareds.ok()) return infrareds.error();
   const core::Vec2 size = world.bounds_max() - world.bounds_min();
@@ -39,7 +39,7 @@ Result<void> ask_expert(const world::World& world, std::uint64_t places, const c
     const core::Pose2 pose{world.bounds_min().x() + size.x() * random.uniform(3 * i),
                            world.bounds_min().y() + size.y() * random.uniform(3 * i + 1),
                            core::wrap_angle_rad(2.0 * core::kPi * random.uniform(3 * i + 2))};
-    if (world.clearance_m(pose.position(), 2.0 * kRadiusM, 0.0) <= kRadiusM) continue;
+    if (world.clearance_m(pose.position(), 2.0 * kRadius_m, 0.0) <= kRadius_m) continue;
     ++found;
     sensor.measure(world, pose, 0.0, random, scan);
     groups.push_back(

@@ -12,8 +12,8 @@ using core::Result;
 using core::YamlNode;
 
 constexpr Range kRatio = {0.0, 1.0};
-constexpr Range kTurnDeg = {-180.0, 180.0};
-constexpr Range kStepM = {0.0, 1.0};
+constexpr Range kTurn_deg = {-180.0, 180.0};
+constexpr Range kStep_m = {0.0, 1.0};
 
 Result<void> read_turns(const YamlNode& map, const char* key,
                         std::array<double, KrishnaKalraRules::kSensors>& turns_rad) {
@@ -22,7 +22,7 @@ Result<void> read_turns(const YamlNode& map, const char* key,
   const auto numbers = node->numbers(turns_rad.size(), "seven angles, leftmost sensor first");
   if (!numbers.ok()) return numbers.error();
   for (std::size_t i = 0; i < turns_rad.size(); ++i) {
-    CLEW_RETURN_IF_ERROR(core::check_range(*node, (*numbers)[i], kTurnDeg));
+    CLEW_RETURN_IF_ERROR(core::check_range(*node, (*numbers)[i], kTurn_deg));
     turns_rad[i] = core::radians((*numbers)[i]);
   }
   return {};
@@ -49,11 +49,12 @@ Result<KrishnaKalraRules> KrishnaKalraRules::parse(const core::Resource& resourc
   CLEW_RETURN_IF_ERROR(read_angle(root, "target_turn_deg", {0.0, 180.0}, rules.target_turn_rad));
   CLEW_RETURN_IF_ERROR(read_turns(root, "near_turns_deg", rules.near_turns_rad));
   CLEW_RETURN_IF_ERROR(read_turns(root, "far_turns_deg", rules.far_turns_rad));
-  CLEW_RETURN_IF_ERROR(read_number(root, "target_near_step_m", kStepM, rules.target_near_step_m));
-  CLEW_RETURN_IF_ERROR(read_number(root, "target_far_step_m", kStepM, rules.target_far_step_m));
+  CLEW_RETURN_IF_ERROR(read_number(root, "target_near_step_m", kStep_m, rules.target_near_step_m));
+  CLEW_RETURN_IF_ERROR(read_number(root, "target_far_step_m", kStep_m, rules.target_far_step_m));
   CLEW_RETURN_IF_ERROR(
-      read_number(root, "obstacle_near_step_m", kStepM, rules.obstacle_near_step_m));
-  CLEW_RETURN_IF_ERROR(read_number(root, "obstacle_far_step_m", kStepM, rules.obstacle_far_step_m));
+      read_number(root, "obstacle_near_step_m", kStep_m, rules.obstacle_near_step_m));
+  CLEW_RETURN_IF_ERROR(
+      read_number(root, "obstacle_far_step_m", kStep_m, rules.obstacle_far_step_m));
   return rules;
 }
 

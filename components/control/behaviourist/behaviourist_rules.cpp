@@ -18,8 +18,8 @@ using Words = std::vector<std::string>;
 using SetNames = std::array<Words, kStimulusCount>;
 
 const Words kStimulusWords = {"target_deg", "front_m", "left_m", "right_m", "freer_m"};
-constexpr Range kBearingDeg = {-180.0, 180.0};
-constexpr Range kDistanceM = {-100.0, 100.0};
+constexpr Range kBearing_deg = {-180.0, 180.0};
+constexpr Range kDistance_m = {-100.0, 100.0};
 
 Result<void> read_sets(const YamlNode& root, BehaviouristRules& rules, SetNames& names) {
   const auto map = root.at("sets");
@@ -34,7 +34,7 @@ Result<void> read_sets(const YamlNode& root, BehaviouristRules& rules, SetNames&
     for (const YamlNode::Entry& entry : *entries) {
       double peak = 0.0;
       CLEW_RETURN_IF_ERROR(
-          read_number(*node, entry.key.c_str(), is_angle ? kBearingDeg : kDistanceM, peak));
+          read_number(*node, entry.key.c_str(), is_angle ? kBearing_deg : kDistance_m, peak));
       names[i].push_back(entry.key);
       rules.sets[i].peaks.push_back(is_angle ? core::radians(peak) : peak);
     }

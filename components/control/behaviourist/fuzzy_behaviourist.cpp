@@ -11,15 +11,15 @@
 namespace clew::control {
 namespace {
 
-constexpr double kFrontRad = core::radians(25.0);
-constexpr double kSideRad = core::radians(100.0);
+constexpr double kFront_rad = core::radians(25.0);
+constexpr double kSide_rad = core::radians(100.0);
 
 enum class Sector { kFront, kLeft, kRight, kBack };
 
 Sector sector_of(double bearing_rad) {
   const double wrapped_rad = core::wrap_angle_rad(bearing_rad);
-  if (std::fabs(wrapped_rad) <= kFrontRad) return Sector::kFront;
-  if (std::fabs(wrapped_rad) > kSideRad) return Sector::kBack;
+  if (std::fabs(wrapped_rad) <= kFront_rad) return Sector::kFront;
+  if (std::fabs(wrapped_rad) > kSide_rad) return Sector::kBack;
   return wrapped_rad > 0.0 ? Sector::kLeft : Sector::kRight;
 }
 

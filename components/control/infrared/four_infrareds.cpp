@@ -11,15 +11,15 @@
 namespace clew::control {
 namespace {
 
-constexpr std::array<double, 4> kBearingsRad = {0.0, core::radians(180.0), core::radians(90.0),
-                                                core::radians(-90.0)};  // by InfraredSide
+constexpr std::array<double, 4> kBearings_rad = {0.0, core::radians(180.0), core::radians(90.0),
+                                                 core::radians(-90.0)};  // by InfraredSide
 
 std::optional<std::size_t> beam_at(const domain::ScanLayout& layout, double bearing_rad) {
-  constexpr double kToleranceRad = core::radians(1.0);
+  constexpr double kTolerance_rad = core::radians(1.0);
   for (std::size_t i = 0; i < layout.beam_count; ++i) {
     const double beam_rad =
         layout.bearing_first_rad + static_cast<double>(i) * layout.bearing_step_rad;
-    if (std::fabs(core::wrap_angle_rad(beam_rad - bearing_rad)) < kToleranceRad) return i;
+    if (std::fabs(core::wrap_angle_rad(beam_rad - bearing_rad)) < kTolerance_rad) return i;
   }
   return std::nullopt;
 }
@@ -31,7 +31,7 @@ core::Result<FourInfrareds> FourInfrareds::create(const domain::ScanLayout& layo
   std::array<std::size_t, 4> beams{};
   bool fits = layout.beam_count == beams.size() && layout.infrared_curve.has_value();
   for (std::size_t side = 0; side < beams.size() && fits; ++side) {
-    const auto beam = beam_at(layout, kBearingsRad[side]);
+    const auto beam = beam_at(layout, kBearings_rad[side]);
     fits = beam.has_value();
     if (fits) beams[side] = *beam;
   }

@@ -94,7 +94,7 @@ Result<NeuroFuzzyNets> read_rules(const YamlNode& root) {
   double width = 0.0;
   CLEW_RETURN_IF_ERROR(read_number(root, "width", NeuroFuzzyNets::kWidths, width));
   const auto speeds =
-      read_levels(root, "speeds_mps", kWheelSpeedWords, NeuroFuzzyNets::kOutputsMps);
+      read_levels(root, "speeds_mps", kWheelSpeedWords, NeuroFuzzyNets::kOutputs_mps);
   if (!speeds.ok()) return speeds.error();
   NeuroFuzzyNets result;
   for (Net& net : result.nets) {
@@ -146,7 +146,8 @@ Result<NeuroFuzzyNets> read_trained(const YamlNode& root) {
     Net& read = result.nets[k];
     CLEW_RETURN_IF_ERROR(read_rows(*net, "centres", NeuroFuzzyNets::kCentres, read.centres));
     CLEW_RETURN_IF_ERROR(read_rows(*net, "widths", NeuroFuzzyNets::kWidths, read.widths));
-    CLEW_RETURN_IF_ERROR(read_rows(*net, "outputs_mps", NeuroFuzzyNets::kOutputsMps, read.outputs));
+    CLEW_RETURN_IF_ERROR(
+        read_rows(*net, "outputs_mps", NeuroFuzzyNets::kOutputs_mps, read.outputs));
   }
   return result;
 }

@@ -28,7 +28,7 @@ struct NeuroFuzzyNets {
   /// vanishing, whatever the centres.
   static constexpr core::Range kCentres = {0.0, 255.0};
   static constexpr core::Range kWidths = {7.0, 255.0};
-  static constexpr core::Range kOutputsMps = {-2.0, 2.0};
+  static constexpr core::Range kOutputs_mps = {-2.0, 2.0};
 
   std::array<Net, kCount> nets{};  ///< by Place
 
