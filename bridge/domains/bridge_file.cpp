@@ -20,7 +20,7 @@ using core::YamlNode;
 
 constexpr char kFormat[] = "clew-bridge/1";
 constexpr std::int64_t kMostDepth = 10000;
-constexpr double kMostHz = 1e6;
+constexpr double kMost_hz = 1e6;
 
 std::size_t stars_in(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '*'));
@@ -171,8 +171,8 @@ Result<void> read_limits(const YamlNode& node, TopicRule& rule) {
   if (const auto rate = node.find("rate_hz")) {
     const auto value = rate->number();
     if (!value.ok()) return value.error();
-    if (*value <= 0.0 || *value > kMostHz) {
-      return rate->error(fmt::format("found {}; allowed: above 0, up to {}", *value, kMostHz));
+    if (*value <= 0.0 || *value > kMost_hz) {
+      return rate->error(fmt::format("found {}; allowed: above 0, up to {}", *value, kMost_hz));
     }
     rule.rate_hz = *value;
   }

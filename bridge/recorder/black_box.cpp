@@ -39,14 +39,14 @@ Result<std::unique_ptr<BlackBox>> BlackBox::go_on(const RecordingOrder& order,
   std::unique_ptr<BlackBox> box(new BlackBox(order));
   const std::string there = mcap::OutputFile::temporary_name(order.path);
   const auto holds = RunRecorder::holds_samples(there);
-  if (!holds) return holds.error();
+  if (!holds.ok()) return holds.error();
   if (!*holds) return box;
   const auto recording = RunRecording::open(there);
-  if (!recording) return recording.error();
+  if (!recording.ok()) return recording.error();
   RecordingOrder begun = order;
   begun.description.black_box = recording->description().black_box;
   auto file = RecordingSink::go_on(begun, least_ticks);
-  if (!file) return file.error();
+  if (!file.ok()) return file.error();
   box->file_ = std::move(file).value();
   return box;
 }
@@ -100,7 +100,7 @@ void BlackBox::watch(const SampleView& sample) {
 }
 
 void BlackBox::watch_event(const SampleView& sample) {
-  if (!event_codec_.decode(sample.cdr, event_)) return;
+  if (!event_codec_.decode(sample.cdr, event_).ok()) return;
   for (const domain::EventEntry& entry : event_.entries) {
     if (entry.kind == domain::EventKind::kTrap && !entry.shadow) {
       return happened(sample.tick, fmt::format("{} noticed a trap", entry.rule));
@@ -109,7 +109,7 @@ void BlackBox::watch_event(const SampleView& sample) {
 }
 
 void BlackBox::watch_state(const SampleView& sample) {
-  if (!state_codec_.decode(sample.cdr, state_)) return;
+  if (!state_codec_.decode(sample.cdr, state_).ok()) return;
   if (contacts_ && state_.collisions > contacts_->first) happened(sample.tick, "a collision");
   if (contacts_ && state_.hit_by > contacts_->second) happened(sample.tick, "hit by an obstacle");
   if (const std::string end = bad_end(state_.outcome); !end.empty()) happened(sample.tick, end);
@@ -154,7 +154,7 @@ Result<void> BlackBox::write(std::uint64_t tick, const std::string& why) {
     order.description.black_box->states = std::move(at->second);
   }
   auto file = RecordingSink::go_on(order);
-  if (!file) return file.error();
+  if (!file.ok()) return file.error();
   file_ = std::move(file).value();
   for (const domain::Intervention& known : interventions_) file_->add_intervention(known);
   for (const domain::Incident& known : incidents_) file_->add_incident(known);
@@ -177,7 +177,7 @@ RecordingAccount BlackBox::close(const RunEnding& ending) {
   }
   if (file_) account = file_->close(ending);
   account.nothing = !file_;
-  if (!written) account.failure = written.error().text();
+  if (!written.ok()) account.failure = written.error().text();
   return account;
 }
 

@@ -66,7 +66,7 @@ core::Result<std::string_view> FileWindow::view(std::uint64_t offset, std::size_
     const std::uint64_t wanted = std::max<std::uint64_t>(bytes, kWindowBytes);
     const std::uint64_t available = std::min(wanted, file_->size() - offset);
     const auto read = file_->read(offset, static_cast<std::size_t>(available), buffer_);
-    if (!read) {
+    if (!read.ok()) {
       buffer_.resize(0);
       return read.error();
     }

@@ -26,14 +26,14 @@ core::Result<RecordView> read_record(const InputFile& file, const ReadLimits& li
 
 core::Result<McapReader> McapReader::open(const std::string& path, const ReadLimits& limits) {
   const auto file = InputFile::open(path);
-  if (!file) return file.error();
+  if (!file.ok()) return file.error();
   auto by_summary = index_from_summary(*file, limits);
-  if (!by_summary) return by_summary.error();
+  if (!by_summary.ok()) return by_summary.error();
   if (*by_summary) {
     return McapReader(*file, std::make_shared<FileIndex>(std::move(**by_summary)), limits);
   }
   auto by_scan = index_from_scan(*file, limits);
-  if (!by_scan) return by_scan.error();
+  if (!by_scan.ok()) return by_scan.error();
   return McapReader(*file, std::make_shared<FileIndex>(std::move(*by_scan)), limits);
 }
 
@@ -45,7 +45,7 @@ core::Result<Attachment> McapReader::attachment(const AttachmentIndex& place,
                                                 ByteBuffer& buffer) const {
   const auto record =
       read_record(*file_, limits_, place.offset, place.bytes, Opcode::kAttachment, buffer);
-  if (!record) return record.error();
+  if (!record.ok()) return record.error();
   Attachment attachment;
   if (!parse(record->content, attachment)) {
     return file_->error("has an attachment '" + place.name +
@@ -58,7 +58,7 @@ core::Result<Metadata> McapReader::metadata(const MetadataIndex& place) const {
   ByteBuffer buffer;
   const auto record =
       read_record(*file_, limits_, place.offset, place.bytes, Opcode::kMetadata, buffer);
-  if (!record) return record.error();
+  if (!record.ok()) return record.error();
   Metadata metadata;
   if (!parse(record->content, metadata)) {
     return file_->error("has a malformed metadata record '" + place.name + "'");
@@ -72,7 +72,7 @@ MessageStream McapReader::messages(Order order, MessageFilter filter) const {
 
 core::Result<void> McapReader::verify() const {
   const auto scanned = index_from_scan(file_, limits_);
-  if (!scanned) return scanned.error();
+  if (!scanned.ok()) return scanned.error();
   // The scan takes a broken record for the end; in a file whose index is whole it is a change.
   if (scanned->tear && indexed()) {
     return file_->error("is damaged at byte " + std::to_string(scanned->tear->at_byte) + ": " +

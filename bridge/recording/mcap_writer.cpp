@@ -27,7 +27,7 @@ void append_group(std::string& out, std::uint64_t file_position, Opcode opcode,
 core::Result<McapWriter> McapWriter::create(const std::string& path, bool overwrite,
                                             WriterOptions options) {
   auto file = OutputFile::create(path, overwrite);
-  if (!file) return file.error();
+  if (!file.ok()) return file.error();
   return create(std::move(file).value(), std::move(options));
 }
 

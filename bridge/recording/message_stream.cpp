@@ -71,7 +71,8 @@ core::Result<void> MessageStream::open_another() {
   segment->entries.clear();
   waiting_.pop_back();
   const Segment& place = index_->segments[segment->ordinal];
-  if (const auto loaded = segment->content.load(*file_, place, limits_, declarations_); !loaded) {
+  if (const auto loaded = segment->content.load(*file_, place, limits_, declarations_);
+      !loaded.ok()) {
     return file_->error("is damaged at byte " + std::to_string(place.offset) + ": " +
                         loaded.error().message);
   }
@@ -109,7 +110,7 @@ core::Error MessageStream::end_with(const core::Error& error) {
 core::Result<std::optional<Message>> MessageStream::next() {
   return_given();
   while (must_open_another()) {
-    if (const auto opened = open_another(); !opened) return end_with(opened.error());
+    if (const auto opened = open_another(); !opened.ok()) return end_with(opened.error());
   }
   if (open_.empty()) return std::optional<Message>();
   std::pop_heap(open_.begin(), open_.end(),

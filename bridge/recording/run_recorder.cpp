@@ -12,7 +12,7 @@
 namespace clew::bridge {
 namespace {
 
-constexpr std::uint64_t kChunkSpanNs = 1'000'000'000;
+constexpr std::uint64_t kChunkSpan_ns = 1'000'000'000;
 
 core::Error refused(domain::Topic topic, const std::string& why) {
   return {"topic " + std::string(domain::topic_name(topic)) + ": " + why};
@@ -27,25 +27,25 @@ std::string library_of(const RunDescription& description) {
 
 core::Result<bool> RunRecorder::holds_samples(const std::string& file) {
   const auto recording = RunRecording::open(file);
-  if (!recording) return false;
+  if (!recording.ok()) return false;
   const auto sample = recording->samples().next();
-  if (!sample) return sample.error();
+  if (!sample.ok()) return sample.error();
   return sample->has_value();
 }
 
 core::Result<RunRecorder> RunRecorder::create(const std::string& path,
                                               const RunDescription& description, bool overwrite) {
   auto file = mcap::OutputFile::create(path, overwrite);
-  if (!file) return file.error();
+  if (!file.ok()) return file.error();
   return start(std::move(file).value(), description);
 }
 
 core::Result<void> RunRecorder::describe(const std::string& path,
                                          const RunDescription& description) {
   auto file = mcap::OutputFile::go_on(path);
-  if (!file) return file.error();
+  if (!file.ok()) return file.error();
   const auto begun = start(std::move(file).value(), description);
-  if (!begun) return begun.error();
+  if (!begun.ok()) return begun.error();
   return {};
 }
 
@@ -54,12 +54,12 @@ core::Result<RunRecorder> RunRecorder::go_on(const std::string& path,
                                              std::uint64_t least_ticks) {
   const std::string there = mcap::OutputFile::temporary_name(path);
   auto file = mcap::OutputFile::go_on(path);
-  if (!file) return file.error();
+  if (!file.ok()) return file.error();
   const auto holds = holds_samples(there);
-  if (!holds) return holds.error();
+  if (!holds.ok()) return holds.error();
   if (*holds) file->keep(true);
   auto recorder = start(std::move(file).value(), description);
-  if (!recorder) return recorder.error();
+  if (!recorder.ok()) return recorder.error();
   if (*holds) CLEW_RETURN_IF_ERROR(recorder->keep(there));
   std::uint64_t kept_ticks = 0;
   for (const RecordedTopic& topic : recorder->topics_) {
@@ -78,11 +78,11 @@ core::Result<RunRecorder> RunRecorder::start(mcap::OutputFile file,
   mcap::WriterOptions writer_options;
   writer_options.library = library_of(description);
   writer_options.compression = description.compression;
-  writer_options.chunk_span_ns = kChunkSpanNs;
+  writer_options.chunk_span_ns = kChunkSpan_ns;
   // A run that dies now leaves a file that says which run it is of, or an empty one.
   file.hold();
   auto writer = mcap::McapWriter::create(std::move(file), writer_options);
-  if (!writer) return writer.error();
+  if (!writer.ok()) return writer.error();
   CLEW_RETURN_IF_ERROR(writer->write(to_metadata(description)));
   for (const auto& [name, text] : description.bundle) {
     CLEW_RETURN_IF_ERROR(writer->write(mcap::Attachment{0, 0, name, "application/yaml", text}));
@@ -103,13 +103,13 @@ core::Result<RunRecorder> RunRecorder::start(mcap::OutputFile file,
 // the recorder that was cut off.
 core::Result<void> RunRecorder::keep(const std::string& file) {
   const auto recording = RunRecording::open(file);
-  if (!recording) return recording.error();
+  if (!recording.ok()) return recording.error();
   for (const domain::Intervention& found : recording->interventions()) add_intervention(found);
   for (const domain::Incident& found : recording->incidents()) add_incident(found);
   SampleStream stream = recording->samples();
   for (;;) {
     const auto sample = stream.next();
-    if (!sample) return sample.error();
+    if (!sample.ok()) return sample.error();
     if (!*sample) break;
     const SampleView& found = **sample;
     CLEW_RETURN_IF_ERROR(add(found.topic, found.tick, found.sequence, found.cdr));

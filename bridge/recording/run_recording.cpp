@@ -26,7 +26,7 @@ bool add(RunSurvey::TopicSurvey& topic, const SampleView& sample) {
 
 core::Result<std::optional<SampleView>> SampleStream::next() {
   const auto message = messages_.next();
-  if (!message) return message.error();
+  if (!message.ok()) return message.error();
   if (!*message) return std::optional<SampleView>();
   const mcap::Message& found = **message;
   return std::optional<SampleView>({topics_.at(found.channel_id),
@@ -36,7 +36,7 @@ core::Result<std::optional<SampleView>> SampleStream::next() {
 
 core::Result<RunRecording> RunRecording::open(const std::string& path) {
   auto reader = mcap::McapReader::open(path);
-  if (!reader) return reader.error();
+  if (!reader.ok()) return reader.error();
   RunRecording recording(path, std::move(reader).value());
   CLEW_RETURN_IF_ERROR(recording.read_description());
   CLEW_RETURN_IF_ERROR(recording.read_attachments());
@@ -52,15 +52,15 @@ core::Result<void> RunRecording::read_description() {
   bool described = false;
   for (const auto& place : reader_.metadata()) {
     const auto metadata = reader_.metadata(place);
-    if (!metadata) return metadata.error();
+    if (!metadata.ok()) return metadata.error();
     if (metadata->name == kDescriptionName) {
       auto description = description_from_metadata(*metadata);
-      if (!description) return error(description.error().message);
+      if (!description.ok()) return error(description.error().message);
       description_ = std::move(description).value();
       described = true;
     } else if (metadata->name == kEndName) {
       const auto end = end_from_metadata(*metadata);
-      if (!end) return error(end.error().message);
+      if (!end.ok()) return error(end.error().message);
       end_ = *end;
     }
   }
@@ -75,7 +75,7 @@ core::Result<void> RunRecording::read_attachments() {
   mcap::ByteBuffer buffer;
   for (const auto& place : reader_.attachments()) {
     const auto attachment = reader_.attachment(place, buffer);
-    if (!attachment) return attachment.error();
+    if (!attachment.ok()) return attachment.error();
     const bool is_state = attachment->name.compare(0, kState.size(), kState) == 0;
     if (attachment->name.compare(0, kInterventionFiles.size(), kInterventionFiles) == 0) {
       intervention_files_[attachment->name.substr(kInterventionFiles.size())] =
@@ -108,7 +108,7 @@ core::Result<void> RunRecording::read_entries(std::string_view topic, const char
   mcap::MessageStream messages = reader_.messages(mcap::Order::kFile, filter);
   for (;;) {
     const auto message = messages.next();
-    if (!message) return message.error();
+    if (!message.ok()) return message.error();
     if (!*message) return {};
     const std::uint64_t tick = ns_to_tick((*message)->log_time_ns, description_.tick_s);
     auto found = from_json(tick, (*message)->data);
@@ -171,12 +171,12 @@ SampleStream RunRecording::samples(const SampleFilter& filter) const {
     }
   }
   // Ticks beyond what a time in nanoseconds can tell are those up to the end.
-  constexpr double kLastNs = 9.2e18;
+  constexpr double kLast_ns = 9.2e18;
   const double tick_ns = description_.tick_s * 1e9;
-  messages.first_ns = static_cast<double>(filter.first_tick) * tick_ns < kLastNs
+  messages.first_ns = static_cast<double>(filter.first_tick) * tick_ns < kLast_ns
                           ? tick_to_ns(filter.first_tick, description_.tick_s)
                           : std::numeric_limits<std::uint64_t>::max();
-  if (static_cast<double>(filter.last_tick) * tick_ns < kLastNs) {
+  if (static_cast<double>(filter.last_tick) * tick_ns < kLast_ns) {
     messages.last_ns = tick_to_ns(filter.last_tick, description_.tick_s);
   }
   return {reader_.messages(mcap::Order::kFile, messages), topics_, description_.tick_s};
@@ -188,7 +188,7 @@ core::Result<RunSurvey> RunRecording::survey_samples() const {
   std::optional<std::pair<std::uint64_t, domain::Topic>> last;
   for (;;) {
     const auto sample = stream.next();
-    if (!sample) return sample.error();
+    if (!sample.ok()) return sample.error();
     if (!*sample) break;
     const std::pair<std::uint64_t, domain::Topic> place((*sample)->tick, (*sample)->topic);
     if ((last && place <= *last) || !add(survey.topics[(*sample)->topic], **sample)) {
@@ -208,7 +208,7 @@ core::Result<RunSurvey> RunRecording::survey_samples() const {
 
 core::Result<RunSurvey> RunRecording::survey() const {
   auto survey = survey_samples();
-  if (survey && end_ && end_->hash != survey->hash) {
+  if (survey.ok() && end_ && end_->hash != survey->hash) {
     return error("its samples have the hash " + survey->hash.hex() + ", its recorder wrote " +
                  end_->hash.hex());
   }

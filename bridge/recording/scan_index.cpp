@@ -49,10 +49,10 @@ class Scanner {
 
 core::Result<FileIndex> Scanner::scan() {
   auto header = read_header(window_, *file_, limits_, offset_);
-  if (!header) return header.error();
+  if (!header.ok()) return header.error();
   index_.header = std::move(header).value();
   const auto opening = window_.view(0, static_cast<std::size_t>(offset_));
-  if (!opening) return opening.error();
+  if (!opening.ok()) return opening.error();
   crc_ = crc32(*opening);
   while (!done_) CLEW_RETURN_IF_ERROR(step());
   end_loose_segment();
@@ -63,7 +63,7 @@ core::Result<void> Scanner::step() {
   const std::uint64_t left = file_->size() - offset_;
   if (left < kRecordHeadBytes) return tear("it ends here, without its closing records");
   const auto head = window_.view(offset_, kRecordHeadBytes);
-  if (!head) return head.error();
+  if (!head.ok()) return head.error();
   const std::uint64_t content_bytes = announced_content_bytes(*head);
   if (content_bytes > left - kRecordHeadBytes) return tear("a record is cut off");
   const std::uint64_t total_bytes = kRecordHeadBytes + content_bytes;
@@ -72,11 +72,11 @@ core::Result<void> Scanner::step() {
                 std::to_string(limits_.record_bytes) + " are read");
   }
   const auto bytes = window_.view(offset_, static_cast<std::size_t>(total_bytes));
-  if (!bytes) return bytes.error();
+  if (!bytes.ok()) return bytes.error();
   const auto record = first_record(*bytes);
   CLEW_CHECK(record.has_value(), "a record that was measured");
   if (record->opcode == Opcode::kDataEnd) return end_data_section(*record);
-  if (const auto entered = enter(*record); !entered) return tear(entered.error().message);
+  if (const auto entered = enter(*record); !entered.ok()) return tear(entered.error().message);
   crc_ = crc32(*bytes, crc_);
   offset_ += total_bytes;
   return {};
@@ -175,7 +175,7 @@ core::Result<void> Scanner::end_data_section(const RecordView& record) {
   offset_ += record.total_bytes();
   done_ = true;
   const auto intact = has_intact_ending(file_, limits_);
-  if (!intact) return intact.error();
+  if (!intact.ok()) return intact.error();
   if (!*intact) return tear("its data are whole, but the index after them is damaged or cut off");
   return {};
 }
@@ -193,7 +193,7 @@ core::Result<Header> read_header(FileWindow& window, const InputFile& file,
   const std::uint64_t shortest = kMagic.size() + kRecordHeadBytes;
   if (file.size() < shortest) return file.error("is too short to be an MCAP file");
   const auto opening = window.view(0, static_cast<std::size_t>(shortest));
-  if (!opening) return opening.error();
+  if (!opening.ok()) return opening.error();
   if (opening->substr(0, kMagic.size()) != kMagic) return file.error("is not an MCAP file");
   const std::uint64_t content_bytes = announced_content_bytes(opening->substr(kMagic.size()));
   if (content_bytes > file.size() - shortest || content_bytes > limits.record_bytes) {
@@ -201,7 +201,7 @@ core::Result<Header> read_header(FileWindow& window, const InputFile& file,
   }
   end = shortest + content_bytes;
   const auto bytes = window.view(0, static_cast<std::size_t>(end));
-  if (!bytes) return bytes.error();
+  if (!bytes.ok()) return bytes.error();
   const auto record = first_record(bytes->substr(kMagic.size()));
   Header header;
   if (!record || record->opcode != Opcode::kHeader || !parse(record->content, header)) {

@@ -150,7 +150,7 @@ class SummaryReader {
 core::Result<std::optional<FileIndex>> index_from_summary(
     const std::shared_ptr<const InputFile>& file, const ReadLimits& limits) {
   auto ending = read_ending(*file, limits);
-  if (!ending) return ending.error();
+  if (!ending.ok()) return ending.error();
   if (!*ending || (*ending)->footer.summary_start == 0) return std::optional<FileIndex>();
   std::string_view rest = (*ending)->summary();
   SummaryReader reader;
@@ -164,7 +164,7 @@ core::Result<std::optional<FileIndex>> index_from_summary(
   FileWindow window(file);
   std::uint64_t header_end = 0;
   auto header = read_header(window, *file, limits, header_end);
-  if (!header) return header.error();
+  if (!header.ok()) return header.error();
   index->header = *header;
   return index;
 }
@@ -172,7 +172,7 @@ core::Result<std::optional<FileIndex>> index_from_summary(
 core::Result<bool> has_intact_ending(const std::shared_ptr<const InputFile>& file,
                                      const ReadLimits& limits) {
   const auto ending = read_ending(*file, limits);
-  if (!ending) return ending.error();
+  if (!ending.ok()) return ending.error();
   return ending->has_value();
 }
 

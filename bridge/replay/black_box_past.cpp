@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "stages/all.hpp"
-
 namespace clew::bridge {
 namespace {
 
@@ -33,9 +31,9 @@ Result<std::optional<BlackBoxStart>> black_box_for(const RunRecording& recording
   std::optional<BlackBoxStart> box = recording.description().black_box;
   if (!box) return box;
   const auto file = runtime::BundleSource(recording.description().bundle).find("graphs", "graph");
-  if (!file) return core::Error{file.error().text(), recording.path()};
-  const auto graph = runtime::load_graph(*file, "graph", {}, stages::all());
-  if (!graph) return core::Error{graph.error().text(), recording.path()};
+  if (!file.ok()) return core::Error{file.error().text(), recording.path()};
+  const auto graph = runtime::load_graph(*file, "graph", {}, *plan.known_stages);
+  if (!graph.ok()) return core::Error{graph.error().text(), recording.path()};
   for (auto state = box->states.begin(); state != box->states.end();) {
     const std::string& stage = state->first;
     const bool same = behaviours_of(graph->find(stage)) == behaviours_of(plan.graph.find(stage));
@@ -47,13 +45,13 @@ Result<std::optional<BlackBoxStart>> black_box_for(const RunRecording& recording
 Result<void> begin_in_black_box(const RunRecording& recording, const runtime::RunPlan& plan,
                                 FedNode& fed) {
   const auto box = black_box_for(recording, plan);
-  if (!box) return box.error();
+  if (!box.ok()) return box.error();
   if (!*box || (*box)->tick == 0) return {};
   std::optional<std::string> state;
   const auto found = (*box)->states.find(fed.node().name());
   if (found != (*box)->states.end()) state = found->second;
   const auto begun = fed.begin_at((*box)->tick, state);
-  if (begun) return {};
+  if (begun.ok()) return {};
   return core::Error{begun.error().text(), recording.path()};
 }
 

@@ -28,7 +28,7 @@ Result<void> check(const RunRecording& recording, const runtime::RunPlan& plan,
                               recorded_s, plan.graph.tick_s));
   }
   const auto branch = branch_of(recording);
-  if (!branch) return branch.error();
+  if (!branch.ok()) return branch.error();
   if (*branch && tick < (*branch)->tick) {
     return refuse(
         fmt::format("is a branch itself, at tick {}: what is before belongs to the "
@@ -61,11 +61,11 @@ Result<void> feed_until(const RunRecording& recording, std::uint64_t tick, Recor
     const std::uint64_t first = first_fed_tick(recording);
     for (std::uint64_t next = first - std::min<std::uint64_t>(first, 1); next < tick; ++next) {
       const auto found = reader.next();
-      if (!found) return found.error();
+      if (!found.ok()) return found.error();
       if (*found == nullptr) {
         return refuse(fmt::format("has {} ticks; a branch at tick {} needs as many", next, tick));
       }
-      if (const auto fed = past.add(**found); !fed) return refuse(fed.error().text());
+      if (const auto fed = past.add(**found); !fed.ok()) return refuse(fed.error().text());
       added(**found);
     }
   }
@@ -77,9 +77,9 @@ Result<RecordedPast> begin_past(const RunRecording& recording, const runtime::Ru
                                 const runtime::RunPlan& plan, std::uint64_t tick) {
   CLEW_RETURN_IF_ERROR(check(recording, plan, tick));
   auto nodes = make_own_nodes(plan);
-  if (!nodes) return nodes.error();
+  if (!nodes.ok()) return nodes.error();
   auto robot = recorded_robot(recording, recorded);
-  if (!robot) return robot.error();
+  if (!robot.ok()) return robot.error();
   return RecordedPast::begin(recording, plan, runtime::alone(std::move(nodes).value()),
                              std::move(robot).value());
 }
@@ -90,7 +90,7 @@ Result<ComposedStart> branch_off(const RunRecording& recording, const runtime::R
                                  const runtime::RunPlan& plan, std::uint64_t tick) {
   ComposedStart start{{}, tick, {}, SampleAccount(true, false), std::chrono::steady_clock::now()};
   auto past = begin_past(recording, recorded, plan, tick);
-  if (!past) return past.error();
+  if (!past.ok()) return past.error();
   CLEW_RETURN_IF_ERROR(feed_until(recording, tick, *past, [](const RecordedTick&) {}));
   CLEW_RETURN_IF_ERROR(past->hand_over(start));
   return start;
@@ -101,7 +101,7 @@ Result<ProcessStart> branch_off_processes(const RunRecording& recording,
                                           const runtime::RunPlan& plan, std::uint64_t tick) {
   CLEW_RETURN_IF_ERROR(refuse_black_box(recording, "a branch of third-party components needs all"));
   auto past = begin_past(recording, recorded, plan, tick);
-  if (!past) return past.error();
+  if (!past.ok()) return past.error();
   ProcessPast processes(plan, true);
   CLEW_RETURN_IF_ERROR(feed_until(recording, tick, *past,
                                   [&](const RecordedTick& added) { processes.add(*past, added); }));
@@ -124,7 +124,7 @@ Result<std::optional<ReplayReport>> find_unfaithful(const RunRecording& recordin
                                                     const runtime::RunPlan& recorded,
                                                     std::uint64_t tick, const std::string& only) {
   const auto branch = branch_of(recording);
-  if (!branch) return branch.error();
+  if (!branch.ok()) return branch.error();
   ReplayRange range;
   if (*branch) range.first_tick = (*branch)->tick;
   if (tick <= std::max(range.first_tick, first_fed_tick(recording))) {
@@ -135,7 +135,7 @@ Result<std::optional<ReplayReport>> find_unfaithful(const RunRecording& recordin
     const std::string& name = stage.info->name;
     if (!stage.deployment.is_ours() || (!only.empty() && name != only)) continue;
     auto report = replay_component(recording, recorded, name, range);
-    if (!report) return report.error();
+    if (!report.ok()) return report.error();
     if (!report->identical()) return std::optional<ReplayReport>(std::move(report).value());
   }
   return std::optional<ReplayReport>();
@@ -149,7 +149,7 @@ Result<void> copy_samples_before(const RunRecording& recording, std::uint64_t ti
   SampleStream stream = recording.samples(filter);
   for (;;) {
     const auto sample = stream.next();
-    if (!sample) return sample.error();
+    if (!sample.ok()) return sample.error();
     if (!*sample) return {};
     const SampleView& found = **sample;
     CLEW_RETURN_IF_ERROR(sink.add({found.topic, found.tick, found.sequence, found.cdr}));

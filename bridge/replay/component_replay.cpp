@@ -12,7 +12,6 @@
 #include "replay/fed_node.hpp"
 #include "replay/recorded_plan.hpp"
 #include "run/tick_clock.hpp"
-#include "stages/all.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -69,7 +68,7 @@ class OutputComparison {
 
 Result<runtime::Node> node_of(const runtime::RunPlan& plan, const std::string& stage) {
   const auto found = find_stage(plan, stage);
-  if (!found) return found.error();
+  if (!found.ok()) return found.error();
   if ((*found)->deployment.ros2) {
     return core::Error{stage + " was a robot of ROS 2: what it told is in the recording"};
   }
@@ -92,15 +91,15 @@ core::Error no_tick(const RunRecording& recording, std::uint64_t tick,
 Result<FedNode> fed_node_of(const RunRecording& recording, const runtime::RunPlan& plan,
                             const std::string& stage) {
   auto node = node_of(plan, stage);
-  if (!node) return node.error();
+  if (!node.ok()) return node.error();
   std::optional<HandOver> hand_over;
   if (node->ports().delayed_inputs.any()) {
     auto branch = branch_of(recording);
-    if (!branch) return branch.error();
+    if (!branch.ok()) return branch.error();
     hand_over = std::move(branch).value();
   }
-  const auto changes = recorded_changes(recording, plan, stages::all());
-  if (!changes) return changes.error();
+  const auto changes = recorded_changes(recording, plan, *plan.known_stages);
+  if (!changes.ok()) return changes.error();
   runtime::NodeSuccession succession(std::move(node).value());
   runtime::add_successors(plan, changes->interventions, changes->plans, succession);
   FedNode fed(std::move(succession), std::move(hand_over));
@@ -137,10 +136,10 @@ Result<void> check_range(const ReplayRange& range) {
 
 Result<void> check_last_tick(const RunRecording& recording, std::uint64_t last_tick) {
   const auto there = recording.samples({{}, last_tick}).next();
-  if (!there) return there.error();
+  if (!there.ok()) return there.error();
   if (*there) return {};
   const auto survey = recording.survey_samples();
-  if (!survey) return survey.error();
+  if (!survey.ok()) return survey.error();
   std::optional<std::uint64_t> last;
   for (const auto& [topic, found] : survey->topics) {
     last = std::max(last.value_or(0), found.last_tick);
@@ -152,7 +151,7 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
                                       const std::string& stage, const ReplayRange& range) {
   CLEW_RETURN_IF_ERROR(check_range(range));
   auto made = fed_node_of(recording, plan, stage);
-  if (!made) return made.error();
+  if (!made.ok()) return made.error();
   FedNode& fed = *made;
   const runtime::TopicSet topics = fed.fed_topics() | fed.node().ports().outputs;
   CLEW_RETURN_IF_ERROR(check_recorded(recording, stage, topics));
@@ -171,11 +170,11 @@ Result<ReplayReport> replay_component(const RunRecording& recording, const runti
   std::uint64_t fed_ticks = 0;
   for (;; ++fed_ticks) {
     const auto recorded = reader.next();
-    if (!recorded) return recorded.error();
+    if (!recorded.ok()) return recorded.error();
     if (*recorded == nullptr) break;
     if (paced) std::this_thread::sleep_until(clock.due(fed_ticks));
     const auto stepped = fed.step(**recorded);
-    if (!stepped) return core::Error{stepped.error().message, recording.path()};
+    if (!stepped.ok()) return core::Error{stepped.error().message, recording.path()};
     if (!*stepped) break;
     if (fed.stepped() && (*recorded)->tick() >= range.first_tick) {
       comparison.compare(fed, **recorded);
@@ -202,10 +201,10 @@ Result<void> feed(const RunRecording& recording, const std::string& stage, FedNo
   reader.let_end(fed.node().ports().delayed_inputs);
   for (;;) {
     const auto recorded = reader.next();
-    if (!recorded) return recorded.error();
+    if (!recorded.ok()) return recorded.error();
     if (*recorded == nullptr) return {};
     const auto stepped = fed.step(**recorded);
-    if (!stepped) return core::Error{stepped.error().message, recording.path()};
+    if (!stepped.ok()) return core::Error{stepped.error().message, recording.path()};
     if (!*stepped) return {};
     on_step((*recorded)->tick());
   }
@@ -216,7 +215,7 @@ Result<void> feed(const RunRecording& recording, const std::string& stage, FedNo
 Result<domain::Inside> inside_at(const RunRecording& recording, const runtime::RunPlan& plan,
                                  const std::string& stage, std::uint64_t tick) {
   auto fed = fed_node_of(recording, plan, stage);
-  if (!fed) return fed.error();
+  if (!fed.ok()) return fed.error();
   std::optional<std::uint64_t> last;
   CLEW_RETURN_IF_ERROR(
       feed(recording, stage, *fed, tick, [&](std::uint64_t stepped) { last = stepped; }));
@@ -228,7 +227,7 @@ Result<void> for_each_inside(
     const RunRecording& recording, const runtime::RunPlan& plan, const std::string& stage,
     const std::function<void(std::uint64_t tick, const domain::Inside& inside)>& visit) {
   auto fed = fed_node_of(recording, plan, stage);
-  if (!fed) return fed.error();
+  if (!fed.ok()) return fed.error();
   return feed(recording, stage, *fed, UINT64_MAX, [&](std::uint64_t tick) {
     if (fed->stepped()) visit(tick, fed->inside());
   });

@@ -50,7 +50,7 @@ core::Result<void> FedNode::decode(Topic topic, std::uint64_t tick, std::string_
   domain::visit_topic(topic, [&](auto constant) {
     decoded = std::get<constant.kIndex>(codecs_).decode(cdr, std::get<constant.kIndex>(messages_));
   });
-  if (decoded) return decoded;
+  if (decoded.ok()) return decoded;
   return bad_sample(topic, tick, decoded.error());
 }
 
@@ -59,7 +59,7 @@ core::Result<bool> FedNode::command_late(const RecordedTick& recorded) {
   auto& state = std::get<domain::State>(messages_);
   const auto decoded = std::get<index_of(Topic::kState)>(codecs_).decode_unvalidated(
       recorded.cdr(Topic::kState), state);
-  if (!decoded) return bad_sample(Topic::kState, recorded.tick(), decoded.error());
+  if (!decoded.ok()) return bad_sample(Topic::kState, recorded.tick(), decoded.error());
   return state.command_late;
 }
 
@@ -69,7 +69,7 @@ core::Result<bool> FedNode::decode_delayed(const RecordedTick& recorded) {
   const runtime::TopicSet& delayed = node_.ports().delayed_inputs;
   if (delayed.none()) return true;
   const auto late = command_late(recorded);
-  if (!late) return late.error();
+  if (!late.ok()) return late.error();
   for (Topic topic : domain::kAllTopics) {
     const std::size_t index = index_of(topic);
     if (!delayed[index] || recorded.tick() == 0 || *late) continue;
@@ -110,7 +110,7 @@ core::Result<bool> FedNode::step(const RecordedTick& recorded) {
   CLEW_RETURN_IF_ERROR(check(recorded));
   present_ = node_.ports().inputs;
   const auto delayed = decode_delayed(recorded);
-  if (!delayed || !*delayed) return delayed;
+  if (!delayed.ok() || !*delayed) return delayed;
   for (Topic topic : domain::kAllTopics) {
     if (!node_.ports().inputs[index_of(topic)]) continue;
     CLEW_RETURN_IF_ERROR(decode(topic, recorded.tick(), recorded.cdr(topic)));

@@ -21,7 +21,7 @@ using domain::Topic;
 /// Drive is given each command when it is due, in lockstep; and its state begins at tick 0.
 Result<void> check_drive(const RunRecording& recording, std::uint64_t last_tick) {
   const auto branch = branch_of(recording);
-  if (!branch) return branch.error();
+  if (!branch.ok()) return branch.error();
   if (*branch) {
     return Error{fmt::format("branched off at tick {}, where drive took over another run's state: "
                              "replay drive without --publish",
@@ -35,9 +35,9 @@ Result<void> check_drive(const RunRecording& recording, std::uint64_t last_tick)
   domain::State state;
   while (true) {
     const auto tick = reader.next();
-    if (!tick) return tick.error();
+    if (!tick.ok()) return tick.error();
     if (*tick == nullptr) return {};
-    if (const auto decoded = codec.decode((*tick)->cdr(Topic::kState), state); !decoded) {
+    if (const auto decoded = codec.decode((*tick)->cdr(Topic::kState), state); !decoded.ok()) {
       return Error{decoded.error().message, recording.path()};
     }
     if (!state.command_late) continue;
@@ -90,7 +90,7 @@ Result<void> check_live(const RunRecording& recording, const runtime::RunPlan& p
     return Error{"nothing to publish: name topics, or a stage with --component"};
   }
   const auto stage = find_stage(plan, options.component);
-  if (!stage) return stage.error();
+  if (!stage.ok()) return stage.error();
   CLEW_RETURN_IF_ERROR(refuse_black_box(
       recording, "a live component begins at tick 0; replay it without --publish"));
   return check_fed(recording, **stage, options.topics | (*stage)->ports.all_inputs(),

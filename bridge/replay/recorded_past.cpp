@@ -7,7 +7,6 @@
 
 #include "replay/black_box_past.hpp"
 #include "replay/recorded_plan.hpp"
-#include "stages/all.hpp"
 
 namespace clew::bridge {
 
@@ -92,20 +91,20 @@ Result<void> RecordedPast::account(Topic topic, const RecordedTick& recorded) {
   const auto decoded = domain::visit_topic(topic, [&](auto constant) {
     auto& message = std::get<constant.kIndex>(messages_);
     auto result = std::get<constant.kIndex>(codecs_).decode(recorded.cdr(topic), message);
-    if (result) account_.add(message, recorded.cdr(topic));
+    if (result.ok()) account_.add(message, recorded.cdr(topic));
     return result;
   });
-  if (decoded) return {};
+  if (decoded.ok()) return {};
   return core::Error{fmt::format("tick {}: {}", recorded.tick(), decoded.error().message)};
 }
 
 Result<FedNode> recorded_robot(const RunRecording& recording, const runtime::RunPlan& recorded) {
   auto branch = branch_of(recording);
-  if (!branch) return branch.error();
+  if (!branch.ok()) return branch.error();
   auto node = runtime::make_node(recorded, *recorded.graph.writer_of(Topic::kState));
-  if (!node) return node.error();
-  const auto changes = recorded_changes(recording, recorded, stages::all());
-  if (!changes) return changes.error();
+  if (!node.ok()) return node.error();
+  const auto changes = recorded_changes(recording, recorded, *recorded.known_stages);
+  if (!changes.ok()) return changes.error();
   runtime::NodeSuccession succession(std::move(node).value());
   runtime::add_successors(recorded, changes->interventions, changes->plans, succession);
   FedNode robot(std::move(succession), std::move(branch).value());

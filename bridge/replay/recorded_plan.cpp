@@ -41,16 +41,16 @@ std::optional<std::string> bytes_from(std::string_view text) {
 
 Result<HandOver> read_branch(const core::Resource& file) {
   const auto root = core::YamlNode::parse(file.text, file.file);
-  if (!root) return root.error();
+  if (!root.ok()) return root.error();
   const auto tick = root->at("tick");
-  if (!tick) return tick.error();
+  if (!tick.ok()) return tick.error();
   const auto number = tick->integer();
-  if (!number) return number.error();
+  if (!number.ok()) return number.error();
   if (*number < 0) return tick->error("tick is negative");
   const auto state = root->at("drive");
-  if (!state) return state.error();
+  if (!state.ok()) return state.error();
   const auto text = state->string();
-  if (!text) return text.error();
+  if (!text.ok()) return text.error();
   auto bytes = bytes_from(*text);
   if (!bytes) return state->error("no state of drive: 'x' and two hexadecimal digits a byte");
   return HandOver{static_cast<std::uint64_t>(*number), std::move(*bytes)};
@@ -75,7 +75,7 @@ Result<runtime::RunPlan> recorded_plan(const RunRecording& recording,
                                        const std::vector<runtime::StageInfo>& stages) {
   CLEW_RETURN_IF_ERROR(check_message_types(recording));
   auto plan = runtime::prepare_run(recording.description().bundle, stages);
-  if (!plan) return in_recording(recording, plan.error());
+  if (!plan.ok()) return in_recording(recording, plan.error());
   return plan;
 }
 
@@ -108,7 +108,7 @@ Result<RecordedChanges> recorded_changes(const RunRecording& recording,
   const auto& bundle = recording.description().bundle;
   first.bundle.insert(bundle.begin(), bundle.end());
   auto plans = runtime::change_all(first, changes.interventions, stages);
-  if (!plans) return in_recording(recording, plans.error());
+  if (!plans.ok()) return in_recording(recording, plans.error());
   changes.plans = std::move(plans).value();
   return changes;
 }
@@ -127,7 +127,7 @@ Result<std::optional<HandOver>> branch_of(const RunRecording& recording) {
   const auto file = bundle.find(kBranchFile);
   if (file == bundle.end()) return std::optional<HandOver>();
   auto read = read_branch({kBranchFile, file->second});
-  if (!read) return in_recording(recording, read.error());
+  if (!read.ok()) return in_recording(recording, read.error());
   return std::optional<HandOver>(std::move(read).value());
 }
 

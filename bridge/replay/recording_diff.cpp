@@ -23,7 +23,7 @@ class OrderedSamples {
 
   core::Result<void> advance() {
     auto sample = stream_.next();
-    if (!sample) return sample.error();
+    if (!sample.ok()) return sample.error();
     const std::optional<Place> before = place();
     sample_ = std::move(sample).value();
     if (!before || !sample_ || *place() > *before) return {};

@@ -10,7 +10,6 @@
 #include "replay/process_past.hpp"
 #include "replay/recorded_past.hpp"
 #include "replay/recorded_plan.hpp"
-#include "stages/all.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -23,9 +22,9 @@ using runtime::TopicSet;
 Result<RecordedPast> past_of(const RunRecording& recording, const runtime::RunPlan& plan,
                              const RecordedChanges& changes) {
   auto nodes = make_own_nodes(plan);
-  if (!nodes) return nodes.error();
+  if (!nodes.ok()) return nodes.error();
   auto robot = recorded_robot(recording, plan);
-  if (!robot) return robot.error();
+  if (!robot.ok()) return robot.error();
   auto successions = runtime::alone(std::move(nodes).value());
   for (runtime::NodeSuccession& node : successions) {
     runtime::add_successors(plan, changes.interventions, changes.plans, node);
@@ -37,7 +36,7 @@ Result<RecordedPast> past_of(const RunRecording& recording, const runtime::RunPl
 Result<void> check_rest(TickReader& reader, TopicSet missing, std::uint64_t tick) {
   while (true) {
     const auto later = reader.next();
-    if (!later) return later.error();
+    if (!later.ok()) return later.error();
     if (*later == nullptr) return {};
     const TopicSet goes_on = missing & (*later)->present();
     for (Topic topic : domain::kAllTopics) {
@@ -63,7 +62,7 @@ Result<std::uint64_t> feed(const RunRecording& recording, std::uint64_t checked_
   TickReader reader(recording, topics);
   for (std::uint64_t tick = 0;; ++tick) {
     const auto found = reader.next();
-    if (!found) return found.error();
+    if (!found.ok()) return found.error();
     if (*found == nullptr) return tick;
     const RecordedTick& recorded = **found;
     if (recorded.tick() != tick) {
@@ -89,15 +88,15 @@ Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan&
   };
   CLEW_RETURN_IF_ERROR(refuse_black_box(recording, "it cannot be continued"));
   const auto branch = branch_of(recording);
-  if (!branch) return branch.error();
+  if (!branch.ok()) return branch.error();
   const std::uint64_t branched_at = *branch ? (*branch)->tick : 0;
-  auto changes = recorded_changes(recording, plan, stages::all(), true);
-  if (!changes) return changes.error();
+  auto changes = recorded_changes(recording, plan, *plan.known_stages, true);
+  if (!changes.ok()) return changes.error();
   auto past = past_of(recording, plan, *changes);
-  if (!past) return in_recording(past.error());
+  if (!past.ok()) return in_recording(past.error());
   ProcessPast processes(plan, false);
   const auto ticks = feed(recording, branched_at, *past, processes);
-  if (!ticks) return in_recording(ticks.error());
+  if (!ticks.ok()) return in_recording(ticks.error());
   if (*branch && *ticks <= branched_at) {
     return in_recording({fmt::format("has {} whole ticks, and branched off another run at tick {}: "
                                      "branch that one off again",

@@ -35,7 +35,7 @@ std::vector<FieldDifference> SampleComparison::explain(domain::Topic topic, std:
     auto& a = std::get<constant.kIndex>(a_);
     auto& b = std::get<constant.kIndex>(b_);
     // Bytes that are no message, or padding that differs, have no field to tell of.
-    if (!codec.decode_unvalidated(cdr_a, a) || !codec.decode_unvalidated(cdr_b, b)) {
+    if (!codec.decode_unvalidated(cdr_a, a).ok() || !codec.decode_unvalidated(cdr_b, b).ok()) {
       return {first_byte(cdr_a, cdr_b)};
     }
     auto fields = differences(a, b);

@@ -26,7 +26,7 @@ TickReader::TickReader(const RunRecording& recording, const runtime::TopicSet& t
 
 core::Result<void> TickReader::look_ahead() {
   auto sample = stream_.next();
-  if (!sample) return sample.error();
+  if (!sample.ok()) return sample.error();
   ahead_ = std::move(sample).value();
   return {};
 }
@@ -36,7 +36,7 @@ core::Result<void> TickReader::note_ended() {
   for (domain::Topic topic : domain::kAllTopics) {
     if (!missing[index_of(topic)]) continue;
     const auto later = recording_.samples({{topic}, current_.tick_ + 1}).next();
-    if (!later) return later.error();
+    if (!later.ok()) return later.error();
     if (!*later) current_.ended_.set(index_of(topic));
   }
   return {};

@@ -24,7 +24,7 @@ class Plot : public testing::Test {
   std::string svg_of(const std::vector<std::string>& recordings) {
     const std::string output = scratch_.file("out.svg");
     const auto plotted = plot_recordings(recordings, output);
-    EXPECT_TRUE(plotted) << plotted.error().text();
+    EXPECT_TRUE(plotted.ok()) << plotted.error().text();
     return read_bytes(output);
   }
 
@@ -99,7 +99,7 @@ TEST_F(Plot, RendersPngs) {
 
   const auto plotted = plot_recordings({recording_}, output);
 
-  ASSERT_TRUE(plotted) << plotted.error().text();
+  ASSERT_TRUE(plotted.ok()) << plotted.error().text();
   EXPECT_EQ(read_bytes(output).substr(0, 8), "\x89PNG\r\n\x1A\n");
 }
 
@@ -111,7 +111,7 @@ TEST_F(Plot, RefusesRunsInDifferentWorlds) {
 
   const auto plotted = plot_recordings({recording_, other}, scratch_.file("out.svg"));
 
-  ASSERT_FALSE(plotted);
+  ASSERT_FALSE(plotted.ok());
   EXPECT_EQ(plotted.error().text(), other + ": was made in another world than " + recording_);
 }
 
@@ -119,9 +119,9 @@ TEST_F(Plot, RefusesOutputsThatItCannotWrite) {
   const auto wrong_ending = plot_recordings({recording_}, "out.gif");
   const auto nowhere = plot_recordings({recording_}, scratch_.file("no/where.svg"));
 
-  ASSERT_FALSE(wrong_ending);
+  ASSERT_FALSE(wrong_ending.ok());
   EXPECT_EQ(wrong_ending.error().text(), "out.gif: found ending '.gif'; allowed: .svg, .png, .pdf");
-  ASSERT_FALSE(nowhere);
+  ASSERT_FALSE(nowhere.ok());
   EXPECT_EQ(nowhere.error().text(),
             scratch_.file("no/where.svg") + ": cannot be written: No such file or directory");
 }
@@ -132,7 +132,7 @@ TEST_F(Plot, RefusesWhatIsNoRecording) {
 
   const auto plotted = plot_recordings({text}, scratch_.file("out.svg"));
 
-  ASSERT_FALSE(plotted);
+  ASSERT_FALSE(plotted.ok());
   EXPECT_EQ(plotted.error().text(), text + ": is not an MCAP file");
 }
 

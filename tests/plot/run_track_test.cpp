@@ -27,7 +27,7 @@ TEST(RunTrack, HoldsPathAndRecoveryOfARecordedRun) {
 
   const auto track = plot::read_run_track(path);
 
-  ASSERT_TRUE(track) << track.error().text();
+  ASSERT_TRUE(track.ok()) << track.error().text();
   EXPECT_EQ(track->name, "small");
   EXPECT_EQ(track->world, kWorld);
   EXPECT_EQ(track->robot_radius_m, 0.15);
@@ -48,7 +48,7 @@ TEST(RunTrack, TakesPlacesFromADriftedOdometryToThePath) {
 
   const auto track = plot::read_run_track(path);
 
-  ASSERT_TRUE(track) << track.error().text();
+  ASSERT_TRUE(track.ok()) << track.error().text();
   ASSERT_EQ(track->traps.size(), 1U);
   expect_near(track->traps[0].position, {3.0, 2.0});  // where the robot stood at tick 4
   ASSERT_TRUE(track->traps[0].earlier);
@@ -75,7 +75,7 @@ TEST(RunTrack, GoesUpToTheTearOfARecordingThatWasCutOff) {
 
   const auto track = plot::read_run_track(path);
 
-  ASSERT_TRUE(track) << track.error().text();
+  ASSERT_TRUE(track.ok()) << track.error().text();
   EXPECT_TRUE(track->cut_off);
   // The open chunk was that of second 4, ticks 8 and 9.
   EXPECT_EQ(track->poses.size(), 8U);
@@ -90,7 +90,7 @@ TEST(RunTrack, RefusesOtherMessageTypes) {
 
   const auto track = plot::read_run_track(path);
 
-  ASSERT_FALSE(track);
+  ASSERT_FALSE(track.ok());
   EXPECT_EQ(track.error().text(),
             path + ": was recorded with other message types than this version has");
 }
@@ -104,7 +104,7 @@ TEST(RunTrack, RefusesARecordingWithoutItsWorld) {
 
   const auto track = plot::read_run_track(path);
 
-  ASSERT_FALSE(track);
+  ASSERT_FALSE(track.ok());
   EXPECT_EQ(track.error().text(), path + ": does not hold the run's world.yaml and robot.yaml");
 }
 

@@ -12,10 +12,10 @@ namespace clew::plot_test {
 namespace {
 
 constexpr std::uint64_t kTicks = 10;
-constexpr double kTickS = 0.5;
+constexpr double kTick_s = 0.5;
 
 domain::TickStamp stamp_of(std::uint64_t tick) {
-  return {tick, static_cast<double>(tick) * kTickS, tick};
+  return {tick, static_cast<double>(tick) * kTick_s, tick};
 }
 
 core::Pose2 world_pose(std::uint64_t tick) {
@@ -81,7 +81,7 @@ void add(bridge::RunRecorder& recorder, std::uint64_t tick) {
   fill(tick, message);
   bridge::Codec<Message> codec;
   const auto added = recorder.add(domain::topic_of<Message>(), tick, tick, codec.encode(message));
-  ASSERT_TRUE(added) << added.error().text();
+  ASSERT_TRUE(added.ok()) << added.error().text();
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ shortest_path: 4.3
 )";
 
 SmallRun::SmallRun() {
-  description.tick_s = kTickS;
+  description.tick_s = kTick_s;
   description.seed = 7;
   description.idl_fingerprint = std::string(bridge::idl_fingerprint());
   description.bundle = {{"world.yaml", kWorld},
@@ -116,7 +116,7 @@ SmallRun::SmallRun() {
 void SmallRun::write(const std::string& path, bool finished) const {
   {
     auto recorder = bridge::RunRecorder::create(path, description, false);
-    ASSERT_TRUE(recorder) << recorder.error().text();
+    ASSERT_TRUE(recorder.ok()) << recorder.error().text();
     for (std::uint64_t tick = 0; tick < kTicks; ++tick) {
       add<domain::State>(*recorder, tick);
       add<domain::Odometry>(*recorder, tick);

@@ -52,7 +52,7 @@ TEST_F(TickPicture, NamesTickLayersAndCharts) {
 
   const auto plotted = plot::plot_tick(recording_, view_of(2), output);
 
-  ASSERT_TRUE(plotted) << plotted.error().text();
+  ASSERT_TRUE(plotted.ok()) << plotted.error().text();
   const std::string svg = read_bytes(output);
   for (const char* text : {"small: tick 2 (1 s)", "worth", "shut", "seen", "road", "aim", "choices",
                            "left to right, m"}) {
@@ -100,14 +100,14 @@ TEST_F(TickPicture, ShowsWhatMightNotBeChosen) {
 TEST_F(TickPicture, RefusesATickWithoutAPose) {
   const auto plotted = plot::plot_tick(recording_, view_of(40), scratch_.file("out.svg"));
 
-  ASSERT_FALSE(plotted);
+  ASSERT_FALSE(plotted.ok());
   EXPECT_EQ(plotted.error().text(), recording_ + ": has no pose of tick 40");
 }
 
 TEST_F(TickPicture, RefusesAnotherEnding) {
   const auto plotted = plot::plot_tick(recording_, view_of(2), "out.gif");
 
-  ASSERT_FALSE(plotted);
+  ASSERT_FALSE(plotted.ok());
   EXPECT_EQ(plotted.error().text(), "out.gif: found ending '.gif'; allowed: .svg, .png, .pdf");
 }
 

@@ -37,7 +37,7 @@ std::string hexadecimal(std::string_view bytes) {
 
 template <typename T>
 T value_or_exit(core::Result<T> result) {
-  if (!result) {
+  if (!result.ok()) {
     std::fprintf(stderr, "%s\n", result.error().text().c_str());
     std::exit(1);
   }
@@ -99,7 +99,7 @@ json messages_of(const mcap::McapReader& reader, mcap::Order order) {
   auto stream = reader.messages(order);
   for (;;) {
     const auto message = value_or_exit(stream.next());
-    if (!message) return messages;
+    if (!message.ok()) return messages;
     messages.push_back({{"topic", reader.channels().at(message->channel_id).topic},
                         {"sequence", message->sequence},
                         {"log_time_ns", std::to_string(message->log_time_ns)},

@@ -31,7 +31,7 @@ class McapDamage : public testing::TestWithParam<Compression> {
     damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
     write_bytes(path_, damaged);
     const auto reader = McapReader::open(path_);
-    if (!reader) return;
+    if (!reader.ok()) return;
     const Content content = read_content(*reader, Order::kFile);
     ASSERT_TRUE(is_prefix(content.messages, written_)) << "bit " << bit;
     const bool all = content.messages.size() == written_.size() && content.attachments == attached_;
@@ -53,7 +53,7 @@ TEST_P(McapDamage, GivesThePrefixBeforeATearAtAnyByte) {
   for (std::size_t kept_bytes = 0; kept_bytes < bytes_.size(); ++kept_bytes) {
     write_bytes(path_, std::string_view(bytes_).substr(0, kept_bytes));
     const auto reader = McapReader::open(path_);
-    if (!reader) {
+    if (!reader.ok()) {
       // Only what ends in the header cannot be opened: magic (8), opcode and length (9), profile
       // (4), library "test" (8).
       EXPECT_LT(kept_bytes, 8U + 9U + 4U + 8U);
@@ -116,7 +116,7 @@ std::string tear_of(std::string_view records) {
   const std::string path = scratch.file("hostile.mcap");
   write_bytes(path, file_of(records));
   const auto reader = McapReader::open(path);
-  if (!reader) return "refused: " + reader.error().message;
+  if (!reader.ok()) return "refused: " + reader.error().message;
   return reader->tear() ? reader->tear()->reason : "accepted";
 }
 
@@ -208,14 +208,14 @@ TEST(McapHostile, RefusesWhatIsNoMcap) {
 
   const auto reader = McapReader::open(path);
 
-  ASSERT_FALSE(reader);
+  ASSERT_FALSE(reader.ok());
   EXPECT_EQ(reader.error().text(), path + ": is not an MCAP file");
 }
 
 TEST(McapHostile, RefusesAFileThatDoesNotExist) {
   const auto reader = McapReader::open("/nowhere/no.mcap");
 
-  ASSERT_FALSE(reader);
+  ASSERT_FALSE(reader.ok());
   EXPECT_EQ(reader.error().text(), "/nowhere/no.mcap: cannot be read: No such file or directory");
 }
 
@@ -229,7 +229,7 @@ TEST(McapHostile, DoesNotFollowAnIndexThatReadsOneChunkManyTimes) {
 
   const auto reader = McapReader::open(path);
 
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
   EXPECT_FALSE(reader->indexed());
   EXPECT_EQ(read_content(*reader, Order::kFile).messages.size(), 1U);
 }
@@ -243,7 +243,7 @@ TEST(McapHostile, RefusesAChannelThatTheSummaryDoesNotDeclare) {
   write_bytes(path, indexed_file(chunk_record("", inner.size(), inner), 1));
 
   const auto reader = McapReader::open(path);
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
   const Content content = read_content(*reader, Order::kFile);
 
   EXPECT_TRUE(reader->indexed());
@@ -260,7 +260,7 @@ TEST(McapHostile, BoundsTheChunksThatOverlapInTime) {
   WriterOptions options;
   options.chunk_bytes = 1;
   auto writer = McapWriter::create(path, false, options);
-  ASSERT_TRUE(writer);
+  ASSERT_TRUE(writer.ok());
   const auto channel = writer->add_channel(0, "/t", "");
   for (std::uint32_t i = 0; i < 100; ++i) {
     ASSERT_TRUE(writer->write(Message{channel, i, 5, 5, std::string(1000, 'x')}));
@@ -270,7 +270,7 @@ TEST(McapHostile, BoundsTheChunksThatOverlapInTime) {
   limits.open_bytes = 20'000;
 
   const auto reader = McapReader::open(path, limits);
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
   const Content by_time = read_content(*reader, Order::kLogTime);
   const Content as_written = read_content(*reader, Order::kFile);
 
@@ -296,7 +296,7 @@ TEST(McapReader, PassesOverUnknownRecordsAndBytesAtTheEndOfKnownOnes) {
 
   const auto reader = McapReader::open(path);
 
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
   EXPECT_FALSE(reader->tear()) << reader->tear()->reason;
   EXPECT_EQ(read_content(*reader, Order::kFile).messages,
             (std::vector<StoredMessage>{{0, 1, 2, 3, "x"}}));

@@ -128,7 +128,7 @@ TEST(McapGolden, WritesTheBytesOfTheSpecification) {
   options.library = "L";
 
   auto writer = McapWriter::create(path, false, options);
-  ASSERT_TRUE(writer);
+  ASSERT_TRUE(writer.ok());
   const auto schema = writer->add_schema("T", "omgidl", "I");
   const auto channel = writer->add_channel(schema, "/t", "cdr");
   ASSERT_TRUE(writer->write(Message{channel, 7, 10, 11, "\xAB\xCD"}));
@@ -143,10 +143,10 @@ TEST(McapGolden, ReadsTheBytesOfTheSpecification) {
   write_bytes(path, bytes_of(kOneMessage));
 
   const auto reader = McapReader::open(path);
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
   auto messages = reader->messages(Order::kFile);
   const auto message = messages.next();
-  ASSERT_TRUE(message && *message);
+  ASSERT_TRUE(message.ok() && *message);
 
   EXPECT_TRUE(reader->indexed());
   EXPECT_FALSE(reader->tear());
@@ -158,7 +158,7 @@ TEST(McapGolden, ReadsTheBytesOfTheSpecification) {
   EXPECT_EQ((*message)->publish_time_ns, 11U);
   EXPECT_EQ((*message)->data, "\xAB\xCD");
   const auto end = messages.next();
-  EXPECT_TRUE(end && !*end);
+  EXPECT_TRUE(end.ok() && !*end);
 }
 
 TEST(McapGolden, ComputesTheCheckValueOfTheCrc) {

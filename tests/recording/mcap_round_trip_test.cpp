@@ -28,7 +28,7 @@ class McapRoundTrip : public testing::TestWithParam<Compression> {
 
 TEST_P(McapRoundTrip, GivesBackEveryMessageInTheOrderOfTheFile) {
   const auto reader = McapReader::open(path_);
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
 
   const Content content = read_content(*reader, Order::kFile);
 
@@ -43,7 +43,7 @@ TEST_P(McapRoundTrip, GivesBackEveryMessageInTheOrderOfTheFile) {
 
 TEST_P(McapRoundTrip, GivesMessagesByTimeWithTiesInTheOrderOfTheFile) {
   const auto reader = McapReader::open(path_);
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
   std::vector<StoredMessage> expected = written_;
   std::stable_sort(expected.begin(), expected.end(),
                    [](const auto& a, const auto& b) { return a.log_time_ns < b.log_time_ns; });
@@ -55,7 +55,7 @@ TEST_P(McapRoundTrip, GivesMessagesByTimeWithTiesInTheOrderOfTheFile) {
 
 TEST_P(McapRoundTrip, GivesOnlyWhatTheFilterPasses) {
   const auto reader = McapReader::open(path_);
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
   MessageFilter filter;
   filter.channels = std::set<std::uint16_t>{1};
   filter.first_ns = 2'000'000'000;
@@ -75,13 +75,13 @@ TEST_P(McapRoundTrip, GivesOnlyWhatTheFilterPasses) {
 
 TEST_P(McapRoundTrip, GivesAttachmentsMetadataSchemasAndChannels) {
   const auto reader = McapReader::open(path_);
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
 
   const Content content = read_content(*reader, Order::kFile);
   const auto facts = reader->metadata(reader->metadata().at(0));
 
   EXPECT_EQ(content.attachments, (std::vector<std::string>{"first=one", "second=two: 2\n"}));
-  ASSERT_TRUE(facts);
+  ASSERT_TRUE(facts.ok());
   EXPECT_EQ(facts->name, "facts");
   EXPECT_EQ(facts->entries, (StringMap{{"seed", "1"}}));
   EXPECT_EQ(reader->schemas().at(1).name, "clew::msg::Scan");
@@ -99,11 +99,11 @@ TEST_P(McapRoundTrip, IsTheSameBytesEveryTime) {
 
 TEST_P(McapRoundTrip, IsVouchedForByVerify) {
   const auto reader = McapReader::open(path_);
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
 
   const auto verified = reader->verify();
 
-  EXPECT_TRUE(verified) << verified.error().text();
+  EXPECT_TRUE(verified.ok()) << verified.error().text();
 }
 
 INSTANTIATE_TEST_SUITE_P(Compressions, McapRoundTrip,
@@ -119,7 +119,7 @@ TEST(McapWriter, KeepsEachSecondInAChunkOfItsOwn) {
   WriterOptions options;
   options.chunk_span_ns = 1'000'000'000;
   auto writer = McapWriter::create(path, false, options);
-  ASSERT_TRUE(writer);
+  ASSERT_TRUE(writer.ok());
   const auto channel = writer->add_channel(0, "/t", "");
 
   // Ten messages of 0.3 s: 0-0.9 | 1.2-1.8 | 2.1-2.7
@@ -129,7 +129,7 @@ TEST(McapWriter, KeepsEachSecondInAChunkOfItsOwn) {
   ASSERT_TRUE(writer->finish());
 
   const auto reader = McapReader::open(path);
-  ASSERT_TRUE(reader);
+  ASSERT_TRUE(reader.ok());
   ASSERT_EQ(reader->segments().size(), 3U);
   EXPECT_EQ(reader->segments()[0].end_time_ns, 900'000'000U);
   EXPECT_EQ(reader->segments()[1].start_time_ns, 1'200'000'000U);
@@ -142,7 +142,7 @@ TEST(McapWriter, GivesALargeMessageAChunkOfItsOwn) {
   WriterOptions options;
   options.chunk_bytes = 1000;
   auto writer = McapWriter::create(path, false, options);
-  ASSERT_TRUE(writer);
+  ASSERT_TRUE(writer.ok());
   const auto channel = writer->add_channel(0, "/t", "");
   const std::string large(5000, 'x');
 
@@ -152,7 +152,7 @@ TEST(McapWriter, GivesALargeMessageAChunkOfItsOwn) {
   ASSERT_TRUE(writer->finish());
 
   const auto reader = McapReader::open(path);
-  ASSERT_TRUE(reader);
+  ASSERT_TRUE(reader.ok());
   EXPECT_EQ(reader->segments().size(), 3U);
   const Content content = read_content(*reader, Order::kFile);
   ASSERT_EQ(content.messages.size(), 3U);
@@ -164,7 +164,7 @@ TEST(McapWriter, LeavesWhatItWroteReadableWhenItIsCutOff) {
   const std::string path = scratch.file("cut.mcap");
   {
     auto writer = McapWriter::create(path, false, {});
-    ASSERT_TRUE(writer);
+    ASSERT_TRUE(writer.ok());
     const auto channel = writer->add_channel(0, "/t", "");
     ASSERT_TRUE(writer->write(Message{channel, 0, 0, 0, "kept"}));
     ASSERT_TRUE(writer->flush());
@@ -173,7 +173,7 @@ TEST(McapWriter, LeavesWhatItWroteReadableWhenItIsCutOff) {
 
   const auto reader = McapReader::open(path + ".tmp~");
 
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
   ASSERT_TRUE(reader->tear());
   EXPECT_EQ(reader->tear()->at_byte, read_bytes(path + ".tmp~").size());
   const Content content = read_content(*reader, Order::kFile);

@@ -23,7 +23,7 @@ TEST(OutputFile, HasItsNameOnlyWhenItIsWhole) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("whole");
   auto file = OutputFile::create(path, false);
-  ASSERT_TRUE(file);
+  ASSERT_TRUE(file.ok());
 
   ASSERT_TRUE(file->append("content"));
   EXPECT_FALSE(std::filesystem::exists(path));
@@ -41,9 +41,9 @@ TEST(OutputFile, OverwritesOnlyWhenAsked) {
   const auto refused = OutputFile::create(path, false);
   auto forced = OutputFile::create(path, true);
 
-  ASSERT_FALSE(refused);
+  ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().text(), path + ": exists; it is overwritten only with --force");
-  ASSERT_TRUE(forced && forced->append("new") && forced->publish());
+  ASSERT_TRUE(forced.ok() && forced->append("new").ok() && forced->publish().ok());
   EXPECT_EQ(read_bytes(path), "new");
 }
 
@@ -57,7 +57,7 @@ TEST(OutputFile, WritesTheFileThatALinkLeadsToAndKeepsTheLink) {
 
   EXPECT_FALSE(OutputFile::create(link, false));
   auto forced = OutputFile::create(link, true);
-  ASSERT_TRUE(forced && forced->append("new"));
+  ASSERT_TRUE(forced.ok() && forced->append("new").ok());
   EXPECT_EQ(read_bytes(there), "old") << "until it is whole";
   ASSERT_TRUE(forced->publish());
 
@@ -73,7 +73,7 @@ TEST(OutputFile, RefusesALinkToNothing) {
 
   for (const bool overwrite : {false, true}) {
     const auto refused = OutputFile::create(link, overwrite);
-    ASSERT_FALSE(refused);
+    ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().text(),
               link + ": is a symbolic link to what is not there; a recording is written to a file");
   }
@@ -86,7 +86,7 @@ TEST(OutputFile, KeepsARecordingThatWasCutOffUnlessForced) {
 
   const auto refused = OutputFile::create(path, false);
 
-  ASSERT_FALSE(refused);
+  ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().text(),
             path +
                 ".tmp~: exists: a recording that is being written or was cut off; it is "
@@ -100,9 +100,9 @@ TEST(OutputFile, RefusesADirectoryAndAPlaceThatIsNotThere) {
   const auto directory = OutputFile::create(scratch.path().string(), true);
   const auto nowhere = OutputFile::create(scratch.file("no/where"), false);
 
-  ASSERT_FALSE(directory);
+  ASSERT_FALSE(directory.ok());
   EXPECT_EQ(directory.error().message, "is a directory, a file is needed");
-  ASSERT_FALSE(nowhere);
+  ASSERT_FALSE(nowhere.ok());
   EXPECT_EQ(nowhere.error().text(),
             scratch.file("no/where.tmp~") + ": cannot be written: No such file or directory");
 }
@@ -119,7 +119,7 @@ TEST(OutputFile, RefusesADirectoryThatIsReadOnly) {
   ASSERT_EQ(::seteuid(self), 0);
   std::filesystem::permissions(scratch.path(), std::filesystem::perms::owner_all);
 
-  ASSERT_FALSE(refused);
+  ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().text(),
             scratch.file("a.tmp~") + ": cannot be written: Permission denied");
 }
@@ -134,7 +134,7 @@ TEST(OutputFile, TakesBackWhatItReservedAndNoPipe) {
   OutputFile::discard(scratch.file("a"));
   OutputFile::discard(pipe);
 
-  ASSERT_FALSE(reserved);
+  ASSERT_FALSE(reserved.ok());
   EXPECT_EQ(reserved.error().text(),
             pipe + ": is a pipe, a socket or a disk; a recording is written to a file");
   EXPECT_FALSE(std::filesystem::exists(scratch.file("a.tmp~")));
@@ -144,31 +144,31 @@ TEST(OutputFile, TakesBackWhatItReservedAndNoPipe) {
 TEST(OutputFile, SaysThatTheDiskIsFullAndStaysSo) {
   // Every write to /dev/full fails as on a full disk.
   auto file = OutputFile::create("/dev/full", false);
-  ASSERT_TRUE(file);
+  ASSERT_TRUE(file.ok());
 
   const auto first = file->append("x");
   const auto second = file->append("y");
   const auto published = file->publish();
 
-  ASSERT_FALSE(first);
+  ASSERT_FALSE(first.ok());
   EXPECT_EQ(first.error().text(),
             "/dev/full: cannot be written on: No space left on device; the 0 bytes written before "
             "can still be read");
-  ASSERT_FALSE(second);
+  ASSERT_FALSE(second.ok());
   EXPECT_EQ(second.error().text(), first.error().text());
-  ASSERT_FALSE(published);
+  ASSERT_FALSE(published.ok());
 }
 
 TEST(OutputFile, SaysThatItsFileWasRemoved) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("gone");
   auto file = OutputFile::create(path, false);
-  ASSERT_TRUE(file && file->append("content"));
+  ASSERT_TRUE(file.ok() && file->append("content").ok());
 
   std::filesystem::remove(path + ".tmp~");
   const auto published = file->publish();
 
-  ASSERT_FALSE(published);
+  ASSERT_FALSE(published.ok());
   EXPECT_EQ(published.error().text(), path + ".tmp~: was removed while it was written");
 }
 
@@ -176,12 +176,12 @@ TEST(OutputFile, SaysThatItsFileWasRemovedWhenItIsWrittenOn) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("gone");
   auto file = OutputFile::create(path, false);
-  ASSERT_TRUE(file && file->append("content"));
+  ASSERT_TRUE(file.ok() && file->append("content").ok());
 
   std::filesystem::remove(path + ".tmp~");
   const auto appended = file->append("more");
 
-  ASSERT_FALSE(appended);
+  ASSERT_FALSE(appended.ok());
   EXPECT_EQ(appended.error().message, "was removed while it was written");
 }
 
@@ -191,7 +191,7 @@ TEST(OutputFile, KeepsWhatStandsThereAndReplacesTheRest) {
   write_bytes(path + ".tmp~", "one two thr");
 
   auto file = OutputFile::go_on(path);
-  ASSERT_TRUE(file);
+  ASSERT_TRUE(file.ok());
   file->keep(true);
   ASSERT_TRUE(file->append("one ") && file->append("two "));
   file->keep(false);
@@ -207,11 +207,11 @@ TEST(OutputFile, LeavesAFileAsItIsThatHoldsSomethingElse) {
   write_bytes(path + ".tmp~", "one two");
 
   auto file = OutputFile::go_on(path);
-  ASSERT_TRUE(file);
+  ASSERT_TRUE(file.ok());
   file->keep(true);
   const auto refused = file->append("one 2");
 
-  ASSERT_FALSE(refused);
+  ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().message,
             "holds at byte 0 what this version does not write for this run");
   EXPECT_EQ(read_bytes(path + ".tmp~"), "one two");
@@ -221,7 +221,7 @@ TEST(OutputFile, WritesNothingWhileItHolds) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("held");
   auto file = OutputFile::create(path, false);
-  ASSERT_TRUE(file);
+  ASSERT_TRUE(file.ok());
 
   file->hold();
   ASSERT_TRUE(file->append("what belongs ") && file->append("together"));
@@ -239,7 +239,7 @@ TEST(OutputFile, WritesOverWhatItWroteAhead) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("ahead");
   auto file = OutputFile::create(path, false);
-  ASSERT_TRUE(file && file->append("one ") && file->write_ahead("something long"));
+  ASSERT_TRUE(file.ok() && file->append("one ").ok() && file->write_ahead("something long").ok());
 
   EXPECT_EQ(read_bytes(path + ".tmp~"), "one something long");
   ASSERT_TRUE(file->append("two"));
@@ -275,7 +275,7 @@ TEST(McapWriter, LeavesWhatItWroteReadableWhenTheDiskIsFull) {
   WriterOptions options;
   options.chunk_bytes = 1000;
   auto writer = McapWriter::create(path, false, options);
-  ASSERT_TRUE(writer);
+  ASSERT_TRUE(writer.ok());
   const auto channel = writer->add_channel(0, "/t", "");
   core::Result<void> written;
 
@@ -288,14 +288,14 @@ TEST(McapWriter, LeavesWhatItWroteReadableWhenTheDiskIsFull) {
   }
   const auto reader = McapReader::open(path + ".tmp~");
 
-  ASSERT_FALSE(written);
+  ASSERT_FALSE(written.ok());
   // Of the chunk that did not fit nothing stays.
   const std::string whole = std::to_string(std::filesystem::file_size(path + ".tmp~"));
   EXPECT_NE(written.error().message.find("File too large; the " + whole + " bytes written before"),
             std::string::npos)
       << written.error().message;
   EXPECT_FALSE(writer->finish());
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
   EXPECT_TRUE(reader->tear());
   auto messages = reader->messages(Order::kFile);
   std::uint32_t readable = 0;
@@ -310,7 +310,7 @@ TEST(McapWriter, LeavesWhatItWroteReadableWhenTheDiskIsFull) {
 TEST(McapWriter, ReportsAFullDisk) {
   const auto writer = McapWriter::create("/dev/full", false, {});
 
-  ASSERT_FALSE(writer);
+  ASSERT_FALSE(writer.ok());
   EXPECT_NE(writer.error().text().find("No space left on device"), std::string::npos);
 }
 

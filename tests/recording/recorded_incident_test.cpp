@@ -50,14 +50,14 @@ TEST(RecordedIncident, StandsBeforeTheNextTickOrAfterTheLast) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("a.mcap");
   auto recorder = RunRecorder::create(path, description(), false);
-  ASSERT_TRUE(recorder);
+  ASSERT_TRUE(recorder.ok());
 
   record(*recorder, 200);
   recorder->add_incident({5, domain::kForeignReader, "drive", "a reader"});
   recorder->add_incident({999, domain::kRefused, "run", "after all"});
   ASSERT_TRUE(recorder->finish());
   const auto recording = RunRecording::open(path);
-  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
 
   const auto& found = recording->incidents();
   ASSERT_EQ(found.size(), 2u) << "the same is written once";
@@ -71,7 +71,7 @@ TEST(RecordedIncident, IsInNoHashAndChangesNoSample) {
   const ScratchDirectory scratch;
   auto without = RunRecorder::create(scratch.file("without.mcap"), description(), false);
   auto with = RunRecorder::create(scratch.file("with.mcap"), description(), false);
-  ASSERT_TRUE(without && with);
+  ASSERT_TRUE(without.ok() && with.ok());
 
   with->add_incident({0, domain::kRefused, "run", "before all"});
   record(*with, 200);
@@ -82,30 +82,30 @@ TEST(RecordedIncident, IsInNoHashAndChangesNoSample) {
   ASSERT_TRUE(without->finish());
   const auto undisturbed = RunRecording::open(scratch.file("without.mcap"));
   const auto disturbed = RunRecording::open(scratch.file("with.mcap"));
-  ASSERT_TRUE(undisturbed && disturbed);
+  ASSERT_TRUE(undisturbed.ok() && disturbed.ok());
 
   EXPECT_EQ(disturbed->incidents().size(), 2u);
   EXPECT_TRUE(disturbed->interventions().empty()) << "nobody has changed the run";
   EXPECT_EQ(read_samples(disturbed->samples()), read_samples(undisturbed->samples()));
-  ASSERT_TRUE(disturbed->survey());
+  ASSERT_TRUE(disturbed->survey().ok());
   EXPECT_EQ(disturbed->survey()->hash, undisturbed->survey()->hash);
 }
 
 TEST(RecordedIncident, IsKeptByARecorderThatGoesOn) {
   const ScratchDirectory scratch;
   auto whole = RunRecorder::create(scratch.file("whole.mcap"), description(), false);
-  ASSERT_TRUE(whole);
+  ASSERT_TRUE(whole.ok());
   record(*whole, 200);
   ASSERT_TRUE(whole->finish());
 
   {
     auto killed = RunRecorder::create(scratch.file("again.mcap"), description(), false);
-    ASSERT_TRUE(killed);
+    ASSERT_TRUE(killed.ok());
     record(*killed, 100);
     ASSERT_TRUE(killed->write_ahead());
   }
   auto again = RunRecorder::go_on(scratch.file("again.mcap"), description());
-  ASSERT_TRUE(again) << again.error().text();
+  ASSERT_TRUE(again.ok()) << again.error().text();
   record(*again, 200);
   ASSERT_TRUE(again->finish());
 

@@ -43,14 +43,14 @@ TEST(RunRecorder, PutsSamplesIntoCanonicalOrderWhateverTheInterleaving) {
   EXPECT_EQ(read_bytes(scratch.file("by_topic.mcap")), expected);
   EXPECT_EQ(read_bytes(scratch.file("lagging.mcap")), expected);
   const auto recording = RunRecording::open(scratch.file("lagging.mcap"));
-  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
   EXPECT_EQ(read_samples(recording->samples()), canonical);
 }
 
 TEST(RunRecorder, WritesATickOnceEveryTopicHasDeliveredIt) {
   const ScratchDirectory scratch;
   auto recorder = RunRecorder::create(scratch.file("a.mcap"), description(), false);
-  ASSERT_TRUE(recorder);
+  ASSERT_TRUE(recorder.ok());
 
   ASSERT_TRUE(recorder->add(Topic::kScan, 0, 0, "x"));
   ASSERT_TRUE(recorder->add(Topic::kScan, 1, 1, "x"));
@@ -65,7 +65,7 @@ TEST(RunRecorder, PassesOverWhatItHasAndRefusesWhatIsNotOfTheRun) {
   const ScratchDirectory scratch;
   record(scratch.file("once.mcap"), samples_of_run(20));
   auto recorder = RunRecorder::create(scratch.file("twice.mcap"), description(), false);
-  ASSERT_TRUE(recorder);
+  ASSERT_TRUE(recorder.ok());
 
   // Writers that go back by four ticks every ten write those again.
   for (std::uint64_t tick : {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  6,  7,  8,  9,
@@ -78,7 +78,7 @@ TEST(RunRecorder, PassesOverWhatItHasAndRefusesWhatIsNotOfTheRun) {
   ASSERT_TRUE(recorder->finish());
 
   EXPECT_EQ(read_bytes(scratch.file("twice.mcap")), read_bytes(scratch.file("once.mcap")));
-  ASSERT_FALSE(unknown);
+  ASSERT_FALSE(unknown.ok());
   EXPECT_EQ(unknown.error().message, "topic event: is not part of this recording");
 }
 
@@ -86,7 +86,7 @@ TEST(RunRecorder, SaysWhichSamplesAreLost) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("a.mcap");
   auto recorder = RunRecorder::create(path, description(), false);
-  ASSERT_TRUE(recorder);
+  ASSERT_TRUE(recorder.ok());
   for (std::uint64_t tick = 0; tick < 10; ++tick) {
     ASSERT_TRUE(recorder->add(Topic::kCommand, tick, tick, "x"));
     // No scan at 3, 6 and 7; the state's writer numbers one sample more than it sends.
@@ -103,7 +103,7 @@ TEST(RunRecorder, SaysWhichSamplesAreLost) {
   EXPECT_EQ(texts, (std::vector<std::string>{"'scan' of tick 3", "'scan' of ticks 6 to 7",
                                              "1 samples of 'state' before tick 5"}));
   const auto recording = RunRecording::open(path);
-  ASSERT_TRUE(recording && recording->end());
+  ASSERT_TRUE(recording.ok() && recording->end());
   EXPECT_EQ(recording->end()->lost_samples, 4U);
 }
 
@@ -122,7 +122,7 @@ TEST(RunRecorder, CallsNothingLostThatAnAbortedRunDidNotReach) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("a.mcap");
   auto recorder = RunRecorder::create(path, description(), false);
-  ASSERT_TRUE(recorder);
+  ASSERT_TRUE(recorder.ok());
   for (const StoredSample& sample : samples_of_interrupted_run()) {
     // Behind the last command, and yet lost: a later scan is there.
     if (sample.topic == Topic::kScan && sample.tick == 12) continue;
@@ -132,7 +132,7 @@ TEST(RunRecorder, CallsNothingLostThatAnAbortedRunDidNotReach) {
 
   EXPECT_EQ(recorder->losses().texts(), std::vector<std::string>{"'scan' of tick 12"});
   const auto recording = RunRecording::open(path);
-  ASSERT_TRUE(recording && recording->end());
+  ASSERT_TRUE(recording.ok() && recording->end());
   EXPECT_EQ(recording->end()->aborted, "interrupted");
   EXPECT_EQ(recording->end()->lost_samples, 1U);
   EXPECT_EQ(recording->end()->ticks, 12U);
@@ -145,14 +145,14 @@ TEST(RunRecorder, GoesOnWithAnAbortedRun) {
   record(scratch.file("whole.mcap"), samples_of_run(15));
   const std::string path = scratch.file("again.mcap");
   auto recorder = RunRecorder::create(path, description(), false);
-  ASSERT_TRUE(recorder);
+  ASSERT_TRUE(recorder.ok());
   for (const StoredSample& sample : samples_of_interrupted_run()) {
     ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
   }
   ASSERT_TRUE(recorder->seal("interrupted"));
 
   auto next = RunRecorder::go_on(path, description());
-  ASSERT_TRUE(next) << next.error().text();
+  ASSERT_TRUE(next.ok()) << next.error().text();
   for (const StoredSample& sample : samples_of_run(15)) {
     ASSERT_TRUE(next->add(sample.topic, sample.tick, sample.tick, sample.cdr));
   }
@@ -164,7 +164,7 @@ TEST(RunRecorder, GoesOnWithAnAbortedRun) {
 TEST(RunRecorder, GivesUpATopicThatStaysBehind) {
   const ScratchDirectory scratch;
   auto recorder = RunRecorder::create(scratch.file("a.mcap"), description(), false);
-  ASSERT_TRUE(recorder);
+  ASSERT_TRUE(recorder.ok());
   for (std::uint64_t tick = 0; tick < RunRecorder::kMaxWaitingTicks + 10; ++tick) {
     ASSERT_TRUE(recorder->add(Topic::kScan, tick, tick, "x"));
     ASSERT_TRUE(recorder->add(Topic::kState, tick, tick, "x"));
@@ -195,7 +195,7 @@ void record_with_a_death(const std::string& path, const std::vector<StoredSample
   std::uint64_t durable_ticks = 0;
   {
     auto recorder = RunRecorder::create(path, packed(compression), true);
-    ASSERT_TRUE(recorder);
+    ASSERT_TRUE(recorder.ok());
     for (std::size_t i = 0; i < death; ++i) {
       const StoredSample& sample = samples[i];
       ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
@@ -206,7 +206,7 @@ void record_with_a_death(const std::string& path, const std::vector<StoredSample
     durable_ticks = recorder->durable_ticks();
   }
   auto recorder = RunRecorder::go_on(path, packed(compression), durable_ticks);
-  ASSERT_TRUE(recorder) << recorder.error().text();
+  ASSERT_TRUE(recorder.ok()) << recorder.error().text();
   for (const StoredSample& sample : samples) {
     if (sample.tick < durable_ticks) continue;
     ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
@@ -241,7 +241,7 @@ TEST(RunRecorder, GoesOnAfterATearAtEveryByte) {
   for (std::size_t kept_bytes = 0; kept_bytes < whole.size(); ++kept_bytes) {
     write_bytes(path + ".tmp~", std::string_view(whole).substr(0, kept_bytes));
     auto recorder = RunRecorder::go_on(path, description());
-    ASSERT_TRUE(recorder) << recorder.error().text();
+    ASSERT_TRUE(recorder.ok()) << recorder.error().text();
     for (const StoredSample& sample : samples) {
       ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
     }
@@ -263,10 +263,10 @@ TEST(RunRecorder, DoesNotGoOnWithWhatIsNotItsOwn) {
   const auto compressed = RunRecorder::go_on(path, packed(mcap::Compression::kZstd));
   const auto too_short = RunRecorder::go_on(path, description(), 16);
 
-  ASSERT_FALSE(other_run);
+  ASSERT_FALSE(other_run.ok());
   EXPECT_NE(other_run.error().message.find("does not write"), std::string::npos);
-  ASSERT_FALSE(compressed);
-  ASSERT_FALSE(too_short);
+  ASSERT_FALSE(compressed.ok());
+  ASSERT_FALSE(too_short.ok());
   EXPECT_EQ(too_short.error().message, "holds 15 ticks of the 16 that were written to it");
   EXPECT_EQ(read_bytes(path + ".tmp~"), before);
 }
@@ -284,7 +284,7 @@ TEST(RunRecorder, WritesTheRunsHash) {
   record(path, samples_of_run(20));
 
   const auto recording = RunRecording::open(path);
-  ASSERT_TRUE(recording && recording->end());
+  ASSERT_TRUE(recording.ok() && recording->end());
   EXPECT_EQ(recording->end()->ticks, 20U);
   EXPECT_EQ(recording->end()->hash, run_hash(values));
 }

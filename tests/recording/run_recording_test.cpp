@@ -35,7 +35,7 @@ TEST_P(RunRecordingOf, ARunGivesEverythingBack) {
 
   record(path, samples, GetParam());
   const auto recording = RunRecording::open(path);
-  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
   const auto survey = recording->survey();
 
   EXPECT_TRUE(recording->complete());
@@ -48,7 +48,7 @@ TEST_P(RunRecordingOf, ARunGivesEverythingBack) {
   EXPECT_EQ(found.bundle, expected.bundle);
   EXPECT_EQ(found.schemas, expected.schemas);
   EXPECT_EQ(read_samples(recording->samples()), samples);
-  ASSERT_TRUE(survey) << survey.error().text();
+  ASSERT_TRUE(survey.ok()) << survey.error().text();
   EXPECT_EQ(survey->hash, recording->end()->hash);
   EXPECT_EQ(survey->topics.at(Topic::kScan).samples, 100U);
   EXPECT_EQ(survey->topics.at(Topic::kScan).last_tick, 99U);
@@ -64,7 +64,7 @@ TEST(RunRecording, GivesTheTicksAndTopicsAskedFor) {
   const std::string path = scratch.file("run.mcap");
   record(path, samples_of_run(100));
   const auto recording = RunRecording::open(path);
-  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
 
   const auto scans = read_samples(recording->samples({{Topic::kScan}, 41, 43}));
   const auto events = read_samples(recording->samples({{Topic::kEvent}}));
@@ -94,7 +94,7 @@ TEST(RunRecording, OpensUpToTheTearAtAnyByte) {
   for (std::size_t kept_bytes = 0; kept_bytes < whole.size(); ++kept_bytes) {
     write_bytes(path, std::string_view(whole).substr(0, kept_bytes));
     const auto recording = RunRecording::open(path);
-    if (!recording) {
+    if (!recording.ok()) {
       ASSERT_EQ(readable_before, 0U) << recording.error().text();
       continue;
     }
@@ -102,7 +102,7 @@ TEST(RunRecording, OpensUpToTheTearAtAnyByte) {
     const auto found = read_samples(recording->samples());
     ASSERT_GE(found.size(), readable_before);
     ASSERT_TRUE(std::equal(found.begin(), found.end(), samples.begin()));
-    ASSERT_TRUE(recording->survey());
+    ASSERT_TRUE(recording->survey().ok());
     readable_before = found.size();
   }
 
@@ -114,7 +114,7 @@ TEST(RunRecording, LosesNothingThatWasWrittenAhead) {
   const std::string path = scratch.file("run.mcap");
   {
     auto recorder = RunRecorder::create(path, description(), false);
-    ASSERT_TRUE(recorder);
+    ASSERT_TRUE(recorder.ok());
     for (const auto& sample : samples_of_run(100)) {
       ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
     }
@@ -123,7 +123,7 @@ TEST(RunRecording, LosesNothingThatWasWrittenAhead) {
 
   const auto recording = RunRecording::open(path + ".tmp~");
 
-  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
   EXPECT_EQ(read_samples(recording->samples()), samples_of_run(100));
 }
 
@@ -133,7 +133,7 @@ TEST(RunRecording, LosesAtMostASecondOfACrashedRun) {
   constexpr std::uint64_t kTicks = 100;
   {
     auto recorder = RunRecorder::create(path, description(), false);
-    ASSERT_TRUE(recorder);
+    ASSERT_TRUE(recorder.ok());
     for (const auto& sample : samples_of_run(kTicks)) {
       ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
     }
@@ -141,10 +141,10 @@ TEST(RunRecording, LosesAtMostASecondOfACrashedRun) {
 
   const auto recording = RunRecording::open(path + ".tmp~");
 
-  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
   EXPECT_FALSE(recording->complete());
   const auto survey = recording->survey();
-  ASSERT_TRUE(survey);
+  ASSERT_TRUE(survey.ok());
   // The last tick, 99, is at 29.7 s; the chunk of second 29, ticks 97 to 99, is lost.
   EXPECT_EQ(survey->topics.at(Topic::kState).last_tick, 96U);
 }
@@ -164,7 +164,7 @@ TEST(RunRecording, NoticesAChangedDescription) {
 
   const auto recording = RunRecording::open(path);
 
-  ASSERT_FALSE(recording);
+  ASSERT_FALSE(recording.ok());
   EXPECT_EQ(recording.error().text(),
             path +
                 ": its metadata record 'clew' does not match its digest: some of its bytes were "
@@ -175,11 +175,11 @@ TEST(RunRecording, RefusesAnMcapFileOfSomethingElse) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("other.mcap");
   auto writer = mcap::McapWriter::create(path, false, {});
-  ASSERT_TRUE(writer && writer->finish());
+  ASSERT_TRUE(writer.ok() && writer->finish().ok());
 
   const auto recording = RunRecording::open(path);
 
-  ASSERT_FALSE(recording);
+  ASSERT_FALSE(recording.ok());
   EXPECT_EQ(recording.error().text(),
             path + ": is no recording of a run: it has no metadata record 'clew'");
 }
@@ -188,7 +188,7 @@ TEST(RunRecording, NoticesSamplesThatAreNotThoseOfTheRun) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("forged.mcap");
   auto writer = mcap::McapWriter::create(path, false, {});
-  ASSERT_TRUE(writer && writer->write(to_metadata(description())));
+  ASSERT_TRUE(writer.ok() && writer->write(to_metadata(description()).ok()));
   const auto schema = writer->add_schema("clew::msg::Scan", "omgidl", "struct Scan {};");
   const auto channel = writer->add_channel(schema, "/scan", "cdr");
   ASSERT_TRUE(writer->write(mcap::Message{channel, 0, 0, 0, "x"}));
@@ -196,10 +196,10 @@ TEST(RunRecording, NoticesSamplesThatAreNotThoseOfTheRun) {
   ASSERT_TRUE(writer->finish());
 
   const auto recording = RunRecording::open(path);
-  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
   const auto survey = recording->survey();
 
-  ASSERT_FALSE(survey);
+  ASSERT_FALSE(survey.ok());
   EXPECT_NE(survey.error().message.find("its recorder wrote 00000000000000010000000000000001"),
             std::string::npos);
 }

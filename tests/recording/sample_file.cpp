@@ -21,13 +21,13 @@ bool operator==(const StoredMessage& a, const StoredMessage& b) {
 
 std::vector<StoredMessage> sample_messages(std::size_t count) {
   constexpr std::uint64_t kOrder[] = {0, 2, 1};
-  constexpr std::uint64_t kStepNs = 100'000'000;
+  constexpr std::uint64_t kStep_ns = 100'000'000;
   std::vector<StoredMessage> messages;
   for (std::size_t i = 0; i < count; ++i) {
     StoredMessage message;
     message.channel_id = static_cast<std::uint16_t>(i % 2);
     message.sequence = static_cast<std::uint32_t>(i / 2);
-    message.log_time_ns = (3 * (i / 3) + kOrder[i % 3]) * kStepNs;
+    message.log_time_ns = (3 * (i / 3) + kOrder[i % 3]) * kStep_ns;
     message.publish_time_ns = message.log_time_ns + i;
     message.data = std::string(i % 61, static_cast<char>('a' + i % 26));
     messages.push_back(std::move(message));
@@ -42,7 +42,7 @@ void write_sample_file(const std::string& path, bridge::mcap::Compression compre
   options.compression = compression;
   options.chunk_bytes = 700;
   auto writer = McapWriter::create(path, true, options);
-  ASSERT_TRUE(writer) << writer.error().text();
+  ASSERT_TRUE(writer.ok()) << writer.error().text();
   ASSERT_TRUE(writer->write(Attachment{0, 0, "first", "text/plain", "one"}));
   ASSERT_TRUE(writer->write(Metadata{"facts", {{"seed", "1"}}}));
   const auto schema = writer->add_schema("clew::msg::Scan", "omgidl", "struct Scan {};");
@@ -56,7 +56,7 @@ void write_sample_file(const std::string& path, bridge::mcap::Compression compre
   ASSERT_TRUE(writer->write(Attachment{1, 2, "second", "application/yaml", "two: 2\n"}));
   ASSERT_TRUE(writer->write(Metadata{"end", {}}));
   const auto finished = writer->finish();
-  ASSERT_TRUE(finished) << finished.error().text();
+  ASSERT_TRUE(finished.ok()) << finished.error().text();
 }
 
 Content read_content(const bridge::mcap::McapReader& reader, bridge::mcap::Order order,
@@ -65,8 +65,8 @@ Content read_content(const bridge::mcap::McapReader& reader, bridge::mcap::Order
   auto stream = reader.messages(order, filter);
   for (;;) {
     const auto message = stream.next();
-    if (!message) content.errors.push_back(message.error().text());
-    if (!message || !*message) break;
+    if (!message.ok()) content.errors.push_back(message.error().text());
+    if (!message.ok() || !*message) break;
     content.messages.push_back({(*message)->channel_id, (*message)->sequence,
                                 (*message)->log_time_ns, (*message)->publish_time_ns,
                                 std::string((*message)->data)});

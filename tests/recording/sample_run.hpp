@@ -65,21 +65,21 @@ inline std::vector<StoredSample> samples_of_run(std::uint64_t ticks) {
 inline void record(const std::string& path, const std::vector<StoredSample>& samples,
                    mcap::Compression compression = mcap::Compression::kNone) {
   auto recorder = RunRecorder::create(path, packed(compression), true);
-  ASSERT_TRUE(recorder) << recorder.error().text();
+  ASSERT_TRUE(recorder.ok()) << recorder.error().text();
   for (const auto& sample : samples) {
     const auto added = recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr);
-    ASSERT_TRUE(added) << added.error().text();
+    ASSERT_TRUE(added.ok()) << added.error().text();
   }
   const auto finished = recorder->finish();
-  ASSERT_TRUE(finished) << finished.error().text();
+  ASSERT_TRUE(finished.ok()) << finished.error().text();
 }
 
 inline std::vector<StoredSample> read_samples(SampleStream stream) {
   std::vector<StoredSample> samples;
   for (;;) {
     const auto sample = stream.next();
-    EXPECT_TRUE(sample) << sample.error().text();
-    if (!sample || !*sample) return samples;
+    EXPECT_TRUE(sample.ok()) << sample.error().text();
+    if (!sample.ok() || !*sample) return samples;
     EXPECT_EQ((*sample)->sequence, (*sample)->tick);
     samples.push_back({(*sample)->topic, (*sample)->tick, std::string((*sample)->cdr)});
   }

@@ -21,7 +21,7 @@ std::string content(const SpillBuffer& buffer) {
     bytes += piece;
     return core::Result<void>();
   });
-  EXPECT_TRUE(read);
+  EXPECT_TRUE(read.ok());
   return bytes;
 }
 
@@ -58,7 +58,7 @@ TEST(McapWriter, IndexesMoreChunksThanItKeepsInMemory) {
   WriterOptions options;
   options.chunk_span_ns = 1;
   auto writer = McapWriter::create(path, false, options);
-  ASSERT_TRUE(writer);
+  ASSERT_TRUE(writer.ok());
   const auto channel = writer->add_channel(0, "/t", "");
   // A chunk's index takes 9 + 8 * 4 + 4 + 2 + 8 + 8 + 4 + 8 + 8 = 83 bytes: 5000 are more than fit.
   constexpr std::uint32_t kChunks = 5000;
@@ -69,7 +69,7 @@ TEST(McapWriter, IndexesMoreChunksThanItKeepsInMemory) {
   ASSERT_TRUE(writer->finish());
   const auto reader = McapReader::open(path);
 
-  ASSERT_TRUE(reader) << reader.error().text();
+  ASSERT_TRUE(reader.ok()) << reader.error().text();
   EXPECT_TRUE(reader->indexed());
   EXPECT_EQ(reader->segments().size(), kChunks);
   EXPECT_TRUE(reader->verify());

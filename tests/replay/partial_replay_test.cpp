@@ -180,7 +180,7 @@ TEST(ReplayOfARealTimeRun, NoticesAStateThatSaysLateWhereTheRobotMoved) {
   RecordingDraft draft = RecordingDraft::read(path);
   Codec<domain::State> codec;
   domain::State state;
-  ASSERT_TRUE(codec.decode(draft.sample(Topic::kState, 7).cdr, state));
+  ASSERT_TRUE(codec.decode(draft.sample(Topic::kState, 7).cdr, state).ok());
   state.command_late = true;
   draft.sample(Topic::kState, 7).cdr = codec.encode(state);
   draft.write(path);

@@ -77,7 +77,7 @@ TEST_F(RecordingDiffTest, NamesTheFieldAndBothValues) {
   Codec<domain::Scan> codec;
   domain::Scan scan;
   auto& sample = draft_.sample(Topic::kScan, 9);
-  ASSERT_TRUE(codec.decode(sample.cdr, scan));
+  ASSERT_TRUE(codec.decode(sample.cdr, scan).ok());
   const double before_m = scan.ranges_m[3];
   scan.ranges_m[3] = 0.25;
   sample.cdr = codec.encode(scan);
@@ -98,7 +98,7 @@ TEST_F(RecordingDiffTest, NamesAFieldWhoseValueIsOutsideItsRange) {
   Codec<domain::Scan> codec;
   domain::Scan scan;
   std::string& cdr = draft_.sample(Topic::kScan, 9).cdr;
-  ASSERT_TRUE(codec.decode(cdr, scan));
+  ASSERT_TRUE(codec.decode(cdr, scan).ok());
   cdr[kRangesAt + 3 * 8 + 7] = static_cast<char>(cdr[kRangesAt + 3 * 8 + 7] ^ 0x80);
 
   const RecordingDiff found = diff();
@@ -215,7 +215,7 @@ TEST_F(RecordingDiffTest, PassesOverNumbersWithinAToleranceOnRequest) {
   Codec<domain::Odometry> codec;
   domain::Odometry odometry;
   auto& sample = draft_.sample(Topic::kOdometry, 9);
-  ASSERT_TRUE(codec.decode(sample.cdr, odometry));
+  ASSERT_TRUE(codec.decode(sample.cdr, odometry).ok());
   odometry.pose_odom_robot.x_m += 1e-6;
   sample.cdr = codec.encode(odometry);
 

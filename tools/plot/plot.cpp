@@ -25,7 +25,7 @@ core::Result<void> render_to(std::string picture, const std::string& output) {
   const std::filesystem::path ending = std::filesystem::path(output).extension();
   if (ending != ".svg") {
     auto rendered = ending == ".png" ? render_png(picture) : render_pdf(picture);
-    if (!rendered) return rendered.error();
+    if (!rendered.ok()) return rendered.error();
     picture = std::move(rendered).value();
   }
   return files::write_file(output, picture);
@@ -40,14 +40,14 @@ core::Result<void> plot_recordings(const std::vector<std::string>& recordings,
   std::vector<RunTrack> tracks;
   for (const std::string& recording : recordings) {
     auto track = read_run_track(recording);
-    if (!track) return track.error();
+    if (!track.ok()) return track.error();
     if (!tracks.empty() && track->world != tracks.front().world) {
       return core::Error{"was made in another world than " + tracks.front().path, recording};
     }
     tracks.push_back(std::move(track).value());
   }
   const auto world = world::World::parse(tracks.front().world, tracks.front().path + ":world.yaml");
-  if (!world) return world.error();
+  if (!world.ok()) return world.error();
   return render_to(draw_runs(*world, tracks), output);
 }
 
@@ -55,12 +55,12 @@ core::Result<void> plot_tick(const std::string& recording, const InsideView& ins
                              const std::string& output) {
   CLEW_RETURN_IF_ERROR(check_ending(output));
   const auto track = read_run_track(recording);
-  if (!track) return track.error();
+  if (!track.ok()) return track.error();
   if (track->frames.count(inside.tick) == 0) {
     return core::Error{"has no pose of tick " + std::to_string(inside.tick), recording};
   }
   const auto world = world::World::parse(track->world, track->path + ":world.yaml");
-  if (!world) return world.error();
+  if (!world.ok()) return world.error();
   return render_to(draw_tick(*world, *track, inside), output);
 }
 

@@ -59,7 +59,7 @@ class TrackReader {
   static core::Result<void> decode(const bridge::SampleView& sample, bridge::Codec<Message>& codec,
                                    std::optional<Message>& message) {
     const auto decoded = codec.decode(sample.cdr, message.emplace());
-    if (decoded) return {};
+    if (decoded.ok()) return {};
     return core::Error{"tick " + std::to_string(sample.tick) + " of " +
                        std::string(domain::topic_name(sample.topic)) + ": " +
                        decoded.error().message};
@@ -137,7 +137,7 @@ core::Result<void> read_samples(const bridge::RunRecording& recording, RunTrack&
   std::optional<std::uint64_t> tick;
   for (;;) {
     const auto sample = samples.next();
-    if (!sample) return sample.error();
+    if (!sample.ok()) return sample.error();
     const bool at_end = !sample->has_value();
     if (tick && (at_end || (*sample)->tick != *tick)) reader.end_tick(*tick, track);
     if (at_end) return {};
@@ -188,7 +188,7 @@ core::Result<void> read_configuration(const bridge::RunDescription& description,
   track.seed = description.seed;
   track.tick_s = description.tick_s;
   const auto body = runtime::read_robot({"robot.yaml", robot->second}, "robot");
-  if (!body) return body.error();
+  if (!body.ok()) return body.error();
   track.robot_radius_m = body->radius_m;
   return {};
 }
@@ -204,7 +204,7 @@ Vec2 FramePair::to_world(const Vec2& place_odom) const {
 
 core::Result<RunTrack> read_run_track(const std::string& path) {
   const auto recording = bridge::RunRecording::open(path);
-  if (!recording) return recording.error();
+  if (!recording.ok()) return recording.error();
   const auto refused = [&path](const std::string& why) { return core::Error{why, path}; };
   if (recording->description().idl_fingerprint != bridge::idl_fingerprint()) {
     return refused("was recorded with other message types than this version has");
@@ -213,10 +213,10 @@ core::Result<RunTrack> read_run_track(const std::string& path) {
   track.name = std::filesystem::path(path).stem().string();
   track.path = path;
   track.cut_off = !recording->complete();
-  if (const auto read = read_configuration(recording->description(), track); !read) {
+  if (const auto read = read_configuration(recording->description(), track); !read.ok()) {
     return refused(read.error().text());
   }
-  if (const auto read = read_samples(*recording, track); !read) {
+  if (const auto read = read_samples(*recording, track); !read.ok()) {
     return refused(read.error().message);
   }
   if (track.poses.empty()) return refused("holds no sample of the topic state");
