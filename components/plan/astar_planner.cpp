@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/segment.hpp"
+#include "domain/held.hpp"
 #include "map/tight_path.hpp"
 
 namespace clew::plan {
@@ -28,8 +29,13 @@ core::Result<std::unique_ptr<AStarPlanner>> AStarPlanner::create(
   if (parameters.least_look_ahead_m > parameters.most_look_ahead_m) {
     return core::Error{"plan.astar: least_look_ahead_m must not be greater than most_look_ahead_m"};
   }
-  return std::make_unique<AStarPlanner>(parameters, setup.tick_s);
+  return std::make_unique<AStarPlanner>(parameters, setup);
 }
+
+AStarPlanner::AStarPlanner(const Parameters& parameters, const domain::BehaviourSetup& setup)
+    : parameters_(parameters),
+      tick_s_(setup.tick_s),
+      held_ticks_(domain::held_ticks(parameters.held_s, kHeld_m, setup)) {}
 
 Subgoal AStarPlanner::step(const Situation& situation) {
   const core::Vec2 robot = situation.odometry.pose_odom_robot.position();
@@ -47,7 +53,7 @@ void AStarPlanner::note_where_held(const Situation& situation) {
     state_.held = robot;
     state_.held_tick = tick;
   }
-  if (static_cast<double>(tick - state_.held_tick) * tick_s_ < parameters_.held_s) return;
+  if (tick - state_.held_tick < held_ticks_) return;
   state_.held_tick = tick;
   if (state_.path.empty() || state_.closed.size() >= kMostClosed) return;
   const core::Vec2 way = ahead(pass(robot) + parameters_.least_look_ahead_m).place - robot;

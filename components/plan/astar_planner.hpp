@@ -78,8 +78,7 @@ class AStarPlanner final : public Planner {
 
   static core::Result<std::unique_ptr<AStarPlanner>> create(const Parameters& parameters,
                                                             const domain::BehaviourSetup& setup);
-  AStarPlanner(const Parameters& parameters, double tick_s)
-      : parameters_(parameters), tick_s_(tick_s) {}
+  AStarPlanner(const Parameters& parameters, const domain::BehaviourSetup& setup);
 
   Subgoal step(const Situation& situation) override;
   void tell(const Situation& situation, domain::Inside& inside) const override;
@@ -105,6 +104,7 @@ class AStarPlanner final : public Planner {
 
   Parameters parameters_;
   double tick_s_;
+  std::uint64_t held_ticks_;
   map::AStar search_;
   map::Costmap costs_;
   std::vector<map::Cell> cells_;  // memory to work in

@@ -6,6 +6,7 @@ import pathlib
 import random
 import subprocess
 import tempfile
+import time
 import unittest
 from xml.etree import ElementTree
 
@@ -205,6 +206,14 @@ class Options(BadInput):
                     self.refused(Run([*command.split(), f"{option}={value}"]), option,
                                  f"found '{value}'; allowed: {allowed}" if value else option)
 
+    def test_no_number_begins_with_a_zero(self):
+        for command, option in (("run reactive", "--seed"), ("run reactive", "--max-ticks"),
+                                ("run reactive", "--domain"), ("bench smoke", "--jobs"),
+                                ("view none.mcap", "--port"), ("plot none.mcap", "--tick")):
+            with self.subTest(option=option):
+                self.refused(Run([*command.split(), f"{option}=010"]), option,
+                             "found '010'; allowed: ", " without leading zeros")
+
     def test_no_command_and_an_unknown_one(self):
         self.assertEqual(Run([]).status, 2)
         self.refused(Run(["chekc", "reactive"]), "did you mean 'check'?")
@@ -345,6 +354,24 @@ class Output(BadInput):
                                       text=True, check=False)
             self.assertEqual(done.returncode, 1)
             self.assertIn("standard output: No space left on device", done.stderr)
+
+    @unittest.skipUnless(os.path.isdir("/proc/self/fd"), "looks at a process's files")
+    def test_no_file_takes_the_place_of_a_closed_stream(self):
+        with tempfile.TemporaryDirectory() as directory:
+            recording = pathlib.Path(directory) / "r.mcap"
+            run = subprocess.Popen(["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh", CLEW, "run", "reactive",
+                                    "--layout", "composed", "--pace", "realtime", "--record", recording])
+            try:
+                while not pathlib.Path(f"{recording}.tmp~").exists():
+                    self.assertIsNone(run.poll())
+                    time.sleep(0.01)
+                streams = [os.readlink(f"/proc/{run.pid}/fd/{stream}") for stream in (0, 1, 2)]
+            finally:
+                run.terminate()
+                run.wait(timeout=60)
+
+            self.assertEqual(streams, 3 * ["/dev/null"])
+            self.assertEqual(Run(["info", recording]).status, 0)
 
     def test_a_reader_that_has_gone_is_no_crash(self):
         for arguments in (["list", "worlds"], ["check", "default", "--expand"]):

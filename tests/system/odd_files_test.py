@@ -60,6 +60,35 @@ class OddFiles(unittest.TestCase):
                 self.assertIn(done.returncode, (1, 2, 3), done.stderr)
                 self.assertNotIn("signal 11", done.stderr)
 
+    def test_a_file_that_cannot_be_written_whole_stays_what_it_was(self):
+        recording, picture = self.folder / "r.mcap", self.folder / "r.png"
+        self.assertEqual(Run(["run", "reactive", "--layout", "composed", "--world", "open-field",
+                              "--record", recording]).status, 0)
+        self.assertEqual(Run(["plot", recording, "-o", picture]).status, 0)
+        whole, rights = picture.read_bytes(), 0o640
+        picture.chmod(rights)
+
+        for name in ("r.png", "new.png"):
+            done = subprocess.run([CLEW, "plot", recording, "-o", self.folder / name],
+                                  capture_output=True, text=True, check=False, timeout=60,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE,
+                                                                        (4096, 4096)))
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(f"{name}: cannot be written: File too large", done.stderr)
+
+        self.assertEqual(picture.read_bytes(), whole)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["pipe", "r.mcap", "r.png"])
+        self.assertEqual(Run(["plot", recording, "-o", picture]).status, 0)
+        self.assertEqual((picture.read_bytes(), picture.stat().st_mode & 0o777), (whole, rights))
+
+    def test_a_picture_is_written_through_a_link(self):
+        (self.folder / "link.svg").symlink_to(self.folder / "there.svg")
+
+        self.assertEqual(Run(["world", "picture", "u-trap", "-o", self.folder / "link.svg"]).status, 0)
+
+        self.assertTrue((self.folder / "link.svg").is_symlink())
+        self.assertIn("<svg", (self.folder / "there.svg").read_text(encoding="utf-8"))
+
     def test_nothing_is_recorded_into_a_pipe(self):
         for layout in ("composed", "processes"):
             self.refused(["run", "reactive", "--layout", layout, "--record", self.pipe],

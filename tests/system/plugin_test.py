@@ -185,7 +185,8 @@ class PluginTest(unittest.TestCase):
 
     def test_new_refuses_kinds_and_names_that_are_none(self):
         for arguments, message in [(["detectr", "a"], "did you mean 'detector'"),
-                                   (["drive", "My-Drive"], "all small")]:
+                                   (["drive", "My-Drive"], "all small"),
+                                   (["escape", "test"], "CMake keeps for itself")]:
             done = self.clew("new", *arguments)
 
             self.assertEqual(done.status, 2)

@@ -194,6 +194,30 @@ class World(Told):
         self.assertEqual((found["solvable"], found["shortest_path_m"]), (False, None))
         self.assertIn(None, [trap["depth_m"] for trap in found["traps"]])
 
+    def test_says_why_a_world_with_a_way_has_no_shortest_path(self):
+        # The target lies on the wall's skin: within its radius there is room for the robot.
+        near = write_file("format: clew-world/1\nname: near\nbounds: [0, 0, 9, 9]\n"
+                          "walls: [[8, 1, 8, 8]]\nstart: [1, 5, 0]\ntarget: [7.9, 5]\n"
+                          "target_radius: 0.2\n")
+
+        told = Run(["world", "solve", near]).out
+
+        self.assertIn("solvable: true\nshortest path: unknown, none ends on the target itself, only "
+                      "within its radius\n", told)
+
+    def test_says_of_what_moves_when_the_answer_holds(self):
+        closes = write_file("format: clew-world/1\nname: closes\nbounds: [0, 0, 9, 9]\n"
+                            "moving: [{circle: [5, 8, 0.3], path: [[0, 5, 8], [40, 8, 5]]}]\n"
+                            "start: [1, 5, 0]\ntarget: [8, 5]\ntarget_radius: 0.2\n")
+        comes = write_file("format: clew-world/1\nname: comes\nbounds: [0, 0, 9, 9]\n"
+                           "moving: [{circle: [1, 8, 0.3], path: [[0, 1, 8], [40, 1, 5]]}]\n"
+                           "start: [1, 5, 0]\ntarget: [8, 5]\ntarget_radius: 0.2\n")
+
+        self.assertIn("solvable: false, once all has come to rest, after 40.0 s\n",
+                      Run(["world", "solve", closes]).out)
+        self.assertIn("solvable: unknown, what moves comes to rest on the start\n",
+                      Run(["world", "solve", comes]).out)
+
     def test_a_world_that_is_too_large_is_left_undecided_at_once(self):
         huge = write_file("format: clew-world/1\nname: huge\nbounds: [0, 0, 1000, 1000]\n"
                           "start: [1, 1, 0]\ntarget: [999, 999]\ntarget_radius: 0.2\n")

@@ -69,6 +69,15 @@ class Unreachable(unittest.TestCase):
                 self.assertEqual(self.worlds(runs, "unreachable"), [])
                 self.assertEqual(self.worlds(runs, "collided"), [])
 
+    def test_is_never_said_because_a_robot_is_slow_or_its_ticks_are_long(self):
+        for graph in LEAST_REACHED:
+            for slow in ("drive.tick_s=10", "drive.max_turn_deg=1", "drive.max_step_m=0.001"):
+                with self.subTest(graph=graph, slow=slow):
+                    report = run_graph(graph, "--layout", "composed", "--set", slow,
+                                       "--max-ticks", 2000)
+
+                    self.assertIn(report["outcome"], ("reached", "timeout"))
+
 
 def world_with_people(stay_s):
     """Seven people come close to the robot's way, stand around it, and go."""

@@ -45,6 +45,14 @@ TEST(Reachability, MovingObstaclesCountWhereTheyStandAtTheGridsTime) {
   EXPECT_EQ(is_solvable(ClearanceGrid(world, 12.0), kRadius_m, kMargin_m), Solvable::kNo);
 }
 
+TEST(Reachability, WhatComesToRestOnTheStartDecidesNothing) {
+  const auto world = small_world("moving: [{circle: [3, 6, 0.5], path: [[0, 3, 6], [9, 3, 3]]}]",
+                                 "[3, 3, 0]", "[7, 7]");
+
+  EXPECT_EQ(is_solvable(ClearanceGrid(world, 0.0), kRadius_m, kMargin_m), Solvable::kYes);
+  EXPECT_EQ(is_solvable(ClearanceGrid(world, 9.0), kRadius_m, kMargin_m), Solvable::kUndecided);
+}
+
 TEST(Reachability, ALoopNeverSettles) {
   const auto world = small_world(
       "moving: [{circle: [5, 5, 0.5], path: [[0, 5, 5], [9, 6, 5], [18, 5, 5]], loop: true}]",

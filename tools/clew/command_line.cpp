@@ -7,14 +7,28 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 namespace clew::tools {
 namespace {
 
+/// CLI11 reads 010 as 8; who pads numbers, as seq -w does, means 10.
+bool has_leading_zero(std::string_view text) {
+  if (!text.empty() && text.front() == '-') text.remove_prefix(1);
+  return text.size() > 1 && text[0] == '0' && text.find_first_not_of("0123456789") == text.npos;
+}
+
+/// What is wrong with a number that is none of those allowed.
+std::string wrong_number(const std::string& text, const std::string& allowed) {
+  return fmt::format("found '{}'; allowed: {}{}", text, allowed,
+                     has_leading_zero(text) ? " without leading zeros" : "");
+}
+
 /// All of `text` as a number of this type; none if it is anything else.
 template <typename Number>
 std::optional<Number> number_of(const std::string& text) {
+  if (has_leading_zero(text)) return std::nullopt;
   Number value{};
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
@@ -24,12 +38,19 @@ std::optional<Number> number_of(const std::string& text) {
 
 }  // namespace
 
+CLI::Validator decimal_number() {
+  return {[](std::string& text) {
+            return has_leading_zero(text) ? wrong_number(text, "a number") : std::string();
+          },
+          ""};
+}
+
 CLI::Validator whole_number() {
   return {[](std::string& text) {
             const auto count = number_of<std::int64_t>(text);
             if (count && *count >= 0) return std::string();
-            return fmt::format("found '{}'; allowed: a whole number from 0 to {}", text,
-                               std::numeric_limits<std::int64_t>::max());
+            return wrong_number(text, fmt::format("a whole number from 0 to {}",
+                                                  std::numeric_limits<std::int64_t>::max()));
           },
           ""};
 }
@@ -38,7 +59,7 @@ CLI::Validator number_between(double low, double high) {
   return {[low, high](std::string& text) {
             const auto value = number_of<double>(text);
             if (value && *value >= low && *value <= high) return std::string();
-            return fmt::format("found '{}'; allowed: {} to {}", text, low, high);
+            return wrong_number(text, fmt::format("{} to {}", low, high));
           },
           ""};
 }

@@ -9,6 +9,9 @@
 
 namespace clew::tools {
 
+/// A number that means the same to every reader: 010 is 8 to some, and 10 to others.
+CLI::Validator decimal_number();
+
 /// A whole number from 0 on: counts, which a graph file holds, too.
 CLI::Validator whole_number();
 

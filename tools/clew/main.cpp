@@ -13,11 +13,13 @@
 #include <system_error>
 #include <vector>
 
+#include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/help_groups.hpp"
 #include "clew/log_options.hpp"
 #include "clew/stack_limit.hpp"
+#include "clew/standard_streams.hpp"
 #include "clew/train_commands.hpp"
 #include "clew/version.hpp"
 #include "core/nearest_name.hpp"
@@ -37,6 +39,17 @@ void add_versions(CLI::App& app) {
   app.set_version_flag("--version", version_text());
   for (CLI::App* command : app.get_subcommands({})) {
     command->set_version_flag("--version", version_text());
+  }
+}
+
+/// Lets no option and argument that is a whole number begin with a zero: CLI11 would read 010 as 8.
+void add_decimal_checks(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    const std::string type = option->get_type_name();
+    if (type == "INT" || type == "UINT") option->check(decimal_number());
+  }
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    add_decimal_checks(*command);
   }
 }
 
@@ -129,6 +142,7 @@ int parse_and_run(int argc, char** argv) {
   }
   add_versions(app);
   add_help(app);
+  add_decimal_checks(app);
   const auto log = std::make_shared<LogOptions>();
   add_log_options(app, log);
   app.parse_complete_callback([&] {
@@ -169,6 +183,7 @@ int complain_of_output(int number) {
 
 int main(int argc, char** argv) {
   using namespace clew::tools;
+  hold_standard_streams();
   if (const auto raised = raise_small_stacks(); !raised.ok()) return complain(raised.error());
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   // Writing reports these instead: a reader that has gone, a file that has reached its limit.

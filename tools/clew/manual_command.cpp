@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "clew/command_tables.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "core/nearest_name.hpp"
+#include "files/whole_file.hpp"
 
 namespace clew::tools {
 namespace {
@@ -14,10 +13,7 @@ namespace {
 core::Result<void> write_pages(const CLI::App& app, const std::string& stem,
                                const std::string& directory) {
   const std::string path = directory + '/' + stem + ".1";
-  std::ofstream file(path);
-  file << manual_page(app, CLEW_VERSION);
-  file.close();
-  if (!file) return core::Error{"cannot be written", path};
+  CLEW_RETURN_IF_ERROR(files::write_file(path, manual_page(app, CLEW_VERSION)));
   for (const CLI::App* command : shown_commands(app)) {
     CLEW_RETURN_IF_ERROR(write_pages(*command, stem + '-' + command->get_name(), directory));
   }

@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "core/nearest_name.hpp"
+#include "files/whole_file.hpp"
 #include "runtime/plugin_list.hpp"
 
 namespace clew::tools {
@@ -32,6 +34,11 @@ const std::map<std::string, std::string> kParts = {
     {"detector", "recover.detector"}, {"escape", "recover.escape"}, {"controller", "control"},
     {"classifier", "classify"},       {"sensor", "sense"},          {"drive", "drive"}};
 
+/// CMake keeps these for itself: no library of a project can have such a name.
+const std::set<std::string> kCMakesOwn = {"all",           "clean",   "depend",  "edit_cache",
+                                          "help",          "install", "package", "package_source",
+                                          "rebuild_cache", "test"};
+
 Result<void> check(const NewOptions& options) {
   if (kParts.count(options.kind) == 0) {
     std::vector<std::string> known;
@@ -45,6 +52,9 @@ Result<void> check(const NewOptions& options) {
                       return c == '_' || std::islower(static_cast<unsigned char>(c)) != 0 ||
                              std::isdigit(static_cast<unsigned char>(c)) != 0;
                     });
+  if (kCMakesOwn.count(name) != 0) {
+    return Error{"found the name '" + name + "', which CMake keeps for itself; allowed: any other"};
+  }
   if (good) return {};
   return Error{"found the name '" + name +
                "'; allowed: a letter, then letters, digits and _, all small, at most 40"};
@@ -87,11 +97,7 @@ Result<void> write(const fs::path& from, const fs::path& to,
   std::ostringstream text;
   text << source.rdbuf();
   if (!source) return Error{"cannot be read", from.string()};
-  std::ofstream file(to);
-  file << filled(text.str(), words);
-  file.close();
-  if (!file) return Error{"cannot be written", to.string()};
-  return {};
+  return files::write_file(to.string(), filled(text.str(), words));
 }
 
 Result<void> write_project(const NewOptions& options, const fs::path& folder) {

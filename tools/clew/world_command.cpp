@@ -37,11 +37,18 @@ void print(const WorldSubject& subject, const WorldFindings& findings) {
              world.bounds_max().x() - world.bounds_min().x(),
              world.bounds_max().y() - world.bounds_min().y(), subject.radius_m);
   if (findings.solvable) {
-    fmt::print("solvable: {}\n", *findings.solvable);
+    const auto settled_s = world_analysis::settled_time_s(world);
+    const bool moves = settled_s && *settled_s > 0.0;
+    fmt::print("solvable: {}{}\n", *findings.solvable,
+               moves ? fmt::format(", once all has come to rest, after {:.1f} s", *settled_s) : "");
   } else {
     fmt::print("solvable: unknown, {}\n", findings.undecided);
   }
-  if (findings.shortest_path_m) fmt::print("shortest path: {:.3f} m\n", *findings.shortest_path_m);
+  if (findings.shortest_path_m) {
+    fmt::print("shortest path: {:.3f} m\n", *findings.shortest_path_m);
+  } else if (findings.solvable == true) {
+    fmt::print("shortest path: unknown, none ends on the target itself, only within its radius\n");
+  }
   for (const world_analysis::Trap& trap : findings.traps) {
     fmt::print("trap at ({:.2f}, {:.2f}), {}\n", trap.place.x(), trap.place.y(),
                std::isfinite(trap.depth_m) ? fmt::format("{:.2f} m deep", trap.depth_m)

@@ -99,7 +99,10 @@ WorldFindings find_out(const WorldSubject& subject, WithSeverity with) {
   const world_analysis::ClearanceGrid grid(subject.world, *time_s);
   const auto solvable = world_analysis::is_solvable(grid, subject.radius_m, kMargin_m);
   if (solvable == world_analysis::Solvable::kUndecided) {
-    findings.undecided = "the only ways lead through gaps about as wide as the robot";
+    const bool is_covered = subject.world.clearance_m(subject.world.start().position(),
+                                                      subject.radius_m, *time_s) < subject.radius_m;
+    findings.undecided = is_covered ? "what moves comes to rest on the start"
+                                    : "the only ways lead through gaps about as wide as the robot";
   } else {
     findings.solvable = solvable == world_analysis::Solvable::kYes;
   }

@@ -8,7 +8,9 @@
 namespace clew::files {
 
 /// Writes a file anew. Refused, with the system's reason: what cannot be opened, and what does not
-/// arrive whole, on a full disk for one. Then what is there of it is incomplete.
+/// arrive whole, on a full disk for one. Then the file is what it was before: the new one is
+/// written beside it and takes its place when it is whole. Links, devices and files of others are
+/// written in place.
 core::Result<void> write_file(const std::string& path, const std::string& bytes);
 
 /// All bytes of a file.

@@ -59,6 +59,11 @@ Solvable is_solvable(const ClearanceGrid& grid, const Leg& leg, double radius_m,
       [&](std::size_t a, std::size_t b) { return grid.is_way_free(a, b, with_margin_m); },
       [&](std::size_t node) { return distance_m(node) <= leg.radius_m; });
   if (found) return Solvable::kYes;
+  // What moves has come to rest over the start: the robot need not be there any more.
+  if (grid.world().clearance_m(start, radius_m, grid.time_s()) < radius_m &&
+      grid.world().clearance_m(start, radius_m, 0.0) >= radius_m) {
+    return Solvable::kUndecided;
+  }
 
   const double half_diagonal_m = kSpacing_m * std::sqrt(0.5);
   const double least_m = radius_m - half_diagonal_m;

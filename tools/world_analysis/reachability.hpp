@@ -17,7 +17,8 @@ enum class Solvable {
 ///
 /// kNo: a way for the disc's centre passes cells of the lattice whose nodes are at most half a
 /// diagonal away from it, and so have a clearance of at least the radius less half a diagonal; if
-/// not even such nodes join start and target, there is no way.
+/// not even such nodes join start and target, there is no way. Where what moves has come to rest on
+/// the start, a robot has left that, and nothing is decided.
 Solvable is_solvable(const ClearanceGrid& grid, double radius_m, double margin_m);
 /// The same of one leg, from its first place itself.
 Solvable is_solvable(const ClearanceGrid& grid, const Leg& leg, double radius_m, double margin_m);

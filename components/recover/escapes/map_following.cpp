@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/angle.hpp"
+#include "domain/held.hpp"
 #include "map/astar.hpp"
 #include "map/neural_path.hpp"
 
@@ -25,6 +26,7 @@ MapFollowing::MapFollowing(const Parameters& parameters, const domain::Behaviour
     : parameters_(parameters),
       tick_s_(setup.tick_s),
       limits_(setup.limits),
+      held_ticks_(domain::held_ticks(parameters.held_s, parameters.held_within_m, setup)),
       path_(parameters.path, setup.robot.radius_m, setup.tick_s, std::move(search)),
       proof_(parameters.proof_s, parameters.path, setup) {}
 
@@ -82,7 +84,7 @@ void MapFollowing::note_where_held(const Situation& situation, const core::Vec2&
     state_.held_odom = here;
     state_.held_tick = situation.tick;
   }
-  if (static_cast<double>(situation.tick - state_.held_tick) * tick_s_ < parameters_.held_s) return;
+  if (situation.tick - state_.held_tick < held_ticks_) return;
   const core::Vec2 ahead = corner_odom - here;
   const double distance_m = core::length(ahead);
   if (distance_m > 0.0) {

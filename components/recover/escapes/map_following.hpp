@@ -87,6 +87,7 @@ class MapFollowing : public Escape {
   Parameters parameters_;
   double tick_s_;
   domain::MotionLimits limits_;
+  std::uint64_t held_ticks_;
   map::LocalPath path_;
   CutProof proof_;
   State state_;
