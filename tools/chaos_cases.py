@@ -59,6 +59,34 @@ def random_case(numbers, kinds):
     return case
 
 
+def freeze_case(numbers):
+    """Freezes of 0.05 to 10 s and nothing else: of one process or all, the supervisor included, at the
+    start, on the way, at a restart, while an assignment of 10 MB is read."""
+    graph = numbers.choice(sorted(path.stem for path in
+                                  (SOURCE / "configs" / "graphs").glob("*.yaml")))
+    stages = stages_of(graph)
+    vendors = ["cyclonedds", "fastdds"]
+    large = numbers.random() < 0.2
+    ticks = numbers.randrange(100, 1000)
+    # Half of them last for three seconds at least, for ticks of 0.3 s.
+    case = {"graph": graph, "seed": 1, "max_ticks": ticks, "world": "unsolvable-behind-wall",
+            "large": large, "pace": numbers.choice(["lockstep", f"{ticks // 10}x"]),
+            "middleware": [numbers.choice(vendors)] + [
+                f"{stage}={numbers.choice(vendors)}" for stage in stages if numbers.random() < 0.4],
+            "with": [], "at": [], "secure": False, "faults": []}
+    for _ in range(numbers.choice([1, 1, 2])):
+        kind = numbers.choice(["freeze", "freeze", "freeze_new"])
+        victims = ["sense", "drive"] if large else [*stages, "recorder"]
+        if kind == "freeze" and not large:
+            victims += ["run", "all", "all"]
+        case["faults"].append({
+            "kind": kind, "victim": numbers.choice(victims),
+            "at_s": round(numbers.choice([numbers.uniform(0.0, 0.4), numbers.uniform(0.3, 2.0)]), 3),
+            "for_s": round(10 ** numbers.uniform(-1.3, 1.0), 3)})
+    case["faults"].sort(key=lambda fault: fault["at_s"])
+    return case
+
+
 def random_faults(numbers, stages, kinds, realtime):
     faults = []
     for _ in range(numbers.choice([1, 1, 2, 3, 5])):

@@ -35,6 +35,10 @@ inline constexpr std::size_t kCheckpointsKept = 4;
 /// How long a participant that is silent is believed alive by the others. They keep what they write
 /// for it until then.
 inline constexpr double kLease_s = 1.5;
+/// The same of a run over several hosts, whose network may lose a fifth of all packets, or all of
+/// them for seconds: what was heard of one by some and not by others must not be taken for its
+/// death.
+inline constexpr double kLeaseOverHosts_s = 10.0;
 /// A component that is in a debugger is not dead.
 inline constexpr double kPatientLease_s = 3600.0;
 /// How often a component that has nothing else to do reports, and tries waiting writes again.
@@ -45,6 +49,9 @@ inline constexpr auto kHeartbeatPeriod = std::chrono::milliseconds(100);
 /// lease ends for anybody, counted from its last announcement, up to 0.4 s before it froze: a
 /// participant that comes back after that may be known to some and forgotten by others for good.
 inline constexpr auto kFrozenAfter = std::chrono::seconds(1);
+/// A report from another host may be lost on its way, several times in a row. Whether the host
+/// itself is lost, the relay here knows.
+inline constexpr auto kLostReports = std::chrono::seconds(3);
 /// A process that was killed so and then does not get further is given twice as long each time, up
 /// to half a minute: on a busy machine it was not frozen.
 inline constexpr std::uint32_t kMostDoublings = 5;
@@ -60,6 +67,18 @@ inline constexpr auto kStallRestart = std::chrono::seconds(5);
 inline constexpr auto kLonelyAfter = std::chrono::seconds(4);
 /// No tick for so long means that a component is stuck.
 inline constexpr auto kStallTimeout = std::chrono::seconds(10);
+/// How long a run waits for its processes to find each other, and for ticks. `start` times
+/// `start_timeout_s` is what they may take to start.
+struct Patience {
+  double lease_s;
+  int start;
+  std::chrono::seconds lonely_after, stall_restart, stall_timeout;
+};
+inline constexpr Patience kPatienceHere{kLease_s, 1, kLonelyAfter, kStallRestart, kStallTimeout};
+/// Over a cable that loses packets: a secured start takes a handshake of TLS and one of each two
+/// participants, and each message that is lost is sent again after a second.
+inline constexpr Patience kPatienceOverHosts{kLeaseOverHosts_s, 3, std::chrono::seconds(15),
+                                             std::chrono::seconds(15), std::chrono::seconds(30)};
 /// A third-party program that is asked for a line and does not answer is stuck, too.
 inline constexpr auto kLongestAnswer = std::chrono::seconds(10);
 /// Unless one of them says that it is busy with a step. A step may take as long as it uses
@@ -94,7 +113,7 @@ inline constexpr auto kMeetTimeout = std::chrono::seconds(2);
 /// A recorder reports that it lives from its first moment.
 inline constexpr auto kRecorderStartTimeout = std::chrono::seconds(10);
 /// With a debugger, or a component that a person starts: as long as a person may take.
-inline constexpr auto kPatience = std::chrono::hours(1);
+inline constexpr auto kPatienceOfPerson = std::chrono::hours(1);
 /// The same in a replay, where nothing but the replay waits.
 inline constexpr double kReplayPatience_s = 60.0;
 /// In real time a run whose end has come goes on until the robot rests, but not for longer.
@@ -174,8 +193,8 @@ inline constexpr auto kHostLostAfter = std::chrono::seconds(2);
 /// `clew host` that is stopped (SIGSTOP) notices nothing: its components go on until it is
 /// continued.
 inline constexpr auto kFallBackAfter = std::chrono::seconds(3);
-/// And how long without that: a run that stands still for 10 s ends.
-inline constexpr auto kHostPatience = std::chrono::seconds(9);
+/// And how long without that: a run over hosts that stands still for 30 s ends.
+inline constexpr auto kHostPatience = std::chrono::seconds(28);
 /// A cable that is back is noticed soon, and a host that is gone is not flooded.
 inline constexpr auto kReconnectPeriod = std::chrono::milliseconds(200);
 /// A component that has closed its line is about to end.

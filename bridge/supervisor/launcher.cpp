@@ -195,14 +195,15 @@ Launcher::Launcher(const runtime::RunPlan& plan, const ProcessLayout& layout, in
       run_id_(std::to_string(::getpid()) + '-' + std::to_string(domain)),
       run_key_(RunKey::make()),
       security_(std::move(security)),
-      environment_(domain, kLease_s, run_id_, {}, network()) {
+      environment_(domain, patience().lease_s, run_id_, {}, network()) {
   if (security_ == nullptr) return;
   for (const GraphStage& stage : plan.graph.stages) {
     if (!is_third_party(stage)) continue;
     const std::string& name = stage.info->name;
     const ThirdPartyIdentity identity{security_->files(name, Vendor::kCycloneDds),
                                       security_->files(name, Vendor::kFastDds)};
-    secured_environments_.try_emplace(name, domain, kLease_s, run_id_, identity, network());
+    secured_environments_.try_emplace(name, domain, patience().lease_s, run_id_, identity,
+                                      network());
   }
 }
 
@@ -269,7 +270,7 @@ Assignment Launcher::assignment_for(const std::vector<std::string>& stages,
   assignment.run_key = run_key_.secret();
   assignment.middleware = middleware;
   assignment.domain = domain_;
-  if (patient()) assignment.lease_s = kPatientLease_s;
+  assignment.lease_s = patient() ? kPatientLease_s : patience().lease_s;
   assignment.spooling = spooling_;
   assignment.history_depth = kHistoryDepth;
   assignment.lead = kLead;
@@ -307,9 +308,9 @@ Assignment Launcher::assignment_for_watcher() const {
 }
 
 std::chrono::steady_clock::duration Launcher::start_timeout() const {
-  if (patient()) return kPatience;
+  if (patient()) return kPatienceOfPerson;
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-      std::chrono::duration<double>(plan_.graph.start_timeout_s));
+      std::chrono::duration<double>(patience().start * plan_.graph.start_timeout_s));
 }
 
 }  // namespace clew::bridge

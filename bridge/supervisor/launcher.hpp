@@ -76,6 +76,8 @@ class Launcher {
 
   /// Whether a person at a debugger takes part. Then the run waits longer.
   bool patient() const { return !layout_.external.empty() || !layout_.prefix.empty(); }
+  /// How long it waits else: longer over a network than on one computer.
+  const Patience& patience() const { return layout_.hosts ? kPatienceOverHosts : kPatienceHere; }
   /// How long the processes of a run may take to start.
   std::chrono::steady_clock::duration start_timeout() const;
 

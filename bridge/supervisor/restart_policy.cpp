@@ -84,7 +84,8 @@ std::vector<std::string> RestartPolicy::kill_frozen(Time now, Time::duration lim
   std::vector<std::string> lines;
   for (Member& member : members_) {
     if (member.progress.ticks > member.frozen_at) member.frozen_in_place = 0;
-    const auto patience = limit * (1U << std::min(member.frozen_in_place, kMostDoublings));
+    const Time::duration least = member.elsewhere ? limit + kLostReports : limit;
+    const auto patience = least * (1U << std::min(member.frozen_in_place, kMostDoublings));
     if (!member.link || !member.child || now - member.heard_at < patience) continue;
     member.frozen_at = member.progress.ticks;
     ++member.frozen_in_place;
@@ -96,9 +97,9 @@ std::vector<std::string> RestartPolicy::kill_frozen(Time now, Time::duration lim
   return lines;
 }
 
-std::vector<std::string> RestartPolicy::kill_lonely(Time now) {
+std::vector<std::string> RestartPolicy::kill_lonely(Time now, Time::duration limit) {
   for (const Member& member : members_) {
-    if (!member.link || !member.child || now - member.joined_at < kLonelyAfter) return {};
+    if (!member.link || !member.child || now - member.joined_at < limit) return {};
   }
   std::vector<std::string> lines;
   for (Member& member : members_) {

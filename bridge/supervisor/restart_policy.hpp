@@ -30,13 +30,14 @@ class RestartPolicy {
   /// The members whose processes are to be started now.
   std::vector<Member*> due(Time now);
   /// Kills processes that have not reported for `limit`: a frozen process cannot be waited for,
-  /// a dead one is restarted. One that was killed so and got no further since is given twice as
-  /// long each time (kMostDoublings). Returns a line for the log for each.
+  /// a dead one is restarted. One on another host has kLostReports longer. One that was killed so
+  /// and got no further since is given twice as long each time (kMostDoublings). Returns a line for
+  /// the log for each.
   std::vector<std::string> kill_frozen(Time now, Time::duration limit);
-  /// Kills processes that do not find the others although all of them have been there for four
-  /// seconds, each once: discovery among processes that come and go can miss one, and then never
+  /// Kills processes that do not find the others although all of them have been there for `limit`,
+  /// each once: discovery among processes that come and go can miss one, and then never
   /// finds it, while another process is found at once. Returns a line for the log for each.
-  std::vector<std::string> kill_lonely(Time now);
+  std::vector<std::string> kill_lonely(Time now, Time::duration limit);
 
  private:
   void take_down(Member& member, Time now);

@@ -26,7 +26,7 @@ void Supervisor::watch(Time now) {
   if (!launcher_.patient()) {
     const bool realtime = layout_.pace == Pace::kRealtime;
     log(restart_policy_.kill_frozen(now, realtime ? kRealtimeFrozenAfter : kFrozenAfter));
-    if (!realtime) log(restart_policy_.kill_lonely(now));
+    if (!realtime) log(restart_policy_.kill_lonely(now, launcher_.patience().lonely_after));
   } else {
     tell_silent(now);
   }
@@ -80,7 +80,8 @@ void Supervisor::watch_stall(Time now) {
   }
   const std::uint64_t started = started_ticks(members_);
   // A slow pace makes long ticks.
-  const auto restart_after = stall_timeout() - kStallTimeout + kStallRestart;
+  const auto restart_after =
+      stall_timeout() - launcher_.patience().stall_timeout + launcher_.patience().stall_restart;
   if (stalled < restart_after || restarted_at_ == started || !may_restart_all()) return;
   log({fmt::format(
       "no tick was completed for {} s, though all report; restarting all; ticks done:{}",
@@ -172,7 +173,7 @@ Clock::duration Supervisor::stall_timeout() const {
   const double own_factor = layout_.pace == Pace::kLockstep ? 0.0 : layout_.pace_factor;
   const double factor = live_control_.pace_factor().value_or(own_factor);
   const double tick_s = factor == 0.0 ? 0.0 : plan_.graph.tick_s / factor;
-  return (busy ? kLongestStep : kStallTimeout) +
+  return (busy ? kLongestStep : launcher_.patience().stall_timeout) +
          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(2.0 * tick_s));
 }
 

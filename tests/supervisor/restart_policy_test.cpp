@@ -62,22 +62,22 @@ class LonelyMember : public testing::Test {
 TEST_F(LonelyMember, IsKilledOnceIfAllOthersAreThere) {
   RestartPolicy restarts(members_, graph_);
 
-  const auto lines = restarts.kill_lonely(kNow);
+  const auto lines = restarts.kill_lonely(kNow, seconds(4));
 
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0],
             "classify has not found the reader of 'landmark' in recover, which is there; "
             "killing process " +
                 std::to_string(members_[1].child->process_id()));
-  EXPECT_TRUE(restarts.kill_lonely(kNow + seconds(5)).empty());
+  EXPECT_TRUE(restarts.kill_lonely(kNow + seconds(5), seconds(4)).empty());
 }
 
 TEST_F(LonelyMember, IsGivenTimeAfterTheLastOneHasCome) {
   members_[0].joined_at = kNow - seconds(1);
   RestartPolicy restarts(members_, graph_);
 
-  EXPECT_TRUE(restarts.kill_lonely(kNow).empty());
-  EXPECT_EQ(restarts.kill_lonely(kNow + seconds(4)).size(), 1u);
+  EXPECT_TRUE(restarts.kill_lonely(kNow, seconds(4)).empty());
+  EXPECT_EQ(restarts.kill_lonely(kNow + seconds(4), seconds(4)).size(), 1u);
 }
 
 TEST_F(LonelyMember, IsGivenTimeAfterTheLastOneHasMadeItsComponent) {
@@ -88,7 +88,7 @@ TEST_F(LonelyMember, IsGivenTimeAfterTheLastOneHasMadeItsComponent) {
   RestartPolicy restarts(members_, graph_);
 
   EXPECT_EQ(members_[0].missing, std::vector<std::string>{doing.text});
-  EXPECT_TRUE(restarts.kill_lonely(kNow).empty());
+  EXPECT_TRUE(restarts.kill_lonely(kNow, seconds(4)).empty());
 }
 
 TEST_F(LonelyMember, MayWaitForAComponentThatIsNotOurs) {
@@ -98,14 +98,33 @@ TEST_F(LonelyMember, MayWaitForAComponentThatIsNotOurs) {
   members_.back().third_party = true;
   RestartPolicy restarts(members_, graph_);
 
-  EXPECT_TRUE(restarts.kill_lonely(kNow).empty());
+  EXPECT_TRUE(restarts.kill_lonely(kNow, seconds(4)).empty());
 }
 
 TEST_F(LonelyMember, IsNotOneThatHasNotSaidWhatItMisses) {
   members_[1].missing.clear();
   RestartPolicy restarts(members_, graph_);
 
-  EXPECT_TRUE(restarts.kill_lonely(kNow).empty());
+  EXPECT_TRUE(restarts.kill_lonely(kNow, seconds(4)).empty());
+}
+
+TEST_F(LonelyMember, IsGivenAsLongAsTheRunSays) {
+  RestartPolicy restarts(members_, graph_);
+
+  EXPECT_TRUE(restarts.kill_lonely(kNow, seconds(6)).empty());
+}
+
+// A report of a process on another host may be lost on its way.
+TEST(FrozenMember, IsGivenLongerOnAnotherHost) {
+  std::vector<Member> members;
+  members.push_back(waiting_member("sense", seconds(0)));
+  runtime::Graph graph;
+  RestartPolicy policy(members, graph);
+  members[0].elsewhere = true;
+  members[0].heard_at = kNow;
+
+  EXPECT_TRUE(policy.kill_frozen(kNow + seconds(3), seconds(1)).empty());
+  EXPECT_EQ(policy.kill_frozen(kNow + seconds(4), seconds(1)).size(), 1u);
 }
 
 TEST(FrozenMember, IsGivenTwiceAsLongEachTimeUntilItGetsFurther) {

@@ -100,7 +100,7 @@ TEST_F(Patience, EndsWhenAProcessThatAPersonStartedStaysSilent) {
   pass(kStallTimeout, {"sense"});
   EXPECT_TRUE(logged("sense (process 1) has not reported for 10 s; the run waits for it, 3600 s"));
   const std::size_t lines = log_.size();
-  now_ += kPatience - kStallTimeout;
+  now_ += kPatienceOfPerson - kStallTimeout;
   all_live({"sense"});
   supervisor_->turn(now_);
   EXPECT_FALSE(supervisor_->over());

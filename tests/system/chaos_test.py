@@ -17,6 +17,9 @@ import chaos_cases  # noqa: E402
 
 TOOL = SOURCE / "tools" / "chaos"
 # A few cases, the same as long as graphs and worlds are, or as many as an hour takes.
+# At a restart; while 10 MB are read; of all processes, and then of a new recorder.
+FREEZES = [["--seed", "1", "--cases", "1000"]] if SOAK else [["--seed", "17", "--cases", "2"],
+                                                             ["--seed", "25", "--cases", "1"]]
 EXTENT = ["--seed", "1000", "--minutes", "60"] if SOAK else ["--seed", "1", "--cases", "6"]
 
 
@@ -35,6 +38,16 @@ class Chaos(unittest.TestCase):
         self.assertGreater(figures["runs"], 0)
         self.assertGreater(sum(figures["faults"].values()), 0, "nothing was broken")
         self.assertEqual(figures["failures"], 0)
+
+    def test_freezes_of_any_length_hold(self):
+        for extent in FREEZES:
+            done = chaos("--freezes", *extent, "--json")
+
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            figures = json.loads(done.stdout.splitlines()[-1])
+            print(figures, file=sys.stderr)
+            self.assertGreater(sum(figures["faults"].values()), 0, "nothing was frozen")
+            self.assertEqual(figures["failures"], 0)
 
     def test_a_command_that_loses_bytes_fails_and_its_case_is_small(self):
         # It records one byte too many wherever a run is spread over processes.
