@@ -29,6 +29,7 @@ def stages_of(graph):
 
 
 def random_case(numbers, kinds):
+    """Anything that may befall a run."""
     graph = numbers.choice(sorted(path.stem for path in
                                   (SOURCE / "configs" / "graphs").glob("*.yaml")))
     stages = stages_of(graph)
@@ -49,12 +50,10 @@ def random_case(numbers, kinds):
     if "recover" in stages and numbers.random() < 0.3:
         case["with"].append(f"recover.detector={numbers.choice(DETECTORS)}")
     case["faults"] = random_faults(numbers, stages, kinds, realtime)
-    # A run whose changes bring a file of data cannot be resumed yet: SECURITY.md.
-    resumed = any(fault["kind"] in ("resume", "disk") for fault in case["faults"])
     for _ in range(numbers.choice([0, 0, 1, 2])):
         tick = numbers.randrange(2, ticks)
         case["at"].append(f"{tick}:goal={numbers.uniform(1, 3):.2f},{numbers.uniform(1, 3):.2f}"
-                          if resumed or numbers.random() < 0.5 else
+                          if numbers.random() < 0.5 else
                           f"{tick}:control={numbers.choice(CONTROLS)}")
     return case
 
@@ -84,6 +83,30 @@ def freeze_case(numbers):
             "at_s": round(numbers.choice([numbers.uniform(0.0, 0.4), numbers.uniform(0.3, 2.0)]), 3),
             "for_s": round(10 ** numbers.uniform(-1.3, 1.0), 3)})
     case["faults"].sort(key=lambda fault: fault["at_s"])
+    return case
+
+
+def storm_case(numbers):
+    """Thirty kills and short freezes in six seconds."""
+    case = {**freeze_case(numbers), "large": False, "faults": []}
+    stages = stages_of(case["graph"])
+    case["pace"] = f"{max(case['max_ticks'] // 20, 1)}x"
+    for _ in range(30):
+        fault = {"kind": numbers.choice(["kill", "kill", "kill", "freeze"]),
+                 "at_s": round(numbers.uniform(0.1, 6.0), 3),
+                 "victim": numbers.choice([*stages, "recorder"])}
+        if fault["kind"] == "freeze":
+            fault["for_s"] = round(10 ** numbers.uniform(-1.3, 0.0), 3)
+        case["faults"].append(fault)
+    case["faults"].sort(key=lambda fault: fault["at_s"])
+    return case
+
+
+def realtime_case(numbers):
+    """One process of a run in real time is killed, the supervisor or the recorder maybe."""
+    case = {**freeze_case(numbers), "large": False, "pace": "realtime", "max_ticks": 10}
+    case["faults"] = [{"kind": "kill", "at_s": round(numbers.uniform(0.3, 2.5), 3),
+                       "victim": numbers.choice([*stages_of(case["graph"]), "recorder", "run"])}]
     return case
 
 

@@ -158,6 +158,8 @@ void HostedComponent::assign(const Frame& frame) {
     return end("sends an assignment that is not what it ordered");
   }
   realtime_ = assignment.pace == Pace::kRealtime;
+  // In real time nobody takes its place, and it brings a robot to rest by itself.
+  if (!realtime_) guard_ = GroupGuard::start(child_->process_id(), kHostLostAfter);
   std::map<std::string, std::string> here;
   for (const auto& [path, content] : told->files) {
     const auto& file = files_.emplace_back(std::make_unique<MemoryFile>("clew-hosted", content));
@@ -196,6 +198,7 @@ void HostedComponent::watch_child(Time now) {
     if (late) child_->signal(SIGKILL);
     return;
   }
+  guard_.reset();
   if (told_ || link_) return;  // what it said last is still to be passed on
   told_ = true;
   logs::info("{} {}", who(), child_->end());
@@ -226,10 +229,14 @@ void HostedComponent::tend_connection(Time now) {
   // It reads how the component ended, and leaves.
   const bool done = told_ && line_.unsent_bytes() == 0;
   if (done && now - *link_closed_at_ > kLastMoment) return line_.close("the component has ended");
-  if (order_ && !told_ && now - beat_at_ >= kHostBeatPeriod) {
-    beat_at_ = now;
-    line_.post(frame_type(HostFrame::kBeat), Text{});
-  }
+  if (order_ && !told_) beat(now);
+}
+
+void HostedComponent::beat(Time now) {
+  if (now - beat_at_ < kHostBeatPeriod) return;
+  beat_at_ = now;
+  line_.post(frame_type(HostFrame::kBeat), Text{});
+  if (guard_) guard_->beat();
 }
 
 void HostedComponent::end(const std::string& why) {

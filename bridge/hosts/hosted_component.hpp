@@ -16,6 +16,7 @@
 #include "line/domain_lock.hpp"
 #include "line/link.hpp"
 #include "supervisor/child_process.hpp"
+#include "supervisor/group_guard.hpp"
 #include "vendors/memory_file.hpp"
 
 namespace clew::bridge {
@@ -76,6 +77,7 @@ class HostedComponent {
   void watch_child(Time now);
   void watch_connection(Time now);
   void tend_connection(Time now);
+  void beat(Time now);
   /// `sense for desk (10.0.0.1:40312)`.
   std::string who() const;
 
@@ -87,7 +89,8 @@ class HostedComponent {
   std::optional<StartComponent> order_;
   std::shared_ptr<DomainLock> lock_;
   std::optional<ChildProcess> child_;
-  std::unique_ptr<Link> link_;  ///< to the component
+  std::optional<GroupGuard> guard_;  ///< ends it if this host is stopped
+  std::unique_ptr<Link> link_;       ///< to the component
   std::vector<std::unique_ptr<MemoryFile>> files_;
   bool reads_ = true;  ///< what the relay sends: not while the component takes nothing
   bool realtime_ = false;

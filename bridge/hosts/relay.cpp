@@ -80,19 +80,30 @@ struct Connection {
 class Relay {
  public:
   Relay(const RelayOrder& order, TcpAddress address, TlsContextPtr context)
-      : order_(order), address_(std::move(address)), context_(std::move(context)) {}
+      : order_(order),
+        host_(order.host),
+        address_(std::move(address)),
+        context_(std::move(context)) {}
+  /// Where it goes if the host does not answer.
+  void fall_back_to(TcpAddress address) { other_address_ = std::move(address); }
 
   int run() {
     auto run_id = run_of_parent();
     if (!run_id.ok()) return fail_run(run_id.error().text());
     run_id_ = *std::move(run_id);
     Connection connection = find_host();
+    if (!connection.line && !connection.refused && other_address_) {
+      warn("does not answer: " + connection.why + "; the component runs on " + order_.fallback);
+      host_ = order_.fallback;
+      address_ = *std::exchange(other_address_, std::nullopt);
+      connection = find_host();
+    }
     if (connection.line) {
       line_ = std::move(connection.line);
       return pass_on();
     }
     if (connection.refused) return fail_run(connection.why);
-    if (order_.falls_back) return run_here(connection.why);
+    if (order_.fallback == kFallbackHere) return run_here(connection.why);
     warn("does not answer: " + connection.why);
     die_by(SIGKILL);
     return 1;
@@ -101,13 +112,14 @@ class Relay {
  private:
   /// `text` may be what the host says.
   void warn(const std::string& text) const {
-    logs::warning("host {} ({}) {}", order_.host, address_.text(), text);
+    logs::warning("host {} ({}) {}", host_, address_.text(), text);
   }
 
   Connection find_host() {
     const auto begin = Clock::now();
-    const auto deadline = begin + (order_.falls_back ? Clock::duration(kFallBackAfter)
-                                                     : Clock::duration(kHostPatience));
+    const bool waits = !other_address_ && order_.fallback != kFallbackHere;
+    const auto deadline =
+        begin + (waits ? Clock::duration(kHostPatience) : Clock::duration(kFallBackAfter));
     bool told = false;
     while (true) {
       Connection connection = connect(std::min(deadline, Clock::now() + kHostLostAfter));
@@ -121,7 +133,7 @@ class Relay {
     const auto socket = begin_connecting(address_);
     if (!socket.ok()) return {nullptr, socket.error().message, false};
     auto line =
-        std::make_unique<TlsLine>(*socket, *context_, HostRole::kRunner, order_.host, Clock::now());
+        std::make_unique<TlsLine>(*socket, *context_, HostRole::kRunner, host_, Clock::now());
     line->allow_payload(kMostPayloadBytes);
     line->post(frame_type(HostFrame::kStart),
                StartComponent{order_.version, std::string(idl_fingerprint()), run_id_, order_.stage,
@@ -227,7 +239,7 @@ class Relay {
   /// The run can do nothing about it: it ends, and says why.
   int fail_run(const std::string& why) {
     const std::string text =
-        order_.stage + ": host " + order_.host + " (" + address_.text() + "): " + why;
+        order_.stage + ": host " + host_ + " (" + address_.text() + "): " + why;
     if (!link_ && !meet_supervisor()) return 1;
     link_->post(FrameType::kFatal, Text{text});
     link_->flush_until(Clock::now() + kEndGrace);
@@ -253,7 +265,9 @@ class Relay {
   }
 
   const RelayOrder& order_;
+  std::string host_;
   TcpAddress address_;
+  std::optional<TcpAddress> other_address_;  ///< until it is needed
   TlsContextPtr context_;
   std::unique_ptr<TlsLine> line_;  ///< to the host
   std::unique_ptr<Link> link_;     ///< to the supervisor
@@ -278,7 +292,13 @@ int run_relay(const RelayOrder& order) {
   if (!identity.ok()) return complain(identity.error());
   auto context = make_tls_context(*identity, HostRole::kRunner);
   if (!context.ok()) return complain(context.error());
-  return Relay(order, *address, std::move(context).value()).run();
+  Relay relay(order, *address, std::move(context).value());
+  if (!order.fallback.empty() && order.fallback != kFallbackHere) {
+    auto other = list->find(order.fallback);
+    if (!other.ok()) return complain(other.error());
+    relay.fall_back_to(*std::move(other));
+  }
+  return relay.run();
 }
 
 }  // namespace clew::bridge

@@ -5,14 +5,17 @@
 
 namespace clew::bridge {
 
+inline constexpr char kFallbackHere[] = "local";
+
 /// What a relay is to do.
 struct RelayOrder {
   std::string hosts_file;
   std::string host;
   std::string stage;  ///< or group
   int domain = 0;     ///< of the run, which is here
-  /// A host that does not answer is not waited for: the component runs here, as this process.
-  bool falls_back = false;
+  /// A host that does not answer is not waited for for long: the component runs on this one
+  /// instead, or here, as this process, if it is kFallbackHere. Empty: it is waited for.
+  std::string fallback;
   std::string program;  ///< the clew command
   std::string version;
 };

@@ -79,6 +79,19 @@ Result<std::uint64_t> feed(const RunRecording& recording, std::uint64_t checked_
   }
 }
 
+/// A recording has the files of planned changes in its bundle; a plan's own bundle, of which
+/// processes are made, has not. So the first change brings them.
+void bring_files(const RunRecording& recording, const runtime::RunPlan& plan,
+                 std::vector<domain::Intervention>& interventions) {
+  for (domain::Intervention& intervention : interventions) {
+    if (intervention.changes.empty()) continue;
+    for (const auto& [name, text] : recording.description().bundle) {
+      if (plan.bundle.count(name) == 0) intervention.files.emplace(name, text);
+    }
+    return;
+  }
+}
+
 }  // namespace
 
 Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan& plan) {
@@ -92,6 +105,7 @@ Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan&
   const std::uint64_t branched_at = *branch ? (*branch)->tick : 0;
   auto changes = recorded_changes(recording, plan, *plan.known_stages, true);
   if (!changes.ok()) return changes.error();
+  bring_files(recording, plan, changes->interventions);
   auto past = past_of(recording, plan, *changes);
   if (!past.ok()) return in_recording(past.error());
   ProcessPast processes(plan, false);

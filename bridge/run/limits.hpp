@@ -189,9 +189,7 @@ inline constexpr auto kHostBeatPeriod = std::chrono::milliseconds(250);
 /// An end that was not heard for so long is lost: its components are killed, or started again.
 inline constexpr auto kHostLostAfter = std::chrono::seconds(2);
 /// How long a host that does not answer is tried before a component is started here instead. Longer
-/// than what a host that is cut off needs to notice it, so that no component is there twice. A
-/// `clew host` that is stopped (SIGSTOP) notices nothing: its components go on until it is
-/// continued.
+/// than what a host that is cut off needs to notice it, so that no component is there twice.
 inline constexpr auto kFallBackAfter = std::chrono::seconds(3);
 /// And how long without that: a run over hosts that stands still for 30 s ends.
 inline constexpr auto kHostPatience = std::chrono::seconds(28);

@@ -2,6 +2,7 @@
 #include "supervisor/group_guard.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,15 +16,23 @@
 namespace clew::bridge {
 namespace {
 
+/// Whether the parent is there, and has not been silent for so long; -1: it may be.
+bool hears(int patience_ms) {
+  pollfd pipe{STDIN_FILENO, POLLIN, 0};
+  const int ready = ::poll(&pipe, 1, patience_ms);
+  if (ready < 0) return errno == EINTR;
+  char bytes[64];
+  return ready > 0 && (::read(STDIN_FILENO, bytes, sizeof bytes) > 0 || errno == EINTR);
+}
+
 // Runs in the child, without exec: only calls that are safe there. It must hold nothing of its
 // parent's that others wait for to be closed.
-[[noreturn]] void stand_guard(int pipe, int group) {
+[[noreturn]] void stand_guard(int pipe, int group, int patience_ms) {
   ::dup2(pipe, STDIN_FILENO);
   ::close_range(STDIN_FILENO + 1, UINT_MAX, 0);
   // Out of reach of a Ctrl-C, which the parent answers by ending in order.
   ::setpgid(0, 0);
-  char byte = 0;
-  while (::read(STDIN_FILENO, &byte, 1) < 0 && errno == EINTR) {
+  while (hears(patience_ms)) {
   }
   ::kill(-group, SIGKILL);
   core::end_at_once(0);
@@ -31,13 +40,15 @@ namespace {
 
 }  // namespace
 
-std::optional<GroupGuard> GroupGuard::start(int group) {
+std::optional<GroupGuard> GroupGuard::start(int group,
+                                            std::optional<std::chrono::milliseconds> patience) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) return std::nullopt;
+  ::fcntl(ends[1], F_SETFL, O_NONBLOCK);
   const int guard = ::fork();
   if (guard == 0) {
     ::close(ends[1]);
-    stand_guard(ends[0], group);
+    stand_guard(ends[0], group, patience ? static_cast<int>(patience->count()) : -1);
   }
   ::close(ends[0]);
   if (guard < 0) {
@@ -54,6 +65,12 @@ GroupGuard& GroupGuard::operator=(GroupGuard&& other) noexcept {
   std::swap(process_id_, other.process_id_);
   std::swap(pipe_, other.pipe_);
   return *this;
+}
+
+void GroupGuard::beat() {
+  const char beat = 0;
+  // If the pipe is full, the guard has enough to read.
+  if (::write(pipe_, &beat, 1) < 0) return;
 }
 
 GroupGuard::~GroupGuard() {

@@ -53,7 +53,9 @@ std::vector<std::string> relay_command(const Member& member, const ProcessLayout
                                        int domain) {
   std::vector<std::string> words = {layout.program, "relay",    layout.hosts->file,    member.host,
                                     member.stage,   "--domain", std::to_string(domain)};
-  if (layout.hosts->fall_back) words.emplace_back("--fall-back");
+  if (!layout.hosts->fallback.empty()) {
+    words.insert(words.end(), {"--fallback", layout.hosts->fallback});
+  }
   return words;
 }
 

@@ -18,7 +18,7 @@ struct HostsLayout {
   std::string file;                         ///< the list of hosts, as a path
   std::map<std::string, std::string> host;  ///< by stage
   std::vector<std::string> addresses;       ///< of this host, and of all those
-  bool fall_back = false;  ///< whose host is lost starts again here, not there only
+  std::string fallback;  ///< where components go whose host is lost: RelayOrder::fallback
 };
 
 /// How to run a plan as separate processes. Nothing here changes what is computed.

@@ -17,6 +17,8 @@ import chaos_cases  # noqa: E402
 
 TOOL = SOURCE / "tools" / "chaos"
 # A few cases, the same as long as graphs and worlds are, or as many as an hour takes.
+# In soak: kind and cases.
+COUNTS = [("storms", 1000), ("realtime", 1000)]
 # At a restart; while 10 MB are read; of all processes, and then of a new recorder.
 FREEZES = [["--seed", "1", "--cases", "1000"]] if SOAK else [["--seed", "17", "--cases", "2"],
                                                              ["--seed", "25", "--cases", "1"]]
@@ -41,13 +43,21 @@ class Chaos(unittest.TestCase):
 
     def test_freezes_of_any_length_hold(self):
         for extent in FREEZES:
-            done = chaos("--freezes", *extent, "--json")
+            done = chaos("--only", "freezes", *extent, "--json")
 
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             figures = json.loads(done.stdout.splitlines()[-1])
             print(figures, file=sys.stderr)
             self.assertGreater(sum(figures["faults"].values()), 0, "nothing was frozen")
             self.assertEqual(figures["failures"], 0)
+
+    @unittest.skipUnless(SOAK, "takes hours")
+    def test_storms_and_kills_in_real_time_hold(self):
+        for kind, count in COUNTS:
+            with self.subTest(kind=kind):
+                done = chaos("--only", kind, "--seed", "1", "--cases", str(count), "--keep-going", "--json")
+                print(kind, done.stdout.splitlines()[-1], file=sys.stderr)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_a_command_that_loses_bytes_fails_and_its_case_is_small(self):
         # It records one byte too many wherever a run is spread over processes.

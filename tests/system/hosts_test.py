@@ -104,11 +104,11 @@ class OnLoopback(unittest.TestCase):
         self.addCleanup(host.stop)
         return host
 
-    def begin(self, host, *arguments):
+    def begin(self, host, *arguments, hosts=None):
         """Starts a run with components on the host, and waits until they step; its name and process."""
         name = f"hosts-test-{os.getpid()}-{next(NUMBERS)}"
-        process = start(["run", *ENDLESS, *PACE, *FAR, "--hosts", self.hosts_of(host), "--json", "--name",
-                         name, *arguments])
+        process = start(["run", *ENDLESS, *PACE, *FAR, "--hosts", hosts or self.hosts_of(host),
+                         "--json", "--name", name, *arguments])
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         self.assertTrue(wait_until(lambda: has_done(name, 20)), host.text())
@@ -168,6 +168,61 @@ class OnLoopback(unittest.TestCase):
         self.assertRegex(err, r"sense: host robot \(.*\) is lost")
         self.assertRegex(err, r"drive: host robot \(.*\) does not answer: .*; the component runs here")
         self.assertIn(self.endless, out)
+
+    def test_a_host_that_is_stopped_leaves_no_component_behind(self):
+        host = self.host()
+        _, process = self.begin(host, "--fallback", "local")
+        host.process.send_signal(signal.SIGSTOP)
+        self.addCleanup(host.process.send_signal, signal.SIGCONT)
+        # Before it is given up and its components begin here, five seconds later, those there are gone.
+        self.assertTrue(wait_until(lambda: not host.components(), 4.5))
+        out, err = process.communicate(timeout=120)
+        host.process.send_signal(signal.SIGCONT)
+
+        self.assertEqual(process.returncode, 3, err)
+        self.assertIn("the component runs here", err)
+        self.assertIn(self.endless, out)
+        ended = re.compile(r"(sense|drive) for desk \(.*\) was killed by signal 9")
+        self.assertTrue(wait_until(lambda: len(ended.findall(host.text())) == 2), host.text())
+
+    def test_the_components_of_a_lost_host_go_on_at_a_third(self):
+        done = Run(["keys", "host", self.keys, "spare"])
+        self.assertEqual(done.status, 0, done.err)
+        spare = Host(self.keys / "spare.host")
+        self.addCleanup(spare.stop)
+        host = self.host()
+        hosts = self.scratch / "three.yaml"
+        hosts.write_text(f"identity: keys/desk.run\nhosts:\n  robot: {host.address}\n"
+                         f"  spare: {spare.address}\n", encoding="utf-8")
+        _, process = self.begin(host, "--fallback", "spare", hosts=hosts)
+        host.stop(signal.SIGKILL)
+        out, err = process.communicate(timeout=120)
+
+        self.assertEqual(process.returncode, 3, err)
+        self.assertRegex(err, r"drive: host robot \(.*\) does not answer: .*; the component runs on spare")
+        self.assertIn("sense for desk", spare.text())
+        self.assertIn(self.endless, out)
+
+    def test_real_time_replays_and_rests_when_the_host_is_lost(self):
+        host = self.host()
+        recording = self.scratch / "realtime.mcap"
+        name = f"hosts-test-{os.getpid()}-realtime"
+        process = start(["run", *ENDLESS, *FAR, "--hosts", self.hosts_of(host), "--pace", "realtime",
+                         "--name", name, "--record", recording])
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.assertTrue(wait_until(lambda: has_done(name, 5)), host.text())
+        host.stop(signal.SIGKILL)
+        _, err = process.communicate(timeout=30)
+
+        self.assertEqual(process.returncode, 1, err)
+        self.assertRegex(err, "host robot .* is lost")
+        replayed = Run(["replay", recording])
+        self.assertEqual(replayed.status, 0, replayed.out + replayed.err)
+        lines = Run(["echo", recording, "state", "--jsonl"]).out.splitlines()[-2:]
+        poses = [json.loads(line)["pose_world_robot"] for line in lines]
+        # drive was there, so who is here can only say how it was.
+        self.assertTrue(poses[0] == poses[1] or "ended in motion" in err, err)
 
     def test_the_components_of_a_host_that_comes_back_go_on_there(self):
         host = self.host()

@@ -35,6 +35,16 @@ class Memory(unittest.TestCase):
                         if process not in ("run", "recorder"):
                             self.assertLess(peak, MOST_KIB[name])
 
+    @unittest.skipUnless(SOAK, "takes half an hour")
+    def test_a_long_secured_run_grows_by_a_megabyte_at_most(self):
+        short, long = (peaks_kib([*ENDLESS, *LAYOUTS["cyclonedds"], "--secure", "--max-ticks", ticks])
+                       for ticks in (20_000, 864_000))
+
+        self.assertEqual(len(long), 6)
+        for process, peak in long.items():
+            with self.subTest(process=process):
+                self.assertLess(peak, short[process] + 1024)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -144,6 +144,28 @@ class RealTime(unittest.TestCase):
         self.assertIn("; the robot goes half as fast", self.events("stale_sensor")[0]["text"])
         self.assertTrue(Run(["replay", self.recording, "--json"]).report["identical"])
 
+    def test_a_stale_sensor_lets_every_second_command_pass_before_the_robot_rests(self):
+        # Stale for 0.1 s, ten ticks, before it counts as frozen. A busy machine makes more commands late.
+        arguments = self.arguments(sense=FROZEN_SENSE, world=LONG_WORLD.replace("60, 2", "600, 2")
+                                   .replace("50, 1", "590, 1"))
+        graph = pathlib.Path(arguments[1])
+        graph.write_text(graph.read_text().replace(f"tick_s: {TICK_S}", "tick_s: 0.01"))
+        for _ in range(5):
+            self.recording.unlink(missing_ok=True)
+            run = Run(arguments, timeout_s=60)
+
+            self.assertEqual(run.status, 1, run.err)
+            stale, frozen = (self.events(kind)[0]["tick"] for kind in ("stale_sensor", "frozen_sensor"))
+            states = states_of(self.recording)
+            moved = [before[1:4] != after[1:4] for before, after in zip(states, states[1:])]
+            slow = moved[stale + 2:frozen]
+            if any(slow):
+                break
+        self.assertTrue(any(slow), "it does not move at all")
+        self.assertFalse(any(a and b for a, b in zip(slow, slow[1:])), "as fast as before")
+        self.assertFalse(any(moved[frozen + 2:]), "it does not rest")
+        self.assertTrue(any(a and b for a, b in zip(moved[:stale], moved[1:stale])))
+
     def test_a_sensor_that_was_gone_stops_the_robot_until_somebody_says_go_on(self):
         growing = pathlib.Path(f"{self.recording}.tmp~")
         name = f"gone-sensor-{os.getpid()}"

@@ -77,6 +77,24 @@ class Resume(unittest.TestCase):
                         named.write_bytes(whole[:tear])
                         self.assert_goes_on(named, layout, whole)
 
+    def test_a_planned_change_that_brings_a_file_goes_on(self):
+        changed = [*RUN, "--json", "--at", "50:control=fuzzy_behaviourist"]
+        whole = self.directory / "changed.mcap"
+        run = Run([*changed, "--layout", "composed", "--record", whole])
+        self.assertIn(run.status, (0, 3), run.err)
+        content = whole.read_bytes()
+        for name in ("composed", "cyclonedds"):
+            # Before the change, and behind it.
+            for tear in (first_chunk(content) + 2000, len(content) - 1):
+                with self.subTest(layout=name, tear=tear):
+                    self.clear()
+                    self.cut_off.write_bytes(content[:tear])
+                    resumed = Run(["run", "--resume", self.path, "--json", *LAYOUTS[name]])
+
+                    self.assertEqual(resumed.status, run.status, resumed.err)
+                    self.assertEqual(resumed.report["hash"], run.report["hash"])
+                    self.assertEqual(self.path.read_bytes(), content)
+
     def test_the_name_that_it_would_have_had_is_enough(self):
         whole = self.whole["none"]
         self.cut_off.write_bytes(whole[:len(whole) // 2])

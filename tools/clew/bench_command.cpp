@@ -17,6 +17,7 @@
 #include "clew/exit_status.hpp"
 #include "clew/own_program.hpp"
 #include "clew/plugin_options.hpp"
+#include "clew/print_text.hpp"
 #include "clew/terminal.hpp"
 #include "clew/version.hpp"
 #include "log/log.hpp"
@@ -148,7 +149,7 @@ void clear_progress() {
 int write_worlds_of(const bench::BenchPlan& plan, const std::string& directory) {
   const auto count = bench::write_worlds(plan, directory);
   if (!count.ok()) return complain(count.error());
-  fmt::print("{} worlds and their pictures in {}\n", *count, directory);
+  print_text("{} worlds and their pictures in {}\n", *count, directory);
   return kExitGood;
 }
 
@@ -176,15 +177,15 @@ int tell(const bench::BenchEnd& end, const bench::BenchOptions& bench, bool as_j
     return printed.ok() ? kExitGood : complain(printed.error());
   }
   if (bench.shard.count > 1) {
-    fmt::print("shard {}: {} runs in {}; clew bench --merge DIR... --out DIR puts all together\n",
+    print_text("shard {}: {} runs in {}; clew bench --merge DIR... --out DIR puts all together\n",
                bench.shard.text(), end.runs, bench.directory);
     return kExitGood;
   }
-  for (const std::string& remark : end.report.remarks) fmt::print("{}\n\n", remark);
+  for (const std::string& remark : end.report.remarks) print_text("{}\n\n", remark);
   for (std::size_t i = 0; i < end.report.asked_for; ++i) {
-    fmt::print("{}\n", bench::to_markdown(end.report.tables[i]));
+    print_text("{}\n", bench::to_markdown(end.report.tables[i]));
   }
-  if (end.report.covers) fmt::print("{}\n", bench::to_markdown(end.report.tables.back()));
+  if (end.report.covers) print_text("{}\n", bench::to_markdown(end.report.tables.back()));
   fmt::print("{}/report.html, report.md, results.csv, results.jsonl{}\n", bench.directory,
              end.report.covers ? ", coverage.csv" : "");
   return kExitGood;

@@ -15,6 +15,7 @@
 #include "clew/command_line.hpp"
 #include "clew/json_line.hpp"
 #include "clew/own_program.hpp"
+#include "clew/print_text.hpp"
 #include "clew/terminal.hpp"
 #include "log/log.hpp"
 #include "stages/all.hpp"
@@ -173,7 +174,7 @@ Result<void> print_cost(const bench::BenchPlan& plan, const runtime::ConfigPath&
     fmt::print("{}\n", json_line(cost_json(plan, *estimate, *spread, core_s, wall_s)));
     return {};
   }
-  fmt::print(
+  print_text(
       "runs     {}: {} variants x {} worlds x {} seeds\n"
       "sample   {} runs in {}: {} a run, the longest {}; {} before the first run in a world\n"
       "in all   {} of one core; standard error {:.0f} %\n"

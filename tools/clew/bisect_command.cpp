@@ -83,7 +83,7 @@ int finish(const Result<End>& end, bool found, const BisectCommandOptions& optio
   if (options.json) {
     print_json(*end);
   } else {
-    print_text(*end, names);
+    print_words(*end, names);
   }
   return found ? kExitGood : kExitFailed;
 }

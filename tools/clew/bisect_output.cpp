@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clew/json_line.hpp"
+#include "clew/print_text.hpp"
 #include "domain/topics.hpp"
 
 namespace clew::tools {
@@ -40,9 +41,9 @@ const char* compared(const BisectNames& names) {
 }
 
 void print_cause(const BisectNames& names, const std::vector<std::string>& cause) {
-  fmt::print("\nb's {} needs {}:\n", compared(names),
+  print_text("\nb's {} needs {}:\n", compared(names),
              cause.size() == 1 ? "this one" : "these together");
-  for (const std::string& name : cause) fmt::print("  {}\n", name);
+  for (const std::string& name : cause) print_text("  {}\n", name);
 }
 
 }  // namespace
@@ -71,16 +72,16 @@ void print_json(const BisectEnd& end) {
   fmt::print("{}\n", json_line(json));
 }
 
-void print_text(const BisectEnd& end, const BisectNames& names) {
-  fmt::print("a: {}: {}\nb: {}: {}\n", names.a, end.outcome_a, names.b, end.outcome_b);
+void print_words(const BisectEnd& end, const BisectNames& names) {
+  print_text("a: {}: {}\nb: {}: {}\n", names.a, end.outcome_a, names.b, end.outcome_b);
   if (end.settings.empty()) {
-    fmt::print("the two do not differ in any setting\n");
+    print_text("the two do not differ in any setting\n");
     return;
   }
-  fmt::print("\neach of b's settings in a, alone, the first that matters first:\n");
+  print_text("\neach of b's settings in a, alone, the first that matters first:\n");
   for (const BisectSetting& setting : end.settings) {
     const bool has_values = !setting.a.empty() || !setting.b.empty();
-    fmt::print("  {}{}\n    {}\n", setting.name,
+    print_text("  {}{}\n    {}\n", setting.name,
                has_values ? fmt::format(": {} -> {}", setting.a.empty() ? "none" : setting.a,
                                         setting.b.empty() ? "none" : setting.b)
                           : std::string(),
@@ -88,7 +89,7 @@ void print_text(const BisectEnd& end, const BisectNames& names) {
                                        : "cannot be changed alone: " + setting.refused);
   }
   if (!end.verdicts_differ) {
-    fmt::print("\nthe {} is the same\n", compared(names));
+    print_text("\nthe {} is the same\n", compared(names));
     return;
   }
   std::vector<std::string> cause;
@@ -105,8 +106,8 @@ void print_json(const TickBisectEnd& end) {
   fmt::print("{}\n", json_line(json));
 }
 
-void print_text(const TickBisectEnd& end, const BisectNames& names) {
-  fmt::print("{}: {}\n\nwith the change, from this tick on:\n", names.a, end.unchanged.verdict);
+void print_words(const TickBisectEnd& end, const BisectNames& names) {
+  print_text("{}: {}\n\nwith the change, from this tick on:\n", names.a, end.unchanged.verdict);
   std::string before;
   for (std::size_t i = 0; i < end.probes.size(); ++i) {
     const TickProbe& probe = end.probes[i];
@@ -114,17 +115,17 @@ void print_text(const TickBisectEnd& end, const BisectNames& names) {
         i + 1 == end.probes.size() || end.probes[i + 1].verdict != probe.verdict;
     // What is between two equal ones says nothing new.
     if (probe.verdict == before && !turns_next) continue;
-    fmt::print("  {:>8}  {}\n", probe.tick, probe.verdict);
+    print_text("  {:>8}  {}\n", probe.tick, probe.verdict);
     before = probe.verdict;
   }
   if (!end.last_tick) {
-    fmt::print("\nthe {} is the same at every tick that was tried\n", compared(names));
+    print_text("\nthe {} is the same at every tick that was tried\n", compared(names));
     return;
   }
-  fmt::print("\nthe last tick at which it gives another {}: {} ({:.1f} s)\n", compared(names),
+  print_text("\nthe last tick at which it gives another {}: {} ({:.1f} s)\n", compared(names),
              *end.last_tick, static_cast<double>(*end.last_tick) * names.tick_s);
   if (end.turns > 1) {
-    fmt::print(
+    print_text(
         "it turned {} times among the evenly spaced ticks, so earlier is not always the "
         "same\n",
         end.turns);
@@ -151,17 +152,17 @@ void print_json(const VersionBisectEnd& end) {
   fmt::print("{}\n", json_line(json));
 }
 
-void print_text(const VersionBisectEnd& end, const BisectNames& names) {
-  fmt::print("a: {}: {}\nb: all components by {}: {}\n", names.a, end.outcome_own, names.b,
+void print_words(const VersionBisectEnd& end, const BisectNames& names) {
+  print_text("a: {}: {}\nb: all components by {}: {}\n", names.a, end.outcome_own, names.b,
              end.outcome_other);
-  fmt::print("\neach component by {}, alone, the first that matters first:\n", names.b);
+  print_text("\neach component by {}, alone, the first that matters first:\n", names.b);
   for (const VersionStage& stage : end.stages) {
-    fmt::print(
+    print_text(
         "  {}: {}\n", stage.stage,
         stage.aborted.empty() ? effect_of(stage.first, stage.outcome) : "no run: " + stage.aborted);
   }
   if (!end.verdicts_differ) {
-    fmt::print("\nthe {} is the same\n", compared(names));
+    print_text("\nthe {} is the same\n", compared(names));
     return;
   }
   std::vector<std::string> cause;

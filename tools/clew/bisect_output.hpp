@@ -19,10 +19,10 @@ struct BisectNames {
 
 /// One line of JSON each, or text for people.
 void print_json(const hunt::BisectEnd& end);
-void print_text(const hunt::BisectEnd& end, const BisectNames& names);
+void print_words(const hunt::BisectEnd& end, const BisectNames& names);
 void print_json(const hunt::TickBisectEnd& end);
-void print_text(const hunt::TickBisectEnd& end, const BisectNames& names);
+void print_words(const hunt::TickBisectEnd& end, const BisectNames& names);
 void print_json(const hunt::VersionBisectEnd& end);
-void print_text(const hunt::VersionBisectEnd& end, const BisectNames& names);
+void print_words(const hunt::VersionBisectEnd& end, const BisectNames& names);
 
 }  // namespace clew::tools

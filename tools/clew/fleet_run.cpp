@@ -10,6 +10,7 @@
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/plugin_options.hpp"
+#include "clew/print_text.hpp"
 #include "clew/run_output.hpp"
 #include "clew/terminal.hpp"
 #include "fleet/fleet_file.hpp"
@@ -142,14 +143,14 @@ void print_table(const FleetReport& report) {
   for (std::size_t i = 0; i < report.robots.size(); ++i) {
     const RobotReport& robot = report.robots[i];
     const bridge::RunTruth truth = robot.statistics.truth.value_or(bridge::RunTruth{});
-    fmt::print("  {:>2} {:<16} {:<11} {:>6} ticks, {:>7.1f} s, path {:>6.2f} m, {} traps  {}\n", i,
+    print_text("  {:>2} {:<16} {:<11} {:>6} ticks, {:>7.1f} s, path {:>6.2f} m, {} traps  {}\n", i,
                robot.name, outcome_word(report_of(robot, report)), truth.tick, truth.sim_time_s,
                truth.path_length_m, robot.statistics.traps_detected, robot.hash.hex());
   }
   const std::string gap = std::isfinite(report.least_gap_m)
                               ? fmt::format(", least gap {:.3f} m", report.least_gap_m)
                               : std::string();
-  fmt::print("{}: {} robots, {} ticks{}, {} contacts, {:.1f} s, hash {}\n", outcome_of(report),
+  print_text("{}: {} robots, {} ticks{}, {} contacts, {:.1f} s, hash {}\n", outcome_of(report),
              report.robots.size(), report.ticks, gap, report.contacts, report.wall_s,
              report.hash.hex());
 }

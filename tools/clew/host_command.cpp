@@ -64,7 +64,8 @@ void add_relay(CLI::App& main, int& status) {
   app->add_option("host", order->host, "on which the component runs")->required();
   app->add_option("stage", order->stage, "or group")->required();
   app->add_option("--domain", order->domain, "of the run")->required();
-  app->add_flag("--fall-back", order->falls_back, "run the component here if the host is lost");
+  app->add_option("--fallback", order->fallback,
+                  "where it runs if the host is lost: a host, or local");
   app->callback([order, &status] {
     order->program = own_program();
     order->version = version_text();

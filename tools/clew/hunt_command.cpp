@@ -13,6 +13,7 @@
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/plugin_options.hpp"
+#include "clew/print_text.hpp"
 #include "clew/property_option.hpp"
 #include "clew/terminal.hpp"
 #include "hunt/case_file.hpp"
@@ -92,7 +93,7 @@ void print_runs(const std::vector<const HuntRun*>& runs, const std::vector<std::
                         const std::string& world, const std::string& where) {
     const std::string start = fmt::format("{:>6} {:>10} {:<12} ", index, robustness, outcome);
     // Nothing goes beyond the last word of a line.
-    fmt::print("{}{}\n", start, where.empty() ? world : fmt::format("{:<28} {}", world, where));
+    print_text("{}{}\n", start, where.empty() ? world : fmt::format("{:<28} {}", world, where));
   };
   line("run", "robustness", "outcome", "world", cases.empty() ? "" : "case");
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -103,24 +104,24 @@ void print_runs(const std::vector<const HuntRun*>& runs, const std::vector<std::
 
 void print(const HuntEnd& end, const HuntCommandOptions& options,
            const std::vector<std::string>& cases) {
-  fmt::print("{} runs: the property held in {} and failed in {}", end.runs.size(), end.held(),
+  print_text("{} runs: the property held in {} and failed in {}", end.runs.size(), end.held(),
              end.failures());
-  if (end.undecided() > 0) fmt::print(", {} were undecided", end.undecided());
-  if (end.refusals() > 0) fmt::print(", {} could not be made", end.refusals());
-  fmt::print("\n");
+  if (end.undecided() > 0) print_text(", {} were undecided", end.undecided());
+  if (end.refusals() > 0) print_text(", {} could not be made", end.refusals());
+  print_text("\n");
   std::vector<const HuntRun*> failures;
   for (const HuntRun& run : end.runs) {
     if (run.failed()) failures.push_back(&run);
     if (!run.refused.empty()) logs::warning("run {}: {}", run.index, run.refused);
   }
   if (!failures.empty()) {
-    fmt::print("\nfailures:\n");
+    print_text("\nfailures:\n");
     print_runs(failures, cases);
-    fmt::print("\nmake one smaller: clew shrink {} -o minimal.yaml\n", cases.front());
+    print_text("\nmake one smaller: clew shrink {} -o minimal.yaml\n", cases.front());
   }
   const auto nearest = nearest_misses(end, 5);
   if (!nearest.empty()) {
-    fmt::print("\nnearest misses:\n");
+    print_text("\nnearest misses:\n");
     print_runs(nearest, {});
   }
   fmt::print("\nall runs: {}/runs.jsonl\n", options.out);
@@ -204,12 +205,12 @@ int repeat_case(const HuntCommandOptions& options) {
     json["as_recorded"] = same;
     fmt::print("{}\n", json_line(json));
   } else {
-    fmt::print("{}: the property {}; outcome {}, robustness {}\n", options.case_file,
+    print_text("{}: the property {}; outcome {}, robustness {}\n", options.case_file,
                !verdict.holds   ? "is undecided"
                : *verdict.holds ? "holds"
                                 : "fails",
                word, number_text(verdict.robustness));
-    if (!same) fmt::print("the run differs from the one that the case was written of\n");
+    if (!same) print_text("the run differs from the one that the case was written of\n");
   }
   return verdict.holds == true ? kExitGood : kExitFailed;
 }

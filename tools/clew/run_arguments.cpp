@@ -65,7 +65,9 @@ void add_hosts(CLI::App& app, RunOptions& options) {
       ->allow_extra_args(false)
       ->group("How it runs");
   app.add_option("--fallback", options.fallback,
-                 "none | local: where components go whose host is lost: wait for it, or go on here")
+                 "none | local | NAME: where components go whose host is lost: wait for it, or go "
+                 "on here or "
+                 "on another host")
       ->capture_default_str()
       ->group("How it runs");
 }

@@ -10,6 +10,7 @@
 #include "core/nearest_name.hpp"
 #include "hosts/host_identity.hpp"
 #include "hosts/host_list.hpp"
+#include "hosts/relay.hpp"
 #include "supervisor/launcher.hpp"
 
 namespace clew::tools {
@@ -21,6 +22,7 @@ using runtime::GraphStage;
 
 /// What --host says for a stage that the graph has put elsewhere.
 constexpr char kHere[] = "here";
+constexpr char kNoFallback[] = "none";
 
 using HostOf = std::map<std::string, std::string>;  // by stage
 
@@ -84,17 +86,22 @@ Result<void> check_stage(const std::string& stage, const runtime::Graph& graph,
   return {};
 }
 
+Result<void> check_fallback(const std::string& fallback, const bridge::HostList& list) {
+  if (list.hosts.count(fallback) > 0) return {};
+  std::vector<std::string> allowed = {kNoFallback, bridge::kFallbackHere};
+  for (const auto& [name, address] : list.hosts) allowed.push_back(name);
+  return Error{core::unknown_name("choice", fallback, allowed), "--fallback"};
+}
+
 }  // namespace
 
 Result<void> read_hosts(const RunOptions& options, const runtime::Graph& graph,
                         bridge::ProcessLayout& layout) {
-  if (options.fallback != "none" && options.fallback != "local") {
-    return Error{core::unknown_name("choice", options.fallback, {"none", "local"}), "--fallback"};
-  }
+  const bool falls_back = options.fallback != kNoFallback;
   auto host_of = hosts_of(options, graph);
   if (!host_of.ok()) return host_of.error();
   if (host_of->empty()) {
-    if (options.fallback != "none") return Error{"no stage is on a host", "--fallback"};
+    if (falls_back) return Error{"no stage is on a host", "--fallback"};
     if (options.hosts.empty()) return {};
     return Error{"no stage is on a host; see --host, or 'process: {host: NAME}' of the graph",
                  "--hosts"};
@@ -109,6 +116,10 @@ Result<void> read_hosts(const RunOptions& options, const runtime::Graph& graph,
   const auto list = bridge::HostList::read(options.hosts);
   if (!list.ok()) return list.error();
   std::vector<std::string> used;
+  if (falls_back && options.fallback != bridge::kFallbackHere) {
+    CLEW_RETURN_IF_ERROR(check_fallback(options.fallback, *list));
+    used.push_back(options.fallback);
+  }
   for (const auto& [name, where] : *host_of) {
     CLEW_RETURN_IF_ERROR(check_stage(name, graph, layout));
     const auto found = list->find(where);
@@ -120,8 +131,9 @@ Result<void> read_hosts(const RunOptions& options, const runtime::Graph& graph,
   if (!identity.ok()) return identity.error();
   auto addresses = list->addresses(used);
   if (!addresses.ok()) return addresses.error();
-  layout.hosts = bridge::HostsLayout{options.hosts, std::move(host_of).value(),
-                                     std::move(addresses).value(), options.fallback == "local"};
+  layout.hosts =
+      bridge::HostsLayout{options.hosts, std::move(host_of).value(), std::move(addresses).value(),
+                          falls_back ? options.fallback : std::string()};
   return {};
 }
 

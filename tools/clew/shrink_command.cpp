@@ -11,6 +11,7 @@
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
 #include "clew/plugin_options.hpp"
+#include "clew/print_text.hpp"
 #include "clew/property_option.hpp"
 #include "clew/terminal.hpp"
 #include "files/whole_file.hpp"
@@ -112,16 +113,16 @@ Result<void> write(const Shrunk& shrunk, const Subject& subject, const hunt::Wor
 }
 
 void print(const Shrunk& shrunk, const std::string& output) {
-  fmt::print("{} of {} parts of the world are left, {} runs; outcome {}, seed {}\n",
+  print_text("{} of {} parts of the world are left, {} runs; outcome {}, seed {}\n",
              shrunk.parts_after, shrunk.parts_before, shrunk.runs, shrunk.outcome,
              shrunk.which.seed);
   if (shrunk.end == Shrunk::End::kOutOfRuns) {
-    fmt::print("it may be made smaller still: the runs did not suffice (--runs)\n");
+    print_text("it may be made smaller still: the runs did not suffice (--runs)\n");
   }
-  if (shrunk.end == Shrunk::End::kInterrupted) fmt::print("interrupted: it may be made smaller\n");
-  fmt::print("world    {}\npicture  {}\ncase     {}\n", output, beside(output, ".svg"),
+  if (shrunk.end == Shrunk::End::kInterrupted) print_text("interrupted: it may be made smaller\n");
+  print_text("world    {}\npicture  {}\ncase     {}\n", output, beside(output, ".svg"),
              beside(output, ".case.yaml"));
-  fmt::print("again    clew hunt --case {}\n         {}\n", beside(output, ".case.yaml"),
+  print_text("again    clew hunt --case {}\n         {}\n", beside(output, ".case.yaml"),
              hunt::command_line(shrunk.which.graph, output, shrunk.which.seed));
 }
 

@@ -14,6 +14,7 @@
 #include "clew/json_line.hpp"
 #include "clew/own_program.hpp"
 #include "clew/plugin_options.hpp"
+#include "clew/print_text.hpp"
 #include "clew/terminal.hpp"
 #include "log/log.hpp"
 #include "runtime/plugin_list.hpp"
@@ -66,25 +67,25 @@ ordered_json to_json(const Tuned& tuned) {
 
 void print_score(const char* what, const Score& score) {
   const auto interval = bench::wilson_interval(score.successes, score.runs);
-  fmt::print("  {:<14} {:>4} of {} succeeded ({:.0f} to {:.0f} %), cost {:.3f}\n", what,
+  print_text("  {:<14} {:>4} of {} succeeded ({:.0f} to {:.0f} %), cost {:.3f}\n", what,
              score.successes, score.runs, 100.0 * interval.low, 100.0 * interval.high, score.cost);
 }
 
 void print(const Tuned& tuned, const TuneCommandOptions& options) {
-  fmt::print("best of {} settings:\n ", tuned.evaluations);
-  for (const std::string& setting : tuned.settings) fmt::print(" --set {}", setting);
-  fmt::print("\n\nwhere it was tuned:\n");
+  print_text("best of {} settings:\n ", tuned.evaluations);
+  for (const std::string& setting : tuned.settings) print_text(" --set {}", setting);
+  print_text("\n\nwhere it was tuned:\n");
   print_score("graph's own", tuned.default_tuning);
   print_score("best", tuned.best_tuning);
-  fmt::print("\nin worlds that it was not tuned in:\n");
+  print_text("\nin worlds that it was not tuned in:\n");
   print_score("graph's own", tuned.default_validation);
   print_score("best", tuned.best_validation);
-  fmt::print("  {} runs succeeded with the graph's own only, {} with the best only: p = {:.3f}\n",
+  print_text("  {} runs succeeded with the graph's own only, {} with the best only: p = {:.3f}\n",
              tuned.only_default, tuned.only_best,
              bench::mcnemar_p(tuned.only_default, tuned.only_best));
-  fmt::print("  median difference in cost {:+.3f}", tuned.median_gain);
+  print_text("  median difference in cost {:+.3f}", tuned.median_gain);
   if (tuned.gain_interval) {
-    fmt::print(" ({:+.3f} to {:+.3f})", tuned.gain_interval->low, tuned.gain_interval->high);
+    print_text(" ({:+.3f} to {:+.3f})", tuned.gain_interval->low, tuned.gain_interval->high);
   }
   fmt::print(", below 0 is better\n\nall runs: {}/runs.jsonl\n", options.out);
 }

@@ -9,6 +9,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/print_text.hpp"
 #include "clew/world_findings.hpp"
 #include "clew/world_severity_command.hpp"
 #include "files/whole_file.hpp"
@@ -33,28 +34,28 @@ struct WorldOptions {
 
 void print(const WorldSubject& subject, const WorldFindings& findings) {
   const world::World& world = subject.world;
-  fmt::print("{}: {} m x {} m, robot of {} m\n", world.name(),
+  print_text("{}: {} m x {} m, robot of {} m\n", world.name(),
              world.bounds_max().x() - world.bounds_min().x(),
              world.bounds_max().y() - world.bounds_min().y(), subject.radius_m);
   if (findings.solvable) {
     const auto settled_s = world_analysis::settled_time_s(world);
     const bool moves = settled_s && *settled_s > 0.0;
-    fmt::print("solvable: {}{}\n", *findings.solvable,
+    print_text("solvable: {}{}\n", *findings.solvable,
                moves ? fmt::format(", once all has come to rest, after {:.1f} s", *settled_s) : "");
   } else {
-    fmt::print("solvable: unknown, {}\n", findings.undecided);
+    print_text("solvable: unknown, {}\n", findings.undecided);
   }
   if (findings.shortest_path_m) {
-    fmt::print("shortest path: {:.3f} m\n", *findings.shortest_path_m);
+    print_text("shortest path: {:.3f} m\n", *findings.shortest_path_m);
   } else if (findings.solvable == true) {
-    fmt::print("shortest path: unknown, none ends on the target itself, only within its radius\n");
+    print_text("shortest path: unknown, none ends on the target itself, only within its radius\n");
   }
   for (const world_analysis::Trap& trap : findings.traps) {
-    fmt::print("trap at ({:.2f}, {:.2f}), {}\n", trap.place.x(), trap.place.y(),
+    print_text("trap at ({:.2f}, {:.2f}), {}\n", trap.place.x(), trap.place.y(),
                std::isfinite(trap.depth_m) ? fmt::format("{:.2f} m deep", trap.depth_m)
                                            : std::string("without a way out"));
   }
-  if (findings.traps.empty() && findings.surveyed) fmt::print("no traps\n");
+  if (findings.traps.empty() && findings.surveyed) print_text("no traps\n");
 }
 
 /// Where the file states something else than what is true; empty if nowhere.

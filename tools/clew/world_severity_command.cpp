@@ -12,6 +12,7 @@
 #include "clew/command_line.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/print_text.hpp"
 #include "clew/world_findings.hpp"
 #include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
@@ -60,27 +61,27 @@ Result<Judged> judge(const SeverityOptions& options, const std::string& world) {
 
 void print(const Judged& judged) {
   const WorldFindings& findings = judged.findings;
-  fmt::print("{}: robot of {} m, sensor of {} m\n", judged.subject.world.name(),
+  print_text("{}: robot of {} m, sensor of {} m\n", judged.subject.world.name(),
              judged.subject.radius_m, judged.range_m);
   for (const world_analysis::Trap& trap : findings.traps) {
     const std::string depth = std::isfinite(trap.depth_m)
                                   ? fmt::format("{:.2f} m deep, {:.2f} sensing ranges",
                                                 trap.depth_m, trap.depth_m / judged.range_m)
                                   : std::string("without a way out");
-    fmt::print("trap at ({:.2f}, {:.2f}), {}{}\n", trap.place.x(), trap.place.y(), depth,
+    print_text("trap at ({:.2f}, {:.2f}), {}{}\n", trap.place.x(), trap.place.y(), depth,
                trap.inside_of ? fmt::format(", inside trap {}", *trap.inside_of + 1) : "");
   }
   if (!findings.severity) {
-    fmt::print("{}\n", findings.undecided);
+    print_text("{}\n", findings.undecided);
     return;
   }
   const Severity& severity = *findings.severity;
-  if (findings.traps.empty()) fmt::print("no traps\n");
+  if (findings.traps.empty()) print_text("no traps\n");
   if (severity.backtrack_m) {
-    fmt::print("necessary backtrack: {:.2f} m, {:.2f} sensing ranges\n", *severity.backtrack_m,
+    print_text("necessary backtrack: {:.2f} m, {:.2f} sensing ranges\n", *severity.backtrack_m,
                *severity.backtrack_m / judged.range_m);
   }
-  fmt::print("at most, by Bug1: {:.2f} m; by Bug2: {:.2f} m; straight: {:.2f} m\n",
+  print_text("at most, by Bug1: {:.2f} m; by Bug2: {:.2f} m; straight: {:.2f} m\n",
              severity.bug.bug1_m, severity.bug.bug2_m, severity.bug.straight_m);
 }
 
@@ -170,7 +171,7 @@ int severity_command(const SeverityOptions& options) {
   } else if (worlds.size() == 1) {
     print(worlds.front());
   } else {
-    fmt::print("{}", to_table(worlds));
+    print_text("{}", to_table(worlds));
   }
   return kExitGood;
 }
