@@ -84,7 +84,7 @@ std::vector<std::string> RestartPolicy::kill_frozen(Time now, Time::duration lim
   std::vector<std::string> lines;
   for (Member& member : members_) {
     if (member.progress.ticks > member.frozen_at) member.frozen_in_place = 0;
-    const Time::duration least = member.elsewhere ? limit + kLostReports : limit;
+    const Time::duration least = member.host.empty() ? limit : limit + kLostReports;
     const auto patience = least * (1U << std::min(member.frozen_in_place, kMostDoublings));
     if (!member.link || !member.child || now - member.heard_at < patience) continue;
     member.frozen_at = member.progress.ticks;

@@ -120,7 +120,7 @@ TEST(FrozenMember, IsGivenLongerOnAnotherHost) {
   members.push_back(waiting_member("sense", seconds(0)));
   runtime::Graph graph;
   RestartPolicy policy(members, graph);
-  members[0].elsewhere = true;
+  members[0].host = "far";
   members[0].heard_at = kNow;
 
   EXPECT_TRUE(policy.kill_frozen(kNow + seconds(3), seconds(1)).empty());
