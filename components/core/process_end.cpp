@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/process_end.hpp"
 
-#include <unistd.h>
-
 #include <cstdlib>
 
 #ifdef CLEW_COVERAGE
@@ -24,7 +22,7 @@ void write_coverage() {
 
 void end_at_once(int status) {
   write_coverage();
-  ::_exit(status);
+  std::_Exit(status);
 }
 
 void abort_process() {
