@@ -9,6 +9,7 @@
 #include "core/yaml_fields.hpp"
 #include "core/yaml_reader.hpp"
 #include "domain/setup.hpp"
+#include "world/goal_reader.hpp"
 
 namespace clew::fleet {
 namespace {
@@ -65,13 +66,13 @@ Result<void> read_place(const YamlNode& map, RobotEntry& robot) {
   if (!target.ok()) return target.error();
   const auto items = target->items();
   if (!items.ok()) return items.error();
-  const bool with_radius = items->size() == 3;
-  const auto numbers = target->numbers(with_radius ? 3 : 2, "[x, y] or [x, y, radius]");
-  if (!numbers.ok()) return numbers.error();
-  robot.target = {(*numbers)[0], (*numbers)[1]};
+  const auto goal = world::read_goal(*target);
+  if (!goal.ok()) return goal.error();
+  robot.target = goal->place;
+  robot.target_heading = goal->heading;
   robot.target_place = place_of(*target);
-  if (!with_radius) return {};
-  robot.target_radius_m = (*numbers)[2];
+  robot.target_radius_m = goal->radius_m;
+  if (!robot.target_radius_m) return {};
   if (*robot.target_radius_m > 0.0 && *robot.target_radius_m <= kLargest_m) return {};
   return (*items)[2].error(fmt::format("the radius is {}; allowed: above 0, at most {}",
                                        *robot.target_radius_m, kLargest_m));

@@ -10,6 +10,7 @@
 #include "core/resources.hpp"
 #include "core/result.hpp"
 #include "runtime/graph.hpp"
+#include "world/world.hpp"
 
 namespace clew::fleet {
 
@@ -21,7 +22,8 @@ struct RobotEntry {
   core::Pose2 start;
   core::Vec2 target = core::Vec2::Zero();
   std::optional<double> target_radius_m;  ///< none: the world's
-  std::vector<std::string> set;           ///< as `clew run --set`
+  std::optional<world::GoalHeading> target_heading;
+  std::vector<std::string> set;  ///< as `clew run --set`
   runtime::Place place;
   runtime::Place start_place;
   runtime::Place target_place;

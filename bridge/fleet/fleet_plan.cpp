@@ -190,7 +190,7 @@ Result<runtime::RunPlan> FleetPlan::plan_of(std::size_t index, const RobotEntry&
   overrides.seed = overrides_.seed ? overrides_.seed : file_.seed;
   overrides.max_ticks = overrides_.max_ticks ? overrides_.max_ticks : file_.max_ticks;
   overrides.robot_index = index;
-  overrides.goals = world::Goals{{entry.target, radius_m}};
+  overrides.goals = world::Goals{{entry.target, radius_m, entry.target_heading}};
   const RobotSource source(
       source_,
       {file_.world, robot_world_text(*world_, entry.start, {entry.target, radius_m}, others)});

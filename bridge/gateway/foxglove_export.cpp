@@ -83,7 +83,7 @@ Result<void> export_foxglove(const RunRecording& recording, const std::string& p
   options.compression = mcap::Compression::kZstd;
   auto writer = mcap::McapWriter::create(path, overwrite, options);
   if (!writer.ok()) return writer.error();
-  FoxgloveExport exported(*writer, std::move(scene).value(), recording.description());
+  FoxgloveExport exported(*writer, std::move(scene).value(), recording.description_of_samples());
   SampleStream samples = recording.samples();
   while (true) {
     const auto sample = samples.next();

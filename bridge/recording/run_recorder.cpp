@@ -28,7 +28,7 @@ std::string library_of(const RunDescription& description) {
 core::Result<bool> RunRecorder::holds_samples(const std::string& file) {
   const auto recording = RunRecording::open(file);
   if (!recording.ok()) return false;
-  const auto sample = recording->samples().next();
+  const auto sample = recording->raw_samples().next();
   if (!sample.ok()) return sample.error();
   return sample->has_value();
 }
@@ -106,7 +106,7 @@ core::Result<void> RunRecorder::keep(const std::string& file) {
   if (!recording.ok()) return recording.error();
   for (const domain::Intervention& found : recording->interventions()) add_intervention(found);
   for (const domain::Incident& found : recording->incidents()) add_incident(found);
-  SampleStream stream = recording->samples();
+  SampleStream stream = recording->raw_samples();
   for (;;) {
     const auto sample = stream.next();
     if (!sample.ok()) return sample.error();

@@ -4,6 +4,7 @@
 #include "recording/recorded_incident.hpp"
 #include "recording/recorded_intervention.hpp"
 #include "recording/run_hash.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -29,9 +30,25 @@ core::Result<std::optional<SampleView>> SampleStream::next() {
   if (!message.ok()) return message.error();
   if (!*message) return std::optional<SampleView>();
   const mcap::Message& found = **message;
-  return std::optional<SampleView>({topics_.at(found.channel_id),
-                                    ns_to_tick(found.log_time_ns, tick_s_), found.sequence,
-                                    found.data});
+  SampleView sample{topics_.at(found.channel_id), ns_to_tick(found.log_time_ns, tick_s_),
+                    found.sequence, found.data};
+  if (!older_) return std::optional(sample);
+  const auto cdr = in_todays_type(sample.topic, sample.cdr);
+  if (!cdr) {
+    return core::Error{"tick " + std::to_string(sample.tick) + " of " +
+                       std::string(domain::topic_name(sample.topic)) +
+                       ", by the type that the recording gives: " + cdr.error().message};
+  }
+  sample.cdr = *cdr;
+  return std::optional(sample);
+}
+
+core::Result<std::string_view> SampleStream::in_todays_type(domain::Topic topic,
+                                                            std::string_view cdr) {
+  const auto type = older_->find(topic);
+  if (type == older_->end()) return cdr;
+  if (!type->second) return type->second.error();
+  return type->second->to_current(cdr, buffer_);
 }
 
 core::Result<RunRecording> RunRecording::open(const std::string& path) {
@@ -138,6 +155,7 @@ core::Result<void> RunRecording::read_side_channels() {
 }
 
 core::Result<void> RunRecording::read_topics() {
+  auto older = std::make_shared<OlderTypes>();
   for (const auto& [id, channel] : reader_.channels()) {
     if (channel.topic.empty() || channel.topic.front() != '/') continue;
     const auto topic = domain::topic_from_name(channel.topic.substr(1));
@@ -151,9 +169,19 @@ core::Result<void> RunRecording::read_topics() {
     if (!description_.schemas.emplace(*topic, schema->second.data).second) {
       return error("has two channels " + channel.topic);
     }
+    if (schema->second.data != idl_text(*topic)) {
+      older->emplace(*topic, OlderType::parse(*topic, schema->second.data));
+    }
     topics_.emplace(id, *topic);
   }
+  if (!older->empty()) older_ = std::move(older);
   return {};
+}
+
+bool RunRecording::has_field(domain::Topic topic, std::string_view path) const {
+  if (!older_) return true;
+  const auto type = older_->find(topic);
+  return type == older_->end() || !type->second || type->second->has_field(path);
 }
 
 std::string RunRecording::cut_off() const {
@@ -162,7 +190,14 @@ std::string RunRecording::cut_off() const {
   return "is of a run that was aborted (" + end_->aborted + ')';
 }
 
-SampleStream RunRecording::samples(const SampleFilter& filter) const {
+RunDescription RunRecording::description_of_samples() const {
+  RunDescription description = description_;
+  for (auto& [topic, schema] : description.schemas) schema = idl_text(topic);
+  return description;
+}
+
+SampleStream RunRecording::stream(const SampleFilter& filter,
+                                  std::shared_ptr<const OlderTypes> older) const {
   mcap::MessageFilter messages;
   messages.channels.emplace();
   for (const auto& [channel_id, topic] : topics_) {
@@ -179,12 +214,14 @@ SampleStream RunRecording::samples(const SampleFilter& filter) const {
   if (static_cast<double>(filter.last_tick) * tick_ns < kLast_ns) {
     messages.last_ns = tick_to_ns(filter.last_tick, description_.tick_s);
   }
-  return {reader_.messages(mcap::Order::kFile, messages), topics_, description_.tick_s};
+  return {reader_.messages(mcap::Order::kFile, messages), topics_, description_.tick_s,
+          std::move(older)};
 }
 
 core::Result<RunSurvey> RunRecording::survey_samples() const {
   RunSurvey survey;
-  SampleStream stream = samples();
+  // The hash is that of the bytes as they were written.
+  SampleStream stream = raw_samples();
   std::optional<std::pair<std::uint64_t, domain::Topic>> last;
   for (;;) {
     const auto sample = stream.next();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,6 +19,7 @@
 #include "domain/topics.hpp"
 #include "recording/mcap_reader.hpp"
 #include "recording/run_description.hpp"
+#include "wire/older_type.hpp"
 #include "wire/sample.hpp"
 
 namespace clew::bridge {
@@ -28,21 +30,31 @@ struct SampleFilter {
   std::uint64_t last_tick = std::numeric_limits<std::uint64_t>::max();
 };
 
+/// The types of topics that were others when a recording was made.
+using OlderTypes = std::map<domain::Topic, core::Result<OlderType>>;
+
 /// Reads the samples of a recording in canonical order: tick, topic, sequence.
 class SampleStream {
  public:
   SampleStream(mcap::MessageStream messages, std::map<std::uint16_t, domain::Topic> topics,
-               double tick_s)
-      : messages_(std::move(messages)), topics_(std::move(topics)), tick_s_(tick_s) {}
+               double tick_s, std::shared_ptr<const OlderTypes> older)
+      : messages_(std::move(messages)),
+        topics_(std::move(topics)),
+        tick_s_(tick_s),
+        older_(std::move(older)) {}
 
-  /// The next sample, valid until the next call; nothing at the end. An error, a changed byte or a
-  /// failing disk, ends the stream.
+  /// The next sample, valid until the next call; nothing at the end. An error, a changed byte, a
+  /// failing disk, or a sample that is not of its recorded type, ends the stream.
   core::Result<std::optional<SampleView>> next();
 
  private:
+  core::Result<std::string_view> in_todays_type(domain::Topic topic, std::string_view cdr);
+
   mcap::MessageStream messages_;
   std::map<std::uint16_t, domain::Topic> topics_;  ///< by channel
   double tick_s_;
+  std::shared_ptr<const OlderTypes> older_;  ///< null: samples are given as they are
+  std::vector<char> buffer_;                 ///< of a sample in today's type
 };
 
 /// What all samples of a recording together say.
@@ -80,7 +92,17 @@ class RunRecording {
   /// `is of a run that was aborted (...)`. Empty if there is no reason.
   std::string cut_off() const;
 
-  SampleStream samples(const SampleFilter& filter = {}) const;
+  /// Samples of types that were others then are given in today's: see OlderType. So all who read
+  /// samples read those of older versions, too.
+  SampleStream samples(const SampleFilter& filter = {}) const { return stream(filter, older_); }
+  /// Samples with the bytes that the file has.
+  SampleStream raw_samples(const SampleFilter& filter = {}) const {
+    return stream(filter, nullptr);
+  }
+  /// The description with the schemas of what samples() gives.
+  RunDescription description_of_samples() const;
+  /// Whether the recording's own type of the topic has the field: `motion.kind`.
+  bool has_field(domain::Topic topic, std::string_view path) const;
 
   /// Reads all samples. Refused: a changed byte, and samples that are not in canonical order.
   core::Result<RunSurvey> survey_samples() const;
@@ -92,6 +114,7 @@ class RunRecording {
   core::Result<void> read_description();
   core::Result<void> read_attachments();
   core::Result<void> read_topics();
+  SampleStream stream(const SampleFilter& filter, std::shared_ptr<const OlderTypes> older) const;
   core::Result<void> read_side_channels();
   /// The entries of a side channel: `from_json(tick, json)` gives one, or none.
   template <typename Entry, typename FromJson>
@@ -109,6 +132,7 @@ class RunRecording {
   std::vector<domain::Incident> incidents_;
   std::map<std::string, std::string> intervention_files_;  ///< by tick, a slash and the name
   std::map<std::uint16_t, domain::Topic> topics_;          ///< by channel
+  std::shared_ptr<const OlderTypes> older_;
 };
 
 }  // namespace clew::bridge

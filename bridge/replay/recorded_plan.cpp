@@ -74,6 +74,11 @@ Result<void> check_message_types(const RunRecording& recording) {
 Result<runtime::RunPlan> recorded_plan(const RunRecording& recording,
                                        const std::vector<runtime::StageInfo>& stages) {
   CLEW_RETURN_IF_ERROR(check_message_types(recording));
+  return described_plan(recording, stages);
+}
+
+Result<runtime::RunPlan> described_plan(const RunRecording& recording,
+                                        const std::vector<runtime::StageInfo>& stages) {
   auto plan = runtime::prepare_run(recording.description().bundle, stages);
   if (!plan.ok()) return in_recording(recording, plan.error());
   return plan;

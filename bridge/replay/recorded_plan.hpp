@@ -15,8 +15,13 @@ namespace clew::bridge {
 /// Refused: a recording of message types that this version does not have.
 core::Result<void> check_message_types(const RunRecording& recording);
 
-/// The plan of the run that was recorded, from the recording alone. Refused: a bundle that lacks a
-/// file, and what runtime::prepare_run refuses.
+/// The plan of the run that was recorded, whatever its message types were: to show it, not to
+/// replay.
+core::Result<runtime::RunPlan> described_plan(const RunRecording& recording,
+                                              const std::vector<runtime::StageInfo>& stages);
+
+/// The plan of the run that was recorded, from the recording alone. Refused: what
+/// check_message_types refuses, a bundle that lacks a file, and what runtime::prepare_run refuses.
 core::Result<runtime::RunPlan> recorded_plan(const RunRecording& recording,
                                              const std::vector<runtime::StageInfo>& stages);
 

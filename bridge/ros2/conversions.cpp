@@ -2,6 +2,7 @@
 #include "ros2/conversions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +10,13 @@
 #include "core/math.hpp"
 
 namespace clew::ros2 {
+
+namespace {
+
+/// Which of a pose's x, y, z and turns about them are those of the plane.
+constexpr std::array<std::size_t, 3> kPlanar = {0, 1, 5};
+
+}  // namespace
 
 Frames Frames::of(const Names& names) {
   Frames frames;
@@ -58,13 +66,24 @@ Odometry to_odometry(const domain::Odometry& odometry, const Frames& frames) {
   out.header = {to_time(odometry.stamp.sim_time_s), frames.odom};
   out.child_frame_id = frames.base;
   out.pose.pose = to_pose(odometry.pose_odom_robot);
+  const domain::PoseCovariance& c = odometry.covariance;
+  const std::array<std::array<double, 3>, 3> rows = {
+      {{c.x_m2, c.xy_m2, c.x_heading_m_rad},
+       {c.xy_m2, c.y_m2, c.y_heading_m_rad},
+       {c.x_heading_m_rad, c.y_heading_m_rad, c.heading_rad2}}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      out.pose.covariance[6 * kPlanar[i] + kPlanar[j]] = rows[i][j];
+    }
+  }
   out.twist.twist.linear.x = odometry.speed_mps;
   out.twist.twist.angular.z = odometry.turn_rate_radps;
   return out;
 }
 
 PoseStamped to_goal(const domain::Target& target, const Frames& frames) {
-  return {{to_time(target.stamp.sim_time_s), frames.odom}, to_pose({target.x_m, target.y_m, 0.0})};
+  return {{to_time(target.stamp.sim_time_s), frames.odom},
+          to_pose({target.x_m, target.y_m, target.heading_rad})};
 }
 
 Path to_path(const domain::Odometry& odometry, const domain::Guidance& guidance,
@@ -76,7 +95,7 @@ Path to_path(const domain::Odometry& odometry, const domain::Guidance& guidance,
   };
   add(odometry.pose_odom_robot);
   if (guidance.target_is_virtual) add({guidance.target_x_m, guidance.target_y_m, 0.0});
-  add({target.x_m, target.y_m, 0.0});
+  add({target.x_m, target.y_m, target.heading_rad});
   return path;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/angle.hpp"
 #include "core/math.hpp"
+#include "domain/topics.hpp"
 
 namespace clew::ros2 {
 namespace {
@@ -107,6 +108,10 @@ core::Result<domain::Odometry> OdometryInput::next(const Odometry& odometry) {
   out.speed_mps = std::isfinite(speed_mps) ? speed_mps : 0.0;
   out.turn_rate_radps = std::isfinite(turn_rate_radps) ? turn_rate_radps : 0.0;
   out.travel_m = travel_m_;
+  // Many robots fill in what is none: it is taken for not known then.
+  const auto& c = odometry.pose.covariance;
+  out.covariance = {c[0], c[1], c[5], c[7], c[11], c[35]};
+  if (!domain::validate(out).ok()) out.covariance = {};
   return out;
 }
 

@@ -15,6 +15,7 @@
 #include "log/log.hpp"
 #include "ros2/goal_input.hpp"
 #include "ros2/node.hpp"
+#include "ros2/robot_inputs.hpp"
 #include "ros2/run_publisher.hpp"
 #include "run/end_signals.hpp"
 #include "run/limits.hpp"
@@ -58,7 +59,8 @@ core::Result<bridge::CommandAnswer> change(const std::string& run, const std::st
 }
 
 /// Hands goals on to the run, which fixes the tick and records it; says what became of it.
-void hand_on(GoalInput& goals, const RunPublisher& publisher, const std::string& run) {
+void hand_on(GoalInput& goals, const RunPublisher& publisher, const std::string& run,
+             const std::optional<double>& heading_tolerance_rad) {
   for (const std::string& notice : goals.take_notices()) {
     logs::warning("{}", notice);
   }
@@ -66,12 +68,15 @@ void hand_on(GoalInput& goals, const RunPublisher& publisher, const std::string&
   if (!poses) return;
   world::Goals places;
   for (const PoseStamped& pose : *poses) {
-    const auto place = publisher.place_in_world(pose);
+    const auto place = publisher.pose_in_world(pose);
     if (!place.ok()) {
       logs::warning("the goal is refused: {}", place.error().message);
       return;
     }
-    places.push_back({*place, std::nullopt});
+    places.push_back({place->position(), std::nullopt});
+    // An orientation of zeros is none.
+    if (!heading_tolerance_rad || !to_pose2(pose.pose).ok()) continue;
+    places.back().heading = {place->heading_rad, *heading_tolerance_rad};
   }
   const std::string text = runtime::goals_change(places);
   const auto answer = change(run, text);
@@ -113,7 +118,8 @@ class Logged {
 
 /// Publishes what comes until the run is over or a signal comes, which it returns; else 0. `goals`
 /// may be null.
-int follow(bridge::RunWatch& watch, RunPublisher& publisher, GoalInput* goals, Logged& logged,
+int follow(bridge::RunWatch& watch, RunPublisher& publisher, GoalInput* goals,
+           const std::optional<double>& heading_tolerance_rad, Logged& logged,
            bridge::EndSignals& signals) {
   SteadyClock::time_point heard_at = SteadyClock::now();
   SteadyClock::time_point next_report = heard_at + kReportPeriod;
@@ -134,7 +140,7 @@ int follow(bridge::RunWatch& watch, RunPublisher& publisher, GoalInput* goals, L
       publisher.add_report(std::chrono::duration<double>(now - heard_at).count(), watch.dropped());
     }
     if (goals != nullptr && goes_on) {
-      hand_on(*goals, publisher, std::to_string(watch.run().domain));
+      hand_on(*goals, publisher, std::to_string(watch.run().domain), heading_tolerance_rad);
     }
     if (const int number = signals.take()) return number;
     if (goes_on) watch.wait({signals.descriptor()}, next_report - now);
@@ -184,7 +190,8 @@ core::Result<int> run_ros2_bridge(const BridgeOptions& options,
   logs::info("run {} in domain {}, ROS domain {} on {}", config.origin.id, domain,
              options.network.domain, options.network.on_network ? "the network" : "127.0.0.1");
 
-  const int number = follow(**watch, **publisher, goals ? &*goals : nullptr, logged, signals);
+  const int number = follow(**watch, **publisher, goals ? &*goals : nullptr,
+                            options.goal_heading_tolerance_rad, logged, signals);
   (*publisher)->end(number == 0 ? "the run is over" : "the bridge was told to end");
   return number == 0 ? 0 : kInterruptedStatus;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct BridgeOptions {
   std::string node_namespace = "/";
   std::vector<RemapRule> remap;
   bool takes_goals = false;  ///< from `goal_pose`
+  /// Arrival is within this of a goal's orientation, too; none: with any heading.
+  std::optional<double> goal_heading_tolerance_rad;
 };
 
 /// Shows a live run to ROS 2 until it is over, or SIGINT or SIGTERM comes. Returns the exit status:

@@ -8,7 +8,9 @@
 #include <limits>
 #include <utility>
 
+#include "core/angle.hpp"
 #include "core/math.hpp"
+#include "ros2/robot_inputs.hpp"
 
 namespace clew::ros2 {
 namespace {
@@ -256,13 +258,15 @@ void RunPublisher::add_report(double idle_s, std::uint64_t dropped) {
   if (seen_changed_) publish_seen();
 }
 
-core::Result<core::Vec2> RunPublisher::place_in_world(const PoseStamped& place) const {
+core::Result<core::Pose2> RunPublisher::pose_in_world(const PoseStamped& place) const {
   const core::Vec2 at(place.pose.position.x, place.pose.position.y);
   if (!std::isfinite(at.x()) || !std::isfinite(at.y())) {
     return core::Error{"a place that is none"};
   }
+  const auto pose = to_pose2(place.pose);
+  const double heading_rad = pose.ok() ? pose->heading_rad : 0.0;
   const std::string& frame = place.header.frame_id;
-  if (frame == frames_.map) return at;
+  if (frame == frames_.map) return core::Pose2{at.x(), at.y(), heading_rad};
   if (frame != frames_.odom || !has(domain::Topic::kState) || !has(domain::Topic::kOdometry)) {
     return core::Error{
         fmt::format("frame '{}'; allowed: {}, {}", frame, frames_.map, frames_.odom)};
@@ -271,7 +275,8 @@ core::Result<core::Vec2> RunPublisher::place_in_world(const PoseStamped& place) 
                                        std::get<domain::Odometry>(messages_).pose_odom_robot);
   const double c = core::cos(odom.heading_rad);
   const double s = core::sin(odom.heading_rad);
-  return core::Vec2(odom.x_m + c * at.x() - s * at.y(), odom.y_m + s * at.x() + c * at.y());
+  return core::Pose2{odom.x_m + c * at.x() - s * at.y(), odom.y_m + s * at.x() + c * at.y(),
+                     core::wrap_angle_rad(odom.heading_rad + heading_rad)};
 }
 
 void RunPublisher::end(const std::string& why) {

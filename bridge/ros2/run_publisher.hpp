@@ -39,7 +39,7 @@ class RunPublisher {
   void add_report(double idle_s, std::uint64_t dropped);
   /// Where a place of ROS lies in the world. Refused: frames other than the map's and the
   /// odometry's, and places that are none.
-  core::Result<core::Vec2> place_in_world(const PoseStamped& place) const;
+  core::Result<core::Pose2> pose_in_world(const PoseStamped& place) const;
   /// A line of /rosout of what somebody logged: `speaker` comes after the node's name.
   void log(logs::Level level, const std::string& speaker, const std::string& text);
   /// The run is over, for whatever reason.

@@ -25,6 +25,7 @@ ControlComponent::ControlComponent(std::unique_ptr<Controller> controller,
                                    const runtime::RunSetup& setup,
                                    std::vector<NamedReaction> reactions)
     : controller_(std::move(controller)),
+      heading_(setup.behaviour),
       approach_(parameters.approach, setup.behaviour),
       guard_(parameters.guard, setup.behaviour),
       reactions_(std::move(reactions)),
@@ -34,7 +35,8 @@ void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
   const auto& odometry = inputs.get<domain::Odometry>();
   const auto* guidance = inputs.find<domain::Guidance>();
   decider_ = Decider::kNobody;
-  domain::Motion& motion = outputs.get<domain::Command>().motion;
+  auto& command = outputs.get<domain::Command>();
+  domain::Motion& motion = command.motion;
   if (guidance != nullptr && guidance->mode == domain::GuidanceMode::kUnreachable) {
     motion.kind = domain::CommandKind::kGiveUp;
     return;
@@ -45,6 +47,7 @@ void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
     overlay_virtual_obstacles(*guidance, odometry.pose_odom_robot, radius_m_, seen_);
   }
   motion = steer(inputs, guidance);
+  if (decider_ == Decider::kController) controller_->tell_virtual_targets(command.virtual_targets);
 }
 
 /// What recovery, the final approach or the controller wants, after reactions and guard.
@@ -58,12 +61,17 @@ domain::Motion ControlComponent::steer(const runtime::TickInputs& inputs,
     if (guidance->target_is_virtual) steers = StepGuard::Steers::kLed;
     wanted_ = guidance->override_motion;
   } else {
-    const core::Vec2 target_odom = guidance != nullptr
-                                       ? core::Vec2(guidance->target_x_m, guidance->target_y_m)
-                                       : inputs.get<domain::Target>().position();
-    if (const auto motion = approach(inputs, guidance, target_odom)) return *motion;
-    decider_ = Decider::kController;
-    wanted_ = controller_->step(odometry, seen_, target_odom);
+    const ActiveTarget target = guidance != nullptr
+                                    ? ActiveTarget::of(*guidance)
+                                    : ActiveTarget::of(inputs.get<domain::Target>());
+    if (const auto turn = heading_.step(odometry.pose_odom_robot, target)) {
+      decider_ = Decider::kHeading;
+      wanted_ = *turn;
+    } else {
+      if (const auto motion = approach(inputs, target)) return *motion;
+      decider_ = Decider::kController;
+      wanted_ = controller_->step(odometry, seen_, target.position_odom);
+    }
   }
   asked_ = react(inputs).value_or(wanted_);
   if (reacted_) steers = StepGuard::Steers::kAnybody;
@@ -72,11 +80,10 @@ domain::Motion ControlComponent::steer(const runtime::TickInputs& inputs,
 
 /// The motion of the final approach; nothing where the controller must steer.
 std::optional<domain::Motion> ControlComponent::approach(const runtime::TickInputs& inputs,
-                                                         const domain::Guidance* guidance,
-                                                         const core::Vec2& target_odom) {
-  if (guidance != nullptr && guidance->target_is_virtual) return std::nullopt;
+                                                         const ActiveTarget& target) {
+  if (target.is_virtual) return std::nullopt;
   const auto& odometry = inputs.get<domain::Odometry>();
-  const auto straight = approach_.step(odometry, seen_, target_odom);
+  const auto straight = approach_.step(odometry, seen_, target.position_odom);
   if (!straight) return std::nullopt;
   decider_ = Decider::kApproach;
   wanted_ = *straight;
@@ -100,13 +107,13 @@ std::optional<domain::Motion> ControlComponent::react(const runtime::TickInputs&
 }
 
 void ControlComponent::save(core::StateWriter& writer) const {
-  writer(guard_.state(), approach_.state());
+  writer(guard_.state(), heading_.state(), approach_.state());
   controller_->save(writer);
   for (const NamedReaction& one : reactions_) one.reaction->save(writer);
 }
 
 void ControlComponent::load(core::StateReader& reader) {
-  reader(guard_.state(), approach_.state());
+  reader(guard_.state(), heading_.state(), approach_.state());
   const auto side = guard_.state().turning_side;
   if (!reader.check(-1 <= side && side <= 1, "there is no such side")) guard_.state() = {};
   controller_->load(reader);

@@ -8,6 +8,7 @@
 
 #include "control/controller.hpp"
 #include "control/final_approach.hpp"
+#include "control/heading_turn.hpp"
 #include "control/reactions/reaction.hpp"
 #include "control/step_guard.hpp"
 #include "runtime/component.hpp"
@@ -29,7 +30,8 @@ void visit_parameters(Visitor& visit, ControlParameters& p) {
 /// Turns the active target and the scan into a motion. What recovery asks for is done here, not
 /// in the controller, so that any escape goes with any controller: its virtual obstacles are
 /// applied to the scan, its override replaces the controller's motion, *unreachable* becomes giving
-/// up. Near the target the final approach steers in its place. The first reaction that asks for
+/// up. Near the target the final approach steers in its place, and at the target the turn to the
+/// mission's heading. The first reaction that asks for
 /// another motion than these has it. The step guard has the last word.
 class ControlComponent final : public runtime::Component {
  public:
@@ -50,7 +52,7 @@ class ControlComponent final : public runtime::Component {
 
  private:
   /// Whose motion was taken.
-  enum class Decider : std::uint8_t { kNobody, kRecovery, kApproach, kController };
+  enum class Decider : std::uint8_t { kNobody, kRecovery, kHeading, kApproach, kController };
 
   void tell_sight(const domain::Odometry& odometry, const domain::Scan& scan,
                   domain::Inside& inside) const;
@@ -60,11 +62,11 @@ class ControlComponent final : public runtime::Component {
   void tell_guard(const domain::Motion& motion, domain::Inside& inside) const;
   std::optional<domain::Motion> react(const runtime::TickInputs& inputs);
   std::optional<domain::Motion> approach(const runtime::TickInputs& inputs,
-                                         const domain::Guidance* guidance,
-                                         const core::Vec2& target_odom);
+                                         const ActiveTarget& target);
   domain::Motion steer(const runtime::TickInputs& inputs, const domain::Guidance* guidance);
 
   std::unique_ptr<Controller> controller_;
+  HeadingTurn heading_;
   FinalApproach approach_;
   StepGuard guard_;
   std::vector<NamedReaction> reactions_;

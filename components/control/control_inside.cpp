@@ -86,6 +86,11 @@ void ControlComponent::tell_decision(const domain::Odometry& odometry,
       inside.say("Recovery overrides the controller and asks to " + domain::say_motion(wanted_) +
                  ".");
       break;
+    case Decider::kHeading:
+      inside.values.text("decided", "heading");
+      inside.say(
+          "It is at the target, and turns on the spot to the heading that the mission wants.");
+      break;
     case Decider::kApproach:
       inside.values.text("decided", "final_approach");
       inside.say("Nothing is in the way to the target, so the final approach steers and asks to " +

@@ -20,6 +20,11 @@ class Controller {
   virtual domain::Motion step(const domain::Odometry& odometry, const domain::Scan& scan,
                               const core::Vec2& target_odom) = 0;
 
+  /// Adds the virtual targets in force that it has set by itself, in the order in which it set
+  /// them.
+  using VirtualTargets = core::BoundedVector<domain::VirtualTarget, domain::kMaxVirtualTargets>;
+  virtual void tell_virtual_targets(VirtualTargets&) const {}
+
   virtual void save(core::StateWriter& writer) const = 0;
   virtual void load(core::StateReader& reader) = 0;
 

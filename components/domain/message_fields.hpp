@@ -73,8 +73,23 @@ inline constexpr auto kFields<Recognition> = std::make_tuple(
     field("prototype_classes", &Recognition::prototype_classes, InRange{0.0, kLastClass}));
 
 template <>
+inline constexpr auto kFields<PoseCovariance> =
+    std::make_tuple(field("x_m2", &PoseCovariance::x_m2, NotNegative{}),
+                    field("xy_m2", &PoseCovariance::xy_m2, WithOthers{}),
+                    field("x_heading_m_rad", &PoseCovariance::x_heading_m_rad, WithOthers{}),
+                    field("y_m2", &PoseCovariance::y_m2, NotNegative{}),
+                    field("y_heading_m_rad", &PoseCovariance::y_heading_m_rad, WithOthers{}),
+                    field("heading_rad2", &PoseCovariance::heading_rad2, NotNegative{}));
+
+template <>
+inline constexpr auto kFields<VirtualTarget> = std::make_tuple(field("x_m", &VirtualTarget::x_m),
+                                                               field("y_m", &VirtualTarget::y_m));
+
+template <>
 inline constexpr auto kFields<Command> = std::make_tuple(field("stamp", &Command::stamp),
-                                                         field("motion", &Command::motion));
+                                                         field("motion", &Command::motion),
+                                                         field("virtual_targets",
+                                                               &Command::virtual_targets));
 
 template <>
 inline constexpr auto kFields<Event> = std::make_tuple(field("stamp", &Event::stamp),
@@ -85,6 +100,11 @@ inline constexpr auto kFields<Guidance> =
     std::make_tuple(field("stamp", &Guidance::stamp), field("target_x_m", &Guidance::target_x_m),
                     field("target_y_m", &Guidance::target_y_m),
                     field("target_is_virtual", &Guidance::target_is_virtual),
+                    field("target_radius_m", &Guidance::target_radius_m, NotNegative{}),
+                    field("target_has_heading", &Guidance::target_has_heading),
+                    field("target_heading_rad", &Guidance::target_heading_rad, WrappedAngle{}),
+                    field("target_heading_tolerance_rad", &Guidance::target_heading_tolerance_rad,
+                          InRange{0.0, core::kPi}),
                     field("mode", &Guidance::mode), field("has_override", &Guidance::has_override),
                     field("override_motion", &Guidance::override_motion),
                     field("virtual_obstacles", &Guidance::virtual_obstacles),
@@ -101,7 +121,8 @@ inline constexpr auto kFields<Landmark> = std::make_tuple(
 template <>
 inline constexpr auto kFields<Odometry> = std::make_tuple(
     field("stamp", &Odometry::stamp), field("pose_odom_robot", &Odometry::pose_odom_robot),
-    field("speed_mps", &Odometry::speed_mps), field("turn_rate_radps", &Odometry::turn_rate_radps),
+    field("covariance", &Odometry::covariance), field("speed_mps", &Odometry::speed_mps),
+    field("turn_rate_radps", &Odometry::turn_rate_radps),
     field("travel_m", &Odometry::travel_m, NotNegative{}), field("blocked", &Odometry::blocked),
     field("contact_bearings_rad", &Odometry::contact_bearings_rad, WrappedAngle{}));
 
@@ -126,6 +147,9 @@ inline constexpr auto kFields<State> = std::make_tuple(
 template <>
 inline constexpr auto kFields<Target> = std::make_tuple(
     field("stamp", &Target::stamp), field("x_m", &Target::x_m), field("y_m", &Target::y_m),
-    field("radius_m", &Target::radius_m, NotNegative{}));
+    field("radius_m", &Target::radius_m, NotNegative{}), field("has_heading", &Target::has_heading),
+    field("heading_rad", &Target::heading_rad, WrappedAngle{}),
+    field("heading_tolerance_rad", &Target::heading_tolerance_rad, InRange{0.0, core::kPi}),
+    field("waypoint", &Target::waypoint), field("waypoints", &Target::waypoints));
 
 }  // namespace clew::domain

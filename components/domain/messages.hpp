@@ -41,10 +41,27 @@ struct State {
 
 inline constexpr std::size_t kMaxContacts = 8;
 
+/// How far a pose may be off: the covariance of its x, y and heading, symmetric; all 0: it is
+/// exact.
+struct PoseCovariance {
+  double x_m2 = 0.0;
+  double xy_m2 = 0.0;
+  double x_heading_m_rad = 0.0;
+  double y_m2 = 0.0;
+  double y_heading_m_rad = 0.0;
+  double heading_rad2 = 0.0;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, PoseCovariance& c) {
+  visit(c.x_m2, c.xy_m2, c.x_heading_m_rad, c.y_m2, c.y_heading_m_rad, c.heading_rad2);
+}
+
 /// What the robot's own wheels and bumpers tell at the start of a tick.
 struct Odometry {
   TickStamp stamp;
   Pose2 pose_odom_robot;
+  PoseCovariance covariance;  ///< of pose_odom_robot, by the drive's own drift parameters
   double speed_mps = 0.0;
   double turn_rate_radps = 0.0;
   double travel_m = 0.0;  ///< path length by the wheels, since tick 0
@@ -58,7 +75,12 @@ struct Target {
   TickStamp stamp;
   double x_m = 0.0;
   double y_m = 0.0;
-  double radius_m = 0.0;  ///< arrival within this distance
+  double radius_m = 0.0;     ///< arrival within this distance
+  bool has_heading = false;  ///< arrival is also within a tolerance of a heading
+  double heading_rad = 0.0;
+  double heading_tolerance_rad = 0.0;  ///< on each side
+  std::uint32_t waypoint = 0;          ///< that it is on the way to, from 1; 0: no mission
+  std::uint32_t waypoints = 0;         ///< how many the mission has
 
   core::Vec2 position() const { return {x_m, y_m}; }
 };
@@ -122,9 +144,19 @@ struct Motion {
   double right_mps = 0.0;
 };
 
+/// A place that a controller steers for instead of the target in force, in the odometry frame.
+struct VirtualTarget {
+  double x_m = 0.0;
+  double y_m = 0.0;
+};
+
+inline constexpr std::size_t kMaxVirtualTargets = 8;
+
 struct Command {
   TickStamp stamp;
   Motion motion;
+  /// Those in force that the controller set by itself, in the order in which they were set.
+  core::BoundedVector<VirtualTarget, kMaxVirtualTargets> virtual_targets;
 };
 
 enum class GuidanceMode : std::uint8_t { kSeek, kRecover, kUnreachable };
@@ -152,6 +184,11 @@ struct Guidance {
   double target_x_m = 0.0;
   double target_y_m = 0.0;
   bool target_is_virtual = false;
+  double target_radius_m = 0.0;  ///< arrival; 0 if it is virtual
+  /// As of Target; a virtual target has no heading.
+  bool target_has_heading = false;
+  double target_heading_rad = 0.0;
+  double target_heading_tolerance_rad = 0.0;
   GuidanceMode mode = GuidanceMode::kSeek;
   bool has_override = false;
   Motion override_motion;  ///< in force if has_override

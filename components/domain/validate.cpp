@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
 #include "domain/field_check.hpp"
 #include "domain/message_fields.hpp"
 #include "domain/topics.hpp"
 
 namespace clew::domain {
 namespace {
+
+/// What rounding may leave of a covariance whose variances say less.
+double covariance_bound(double variance_a, double variance_b) {
+  constexpr double kRounding_ratio = 1.0 + 1e-6;
+  constexpr double kRounding = 1e-9;
+  return kRounding_ratio * std::sqrt(variance_a) * std::sqrt(variance_b) + kRounding;
+}
 
 template <typename Path>
 using Check = BasicFieldCheck<Path>;
@@ -36,6 +46,23 @@ template <typename Path>
 void check_together(Check<Path>& check, const Path* outer, const VirtualObstacle& box) {
   check.in_range({outer, "x_min_m"}, box.x_min_m, -FieldCheck::kLargest, box.x_max_m);
   check.in_range({outer, "y_min_m"}, box.y_min_m, -FieldCheck::kLargest, box.y_max_m);
+}
+
+/// A covariance is at most the root of the product of the two variances, but for rounding.
+template <typename Path>
+void check_together(Check<Path>& check, const Path* outer, const PoseCovariance& c) {
+  const auto covariance = [&](const char* member, double value, double a, double b) {
+    const double bound = std::min(covariance_bound(a, b), FieldCheck::kLargest);
+    check.in_range({outer, member}, value, -bound, bound);
+  };
+  covariance("xy_m2", c.xy_m2, c.x_m2, c.y_m2);
+  covariance("x_heading_m_rad", c.x_heading_m_rad, c.x_m2, c.heading_rad2);
+  covariance("y_heading_m_rad", c.y_heading_m_rad, c.y_m2, c.heading_rad2);
+}
+
+template <typename Path>
+void check_together(Check<Path>& check, const Path* outer, const Target& m) {
+  check.at_most({outer, "waypoint"}, m.waypoint, m.waypoints);
 }
 
 template <typename Path>

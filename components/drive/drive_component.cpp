@@ -91,6 +91,7 @@ void DriveComponent::write_odometry(domain::Odometry& odometry) const {
   if (drifts_) {
     const DeadReckoning::State& belief = reckoning_.state();
     odometry.pose_odom_robot = belief.pose_odom_robot;
+    odometry.covariance = reckoning_.covariance();
     odometry.speed_mps = belief.speed_mps;
     odometry.turn_rate_radps = belief.turn_rate_radps;
     odometry.travel_m = belief.travel_m;
@@ -109,6 +110,9 @@ void DriveComponent::save(core::StateWriter& writer) const {
 
 void DriveComponent::load(core::StateReader& reader) {
   reader(body_.state(), reckoning_.state());
+  if (!reader.check(reckoning_.state().is_sound(), "a covariance of the odometry is none")) {
+    reckoning_.state() = {};
+  }
   referee_.load(reader);
 }
 

@@ -15,10 +15,24 @@ Outcome Referee::judge(std::uint64_t tick, const core::Pose2& pose_world_robot,
 }
 
 void Referee::announce(const core::Pose2& pose_odom_robot, domain::Target& target) const {
-  const core::Vec2 place = waits() ? pose_odom_robot.position() : route_.next().place;
-  target.x_m = place.x();
-  target.y_m = place.y();
-  target.radius_m = waits() ? 0.0 : route_.next().radius_m;
+  const domain::TickStamp stamp = target.stamp;
+  target = {};
+  target.stamp = stamp;
+  if (waits()) {
+    target.x_m = pose_odom_robot.x_m;
+    target.y_m = pose_odom_robot.y_m;
+    return;
+  }
+  const world::Waypoint& next = route_.next();
+  target.x_m = next.place.x();
+  target.y_m = next.place.y();
+  target.radius_m = next.radius_m;
+  target.waypoint = static_cast<std::uint32_t>(route_.passed() + 1);
+  target.waypoints = static_cast<std::uint32_t>(route_.size());
+  if (!next.heading) return;
+  target.has_heading = true;
+  target.heading_rad = next.heading->heading_rad;
+  target.heading_tolerance_rad = next.heading->tolerance_rad;
 }
 
 }  // namespace clew::drive

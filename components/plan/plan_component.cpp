@@ -32,6 +32,15 @@ void PlanComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs
   target.x_m = subgoal.place.x();
   target.y_m = subgoal.place.y();
   target.radius_m = subgoal.radius_m;
+  if (route_.empty()) return;
+  target.waypoint = static_cast<std::uint32_t>(route_.passed() + 1);
+  target.waypoints = static_cast<std::uint32_t>(route_.size());
+  // A subgoal is passed with any heading.
+  const world::Waypoint& next = route_.next();
+  if (!next.heading || subgoal.place != next.place) return;
+  target.has_heading = true;
+  target.heading_rad = next.heading->heading_rad;
+  target.heading_tolerance_rad = next.heading->tolerance_rad;
 }
 
 // The world's subgoals lead to its target; those are none on the way to the points before it.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recover/recover_component.hpp"
 
+#include <cmath>
 #include <utility>
+
+#include "core/angle.hpp"
 
 namespace clew::recover {
 namespace {
@@ -62,6 +65,22 @@ void seek(const Situation& situation, Guidance& guidance) {
   guidance.target_y_m = situation.target_odom.y();
 }
 
+/// What `target` says of arrival holds where the target in force is the mission's.
+void tell_arrival(const domain::Target& target, Guidance& guidance) {
+  if (guidance.target_is_virtual) return;
+  guidance.target_radius_m = target.radius_m;
+  guidance.target_has_heading = target.has_heading;
+  guidance.target_heading_rad = target.heading_rad;
+  guidance.target_heading_tolerance_rad = target.heading_tolerance_rad;
+}
+
+/// Whether the robot is where the mission wants it, and only has to turn there.
+bool is_to_turn(const domain::Target& target, const core::Pose2& pose) {
+  return target.has_heading && core::distance_m(pose, target.position()) <= target.radius_m &&
+         std::fabs(core::wrap_angle_rad(pose.heading_rad - target.heading_rad)) >
+             target.heading_tolerance_rad;
+}
+
 /// Who, and why if a reason was given, within the bound of texts.
 std::string in_short(const std::string& who, const std::string& reason) {
   return (reason.empty() ? who : who + ": " + reason).substr(0, domain::kMaxTextLength);
@@ -79,6 +98,11 @@ std::vector<runtime::PortInfo> RecoverComponent::ports() {
 }
 
 void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
+  decide(inputs, outputs);
+  tell_arrival(inputs.get<domain::Target>(), outputs.get<Guidance>());
+}
+
+void RecoverComponent::decide(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto& target = inputs.get<domain::Target>();
   const core::Vec2 target_odom = target.position();
   const auto* landmark = inputs.find<domain::Landmark>();
@@ -98,7 +122,8 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
   auto& event = outputs.get<Event>();
   seek(situation, guidance);
   guidance.why = state_.why;
-  const bool waits = target.radius_m == 0.0 && situation.target_distance_m() == 0.0;
+  const bool has_none = target.radius_m == 0.0 && situation.target_distance_m() == 0.0;
+  const bool waits = has_none || is_to_turn(target, situation.pose());
   if (waits) wait();
   if (state_.gave_up) {
     guidance.mode = domain::GuidanceMode::kUnreachable;
@@ -117,8 +142,8 @@ void RecoverComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
   if (!guidance.has_override) act_at_once(situation, guidance, event);
 }
 
-/// The mission has nowhere to go to, and its target is where the robot believes to be: nothing of
-/// the goal before counts for the next one.
+/// The mission has nowhere to go to, and its target is where the robot believes to be; or the robot
+/// is at its target and turns. Nothing of the goal before counts for the next one.
 void RecoverComponent::wait() {
   state_.gave_up = false;
   state_.why.clear();

@@ -78,6 +78,7 @@ class RecoverComponent final : public runtime::Component {
   void tell(const runtime::TickInputs& samples, domain::Inside& inside) const override;
 
  private:
+  void decide(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs);
   void tell_detectors(const Situation& situation, domain::Inside& inside) const;
   void tell_escape(const Situation& situation, const domain::Guidance& guidance,
                    domain::Inside& inside) const;

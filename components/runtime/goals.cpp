@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "world/goal_reader.hpp"
+
 namespace clew::runtime {
 namespace {
 
@@ -19,46 +21,26 @@ using world::Goals;
 
 constexpr char kNoGoal[] = "none";
 
-Result<Goal> read_place(const YamlNode& node) {
-  const auto items = node.items();
-  if (!items.ok()) return items.error();
-  const bool with_radius = items->size() == 3;
-  const auto numbers = node.numbers(with_radius ? 3 : 2, "[x, y] or [x, y, radius]");
-  if (!numbers.ok()) return numbers.error();
-  Goal goal{{(*numbers)[0], (*numbers)[1]}, std::nullopt};
-  if (with_radius) goal.radius_m = (*numbers)[2];
-  return goal;
-}
-
 std::string too_many(std::size_t count) {
   return fmt::format("found {} way-points; allowed: {}", count, world::kMostGoals);
 }
 
-std::string list_text(const Goal& goal) {
-  const std::string radius = goal.radius_m ? fmt::format(", {}", *goal.radius_m) : "";
-  return fmt::format("[{}, {}{}]", goal.place.x(), goal.place.y(), radius);
-}
+std::string list_text(const Goal& goal) { return '[' + world::goal_numbers(goal, ", ") + ']'; }
 
 Result<Goal> parse_place(const std::string& text) {
   const auto list = YamlNode::parse('[' + text + ']', "goal");
   if (!list.ok()) return list.error();
-  const auto items = list->items();
-  if (!items.ok()) return items.error();
-  const std::size_t count = items->size() == 3 ? 3 : 2;
-  const auto numbers = list->numbers(count, "goal=X,Y or goal=X,Y,RADIUS");
-  if (!numbers.ok()) return numbers.error();
-  Goal goal{{(*numbers)[0], (*numbers)[1]}, std::nullopt};
-  if (count == 3) goal.radius_m = (*numbers)[2];
-  return goal;
+  return world::read_goal(*list, "goal=X,Y[,RADIUS[,HEADING[,TOLERANCE]]]");
 }
 
-Result<Goals> read_goal(const YamlNode& node) {
+Result<Goals> read_goals_of_key(const YamlNode& node) {
   if (node.kind() == YamlKind::kScalar) {
     const auto word = node.string();
     if (word.ok() && *word == kNoGoal) return Goals{};
-    return node.error("found " + node.found() + ", expected [x, y], [x, y, radius] or none");
+    return node.error("found " + node.found() +
+                      ", expected [x, y], [x, y, radius], [x, y, radius, heading] or none");
   }
-  const auto goal = read_place(node);
+  const auto goal = world::read_goal(node);
   if (!goal.ok()) return goal.error();
   return Goals{*goal};
 }
@@ -71,7 +53,7 @@ Result<Goals> read_waypoints(const YamlNode& node) {
   if (items->size() > world::kMostGoals) return node.error(too_many(items->size()));
   Goals goals;
   for (const YamlNode& item : *items) {
-    const auto goal = read_place(item);
+    const auto goal = world::read_goal(item);
     if (!goal.ok()) return goal.error();
     goals.push_back(*goal);
   }
@@ -88,7 +70,7 @@ Result<std::optional<GraphGoals>> read_goals(const YamlNode& graph) {
   if (goal && has_waypoints) {
     return mission->error("found way-points beside a goal; allowed: one of the two");
   }
-  auto goals = goal ? read_goal(*goal) : read_waypoints(*mission);
+  auto goals = goal ? read_goals_of_key(*goal) : read_waypoints(*mission);
   if (!goals.ok()) return goals.error();
   return std::optional(GraphGoals{std::move(goals).value(), goal ? *goal : *mission});
 }
@@ -116,8 +98,7 @@ Result<Goals> parse_goals(const std::string& text) {
 std::string goals_change(const Goals& goals) {
   std::string text;
   for (const Goal& goal : goals) {
-    text += fmt::format("{}{},{}", text.empty() ? "" : "/", goal.place.x(), goal.place.y());
-    if (goal.radius_m) text += fmt::format(",{}", *goal.radius_m);
+    text += (text.empty() ? "" : "/") + world::goal_numbers(goal, ",");
   }
   return kGoalChange + (goals.empty() ? kNoGoal : text);
 }

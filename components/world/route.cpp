@@ -8,13 +8,13 @@
 namespace clew::world {
 namespace {
 
-bool is_at(const core::Pose2& robot, const Waypoint& waypoint) {
-  return core::distance_m(robot, waypoint.place) <= waypoint.radius_m;
-}
-
 core::Hash128 digest_of(const std::vector<Waypoint>& waypoints) {
   core::StateWriter bytes;
-  for (const Waypoint& waypoint : waypoints) bytes(waypoint.place, waypoint.radius_m);
+  for (const Waypoint& waypoint : waypoints) {
+    bytes(waypoint.place, waypoint.radius_m);
+    if (!waypoint.heading) continue;
+    bytes(waypoint.heading->heading_rad, waypoint.heading->tolerance_rad);
+  }
   return core::hash128(bytes.bytes());
 }
 
@@ -24,11 +24,11 @@ Route::Route(std::vector<Waypoint> waypoints)
     : waypoints_(std::move(waypoints)), digest_(digest_of(waypoints_)) {}
 
 void Route::pass(const core::Pose2& robot) {
-  while (next_ + 1 < waypoints_.size() && is_at(robot, waypoints_[next_])) ++next_;
+  while (next_ + 1 < waypoints_.size() && waypoints_[next_].is_reached_by(robot)) ++next_;
 }
 
 bool Route::ends_at(const core::Pose2& robot) const {
-  return next_ + 1 == waypoints_.size() && is_at(robot, waypoints_.back());
+  return next_ + 1 == waypoints_.size() && waypoints_.back().is_reached_by(robot);
 }
 
 const Waypoint& Route::next() const {

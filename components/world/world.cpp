@@ -98,7 +98,8 @@ struct World::Content {
         circles(file.circles),
         areas(file.polygons),
         corners(find_corners(segments, boundary, areas, circles)) {
-    if (file.has_mission) mission.push_back({file.target, file.target_radius_m});
+    if (!file.has_mission) return;
+    mission.push_back({file.target, file.target_radius_m, file.target_heading});
   }
 
   Circle disc_at(const MovingObstacle& obstacle, double time_s) const {
@@ -113,6 +114,15 @@ struct World::Content {
   FilledAreas areas;
   Indexed<Corner> corners;
 };
+
+bool GoalHeading::is_met_by(double robot_heading_rad) const {
+  return std::fabs(core::wrap_angle_rad(robot_heading_rad - heading_rad)) <= tolerance_rad;
+}
+
+bool Waypoint::is_reached_by(const Pose2& robot) const {
+  return core::distance_m(robot, place) <= radius_m &&
+         (!heading || heading->is_met_by(robot.heading_rad));
+}
 
 core::Result<World> World::parse(std::string_view yaml, const std::string& file) {
   return parse(yaml, file, std::nullopt);
@@ -138,6 +148,9 @@ const Vec2& World::bounds_max() const { return content_->file.bounds_max; }
 const Pose2& World::start() const { return content_->file.start; }
 const Vec2& World::target() const { return content_->file.target; }
 double World::target_radius_m() const { return content_->file.target_radius_m; }
+const std::optional<GoalHeading>& World::target_heading() const {
+  return content_->file.target_heading;
+}
 const std::vector<Waypoint>& World::waypoints() const { return content_->mission; }
 const std::vector<Vec2>& World::subgoals() const { return content_->file.subgoals; }
 std::optional<bool> World::solvable() const { return content_->file.solvable; }

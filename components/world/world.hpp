@@ -57,10 +57,21 @@ struct ConeDirection {
 
 class RayFan;
 
+/// How a robot is to stand at a place: arrival is with a heading within the tolerance, too.
+struct GoalHeading {
+  static constexpr double kTolerance_rad = 0.1;  ///< where none is named
+
+  double heading_rad = 0.0;               ///< in (-pi, pi], world and odometry frame
+  double tolerance_rad = kTolerance_rad;  ///< on each side, in (0, pi]
+
+  bool is_met_by(double robot_heading_rad) const;
+};
+
 /// A place that a run is to lead to.
 struct Goal {
   Vec2 place = Vec2::Zero();
   std::optional<double> radius_m;  ///< arrival is within it; none: the world's target radius
+  std::optional<GoalHeading> heading = std::nullopt;  ///< none: any
 };
 
 /// The places of a run in their order, instead of those that its world file names: it ends at the
@@ -69,10 +80,15 @@ using Goals = std::vector<Goal>;
 /// No more than this of them.
 inline constexpr std::size_t kMostGoals = 256;
 
-/// A place on the way of a mission: the next one follows when the robot is within the radius.
+/// A place on the way of a mission: the next one follows when the robot is within the radius, and
+/// has the heading if one is named.
 struct Waypoint {
   Vec2 place = Vec2::Zero();
   double radius_m = 0.0;
+  std::optional<GoalHeading> heading = std::nullopt;  ///< none: any
+
+  /// Whether a robot that stands so has arrived.
+  bool is_reached_by(const Pose2& robot) const;
 };
 
 /// A world file (`clew-world/1`), checked and indexed for queries. Immutable, but for place_moving;
@@ -103,6 +119,7 @@ class World {
   /// The last of the way-points; without any, the file's.
   const Vec2& target() const;
   double target_radius_m() const;
+  const std::optional<GoalHeading>& target_heading() const;
   /// The mission: the way-points in their order, and the target behind them. Empty: the robot
   /// waits.
   const std::vector<Waypoint>& waypoints() const;

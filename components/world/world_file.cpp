@@ -8,6 +8,7 @@
 
 #include "core/yaml_fields.hpp"
 #include "core/yaml_reader.hpp"
+#include "world/goal_reader.hpp"
 #include "world/nearest_obstacle.hpp"
 
 namespace clew::world {
@@ -22,16 +23,23 @@ constexpr double kLargest = 1e5;
 // Between the points of a moving obstacle's path; bounds the legs in one tick.
 constexpr double kLeastStep_s = 1e-3;
 
+// Numbers within what a world may span.
+Result<void> check_span(const YamlNode& node, const std::vector<double>& numbers,
+                        const char* allowed) {
+  for (const double number : numbers) {
+    if (std::fabs(number) <= kLargest) continue;
+    return node.error(fmt::format("{} in {} is beyond +-{}, the largest number allowed", number,
+                                  allowed, kLargest));
+  }
+  return {};
+}
+
 // A list of exactly `count` numbers within what a world may span.
 Result<std::vector<double>> read_numbers(const YamlNode& node, std::size_t count,
                                          const char* allowed) {
   auto numbers = node.numbers(count, allowed);
   if (!numbers.ok()) return numbers;
-  for (const double number : *numbers) {
-    if (std::fabs(number) <= kLargest) continue;
-    return node.error(fmt::format("{} in {} is beyond +-{}, the largest number allowed", number,
-                                  allowed, kLargest));
-  }
+  CLEW_RETURN_IF_ERROR(check_span(node, *numbers, allowed));
   return numbers;
 }
 
@@ -69,16 +77,28 @@ Result<void> read(const YamlNode& node, Vec2& point) {
 
 /// A radius that is not given is left as it is.
 Result<void> read(const YamlNode& node, Waypoint& waypoint) {
-  const auto items = node.items();
-  if (!items.ok()) return items.error();
-  const bool with_radius = items->size() == 3;
-  const auto numbers = read_numbers(node, with_radius ? 3 : 2, "[x, y] or [x, y, radius]");
+  const auto goal = read_goal(node);
+  if (!goal.ok()) return goal.error();
+  CLEW_RETURN_IF_ERROR(check_span(node, {goal->place.x(), goal->place.y()}, kGoalForms));
+  waypoint.place = goal->place;
+  waypoint.heading = goal->heading;
+  if (!goal->radius_m) return {};
+  waypoint.radius_m = *goal->radius_m;
+  if (waypoint.radius_m > 0.0 && waypoint.radius_m <= kLargest) return {};
+  return node.error(fmt::format("the radius is {}; it must be above 0 and at most {}",
+                                waypoint.radius_m, kLargest));
+}
+
+/// `heading` or `[heading, tolerance]`.
+Result<void> read(const YamlNode& node, GoalHeading& heading) {
+  if (node.kind() != core::YamlKind::kList) {
+    const auto number = node.number();
+    if (!number.ok()) return number.error();
+    return set_heading(node, {*number}, heading);
+  }
+  const auto numbers = node.numbers(2, "heading or [heading, tolerance]");
   if (!numbers.ok()) return numbers.error();
-  waypoint.place = {(*numbers)[0], (*numbers)[1]};
-  if (!with_radius) return {};
-  waypoint.radius_m = (*numbers)[2];
-  if (waypoint.radius_m > 0.0) return {};
-  return node.error(fmt::format("the radius is {}; it must be above 0", waypoint.radius_m));
+  return set_heading(node, *numbers, heading);
 }
 
 Result<void> read(const YamlNode& node, Pose2& pose) {
@@ -190,9 +210,10 @@ Result<void> read_list(const YamlNode& map, const char* key, std::vector<T>& val
 
 Result<void> read_head(const YamlNode& root, WorldFile& world) {
   CLEW_RETURN_IF_ERROR(core::check_format(root, kFormat));
-  CLEW_RETURN_IF_ERROR(root.check_keys({"format", "name", "about", "bounds", "walls", "polygons",
-                                        "circles", "moving", "subgoals", "start", "waypoints",
-                                        "target", "target_radius", "solvable", "shortest_path"}));
+  CLEW_RETURN_IF_ERROR(
+      root.check_keys({"format", "name", "about", "bounds", "walls", "polygons", "circles",
+                       "moving", "subgoals", "start", "waypoints", "target", "target_radius",
+                       "target_heading", "solvable", "shortest_path"}));
   CLEW_RETURN_IF_ERROR(read_required(root, "name", world.name));
   const bool allowed = std::all_of(world.name.begin(), world.name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
@@ -250,7 +271,7 @@ Result<void> read_waypoints(const YamlNode& root, WorldFile& world) {
                                    items->size(), kMostGoals - 1));
   }
   for (const YamlNode& item : *items) {
-    Waypoint waypoint{Vec2::Zero(), world.target_radius_m};
+    Waypoint waypoint{Vec2::Zero(), world.target_radius_m, std::nullopt};
     CLEW_RETURN_IF_ERROR(read(item, waypoint));
     CLEW_RETURN_IF_ERROR(check_free(item, "way-point", waypoint.place, world, Obstacles::kStatic));
     world.waypoints.push_back(waypoint);
@@ -269,6 +290,9 @@ Result<void> read_places(const YamlNode& root, WorldFile& world) {
   CLEW_RETURN_IF_ERROR(
       check_free(*root.at("target"), "target", world.target, world, Obstacles::kStatic));
   CLEW_RETURN_IF_ERROR(read_required(root, "target_radius", world.target_radius_m));
+  if (const auto node = root.find("target_heading")) {
+    CLEW_RETURN_IF_ERROR(read(*node, world.target_heading.emplace()));
+  }
   CLEW_RETURN_IF_ERROR(read_waypoints(root, world));
   CLEW_RETURN_IF_ERROR(read_list(root, "subgoals", world.subgoals));
   for (std::size_t i = 0; i < world.subgoals.size(); ++i) {
@@ -313,12 +337,14 @@ core::Result<void> set_goals(const Goals& goals, WorldFile& world) {
       why_not = fmt::format("the {}'s radius is {} m; it must be positive", name, *goal.radius_m);
     }
     if (!why_not.empty()) return core::Error{std::move(why_not)};
-    world.waypoints.push_back({goal.place, goal.radius_m.value_or(world.target_radius_m)});
+    world.waypoints.push_back(
+        {goal.place, goal.radius_m.value_or(world.target_radius_m), goal.heading});
   }
   world.has_mission = !goals.empty();
   if (world.has_mission) {
     world.target = world.waypoints.back().place;
     world.target_radius_m = world.waypoints.back().radius_m;
+    world.target_heading = world.waypoints.back().heading;
     world.waypoints.pop_back();
   }
   world.subgoals.clear();

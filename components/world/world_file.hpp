@@ -26,6 +26,7 @@ struct WorldFile {
   Pose2 start;
   Vec2 target = Vec2::Zero();
   double target_radius_m = 0.0;
+  std::optional<GoalHeading> target_heading;
   std::vector<Waypoint> waypoints;  ///< before the target
   bool has_mission = true;          ///< else the target is no place to go to: the robot waits
   std::optional<bool> solvable;

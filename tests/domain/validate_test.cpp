@@ -220,7 +220,32 @@ TEST(Validate, RefusesABadTarget) {
       {{"target: x_m is nan; allowed: finite numbers", [](Target& m) { m.x_m = kNan; }},
        {"target: y_m is inf; allowed: finite numbers", [](Target& m) { m.y_m = kInfinity; }},
        {"target: radius_m is -0.2; allowed: finite numbers from 0",
-        [](Target& m) { m.radius_m = -0.2; }}});
+        [](Target& m) { m.radius_m = -0.2; }},
+       {"target: heading_rad is 4; allowed: above -pi and at most pi",
+        [](Target& m) { m.heading_rad = 4.0; }},
+       {"target: heading_tolerance_rad is -0.1; allowed: 0 to 3.141592653589793",
+        [](Target& m) { m.heading_tolerance_rad = -0.1; }},
+       {"target: waypoint is 3; allowed: at most 2", [](Target& m) {
+          m.waypoint = 3;
+          m.waypoints = 2;
+        }}});
+}
+
+TEST(Validate, RefusesACovarianceThatIsNone) {
+  Odometry good;
+  good.covariance = {0.04, 0.02, 0.01, 0.01, 0.0, 0.0025};
+  expect_refused<Odometry>(
+      good, {{"odometry: covariance.x_m2 is -1; allowed: finite numbers from 0",
+              [](Odometry& m) { m.covariance.x_m2 = -1.0; }},
+             {"odometry: covariance.y_m2 is inf; allowed: finite numbers from 0",
+              [](Odometry& m) { m.covariance.y_m2 = kInfinity; }},
+             {"odometry: covariance.heading_rad2 is nan; allowed: finite numbers from 0",
+              [](Odometry& m) { m.covariance.heading_rad2 = kNan; }},
+             // The root of 0.04 * 0.01 is 0.02, and 1e-6 of it and 1e-9 are left to rounding.
+             {"odometry: covariance.xy_m2 is 0.021; allowed: -0.020000021 to 0.020000021",
+              [](Odometry& m) { m.covariance.xy_m2 = 0.021; }},
+             {"odometry: covariance.y_heading_m_rad is nan; allowed: -0.005000006 to 0.005000006",
+              [](Odometry& m) { m.covariance.y_heading_m_rad = kNan; }}});
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/angle.hpp"
+
 namespace clew::drive {
 namespace {
 
@@ -122,6 +124,107 @@ TEST(DeadReckoning, CountsWaysBackwards) {
   EXPECT_NEAR(reckoning.state().pose_odom_robot.x_m, -0.1, 1e-12);
   EXPECT_NEAR(reckoning.state().travel_m, 0.1, 1e-12);
   EXPECT_NEAR(reckoning.state().speed_mps, -1.0, 1e-12);
+}
+
+/// A path of so many metres with bends both ways, in steps of 0.1 m.
+DeadReckoning::Tick bend(const core::Pose2& from, int tick) {
+  return tick_of(from, tick / 20 % 2 == 0 ? 0.05 : -0.08, 0.1);
+}
+
+TEST(DeadReckoning, TellsTheCovarianceThatManyRunsHave) {
+  constexpr int kRuns = 2000;
+  constexpr int kTicks = 60;
+  DriftParameters drift;
+  drift.m_per_sqrt_m = 0.02;
+  drift.rad_per_sqrt_m = 0.02;
+  drift.rad_per_sqrt_rad = 0.02;
+  domain::PoseCovariance seen;
+  domain::PoseCovariance told;
+  for (int run = 0; run < kRuns; ++run) {
+    DeadReckoning reckoning({1, 2, 0.5}, drift);
+    core::Pose2 truth{1, 2, 0.5};
+    for (int i = 0; i < kTicks; ++i) {
+      const DeadReckoning::Tick tick = bend(truth, i);
+      reckoning.count(tick, core::Random({static_cast<std::uint64_t>(run), 0, 2,
+                                          static_cast<std::uint64_t>(i)}));
+      truth = tick.to;
+    }
+    const core::Pose2& belief = reckoning.state().pose_odom_robot;
+    const double x_m = belief.x_m - truth.x_m;
+    const double y_m = belief.y_m - truth.y_m;
+    const double heading_rad = core::wrap_angle_rad(belief.heading_rad - truth.heading_rad);
+    seen.x_m2 += x_m * x_m / kRuns;
+    seen.xy_m2 += x_m * y_m / kRuns;
+    seen.x_heading_m_rad += x_m * heading_rad / kRuns;
+    seen.y_m2 += y_m * y_m / kRuns;
+    seen.y_heading_m_rad += y_m * heading_rad / kRuns;
+    seen.heading_rad2 += heading_rad * heading_rad / kRuns;
+    told = reckoning.covariance();
+  }
+
+  // A variance of 2000 numbers has a standard error of sqrt(2 / 2000) of itself; five of them. A
+  // covariance has one of at most that of the root of the product of its variances.
+  const auto near = [](double a, double b, double scale) { EXPECT_NEAR(a, b, 0.16 * scale); };
+  near(told.x_m2, seen.x_m2, seen.x_m2);
+  near(told.y_m2, seen.y_m2, seen.y_m2);
+  near(told.heading_rad2, seen.heading_rad2, seen.heading_rad2);
+  near(told.xy_m2, seen.xy_m2, std::sqrt(seen.x_m2 * seen.y_m2));
+  near(told.x_heading_m_rad, seen.x_heading_m_rad, std::sqrt(seen.x_m2 * seen.heading_rad2));
+  near(told.y_heading_m_rad, seen.y_heading_m_rad, std::sqrt(seen.y_m2 * seen.heading_rad2));
+  EXPECT_GT(std::fabs(seen.y_heading_m_rad), 0.3 * std::sqrt(seen.y_m2 * seen.heading_rad2));
+}
+
+TEST(DeadReckoning, TellsASystematicErrorToFirstOrder) {
+  DriftParameters drift;
+  drift.rad_per_m = 0.003;
+  DeadReckoning reckoning({0, 0, 0}, drift);
+
+  core::Pose2 truth{0, 0, 0};
+  for (int i = 0; i < 60; ++i) {
+    const DeadReckoning::Tick tick = bend(truth, i);
+    reckoning.count(tick, kRandom);
+    truth = tick.to;
+  }
+
+  // One error alone, so the covariance is that error times itself.
+  const core::Pose2& belief = reckoning.state().pose_odom_robot;
+  const domain::PoseCovariance told = reckoning.covariance();
+  EXPECT_NEAR(std::sqrt(told.x_m2), std::fabs(belief.x_m - truth.x_m), 0.002);
+  EXPECT_NEAR(std::sqrt(told.y_m2), std::fabs(belief.y_m - truth.y_m), 0.002);
+  EXPECT_NEAR(std::sqrt(told.heading_rad2), 6.0 * 0.003, 1e-9);
+  EXPECT_GT(std::fabs(belief.y_m - truth.y_m) + std::fabs(belief.x_m - truth.x_m), 0.03);
+}
+
+TEST(DeadReckoning, IsCertainWithoutErrors) {
+  DeadReckoning reckoning({0, 0, 0}, {});
+
+  reckoning.count(tick_of({0, 0, 0}, 0.2, 0.1), kRandom);
+
+  const domain::PoseCovariance told = reckoning.covariance();
+  for (const double value : {told.x_m2, told.xy_m2, told.x_heading_m_rad, told.y_m2,
+                             told.y_heading_m_rad, told.heading_rad2}) {
+    EXPECT_EQ(value, 0.0);
+  }
+}
+
+TEST(DeadReckoning, KnowsAStateThatIsNone) {
+  DriftParameters drift;
+  drift.rad_per_sqrt_m = 0.1;
+  drift.m_per_sqrt_m = 0.1;
+  DeadReckoning reckoning({0, 0, 0}, drift);
+  for (int i = 0; i < 10; ++i) reckoning.count(tick_of({0, 0, 0}, 0.3, 0.1), kRandom);
+  ASSERT_TRUE(reckoning.state().is_sound());
+
+  DeadReckoning::State negative = reckoning.state();
+  negative.noise.y_m2 = -1e-6;
+  DeadReckoning::State too_much = reckoning.state();
+  too_much.noise.xy_m2 = 1.0;
+  DeadReckoning::State endless = reckoning.state();
+  endless.systematic[1].x_m = 1e300;
+
+  EXPECT_FALSE(negative.is_sound());
+  EXPECT_FALSE(too_much.is_sound());
+  EXPECT_FALSE(endless.is_sound());
 }
 
 }  // namespace

@@ -114,5 +114,34 @@ TEST(Referee, LetsARobotWithoutAMissionWaitWhateverItSays) {
   EXPECT_EQ(target.position(), core::Vec2(7.0, 8.0));
 }
 
+TEST(Referee, WantsTheHeadingToo) {
+  Mission mission = kTour;
+  mission.waypoints[0].heading = {3.0, 0.2};
+  mission.waypoints[2].heading = {1.5, 0.1};
+  Referee referee(mission);
+  domain::Target target;
+
+  referee.announce(kFar, target);
+  EXPECT_TRUE(target.has_heading);
+  EXPECT_EQ(target.heading_rad, 3.0);
+  EXPECT_EQ(target.heading_tolerance_rad, 0.2);
+  EXPECT_EQ(target.waypoint, 1u);
+  EXPECT_EQ(target.waypoints, 3u);
+
+  // 0.2 rad from 3 across pi; at the first way-point.
+  referee.judge(1, {1.0, 0.0, 2.7}, 0, commanded());
+  EXPECT_EQ(referee.route().passed(), 0u);
+  referee.judge(2, {1.0, 0.0, -3.1}, 0, commanded());
+  EXPECT_EQ(referee.route().passed(), 1u);
+  referee.announce(kFar, target);
+  EXPECT_FALSE(target.has_heading);
+  EXPECT_EQ(target.heading_rad, 0.0);
+  EXPECT_EQ(target.waypoint, 2u);
+
+  referee.judge(3, {2.0, 0.0, 0.0}, 0, commanded());
+  EXPECT_EQ(referee.judge(4, {3.0, 4.0, 1.35}, 0, commanded()), Outcome::kRunning);
+  EXPECT_EQ(referee.judge(5, {3.0, 4.0, 1.45}, 0, commanded()), Outcome::kReached);
+}
+
 }  // namespace
 }  // namespace clew::drive

@@ -17,6 +17,7 @@
 #include "recording/run_recorder.hpp"
 #include "recording/run_recording.hpp"
 #include "target.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::fuzz {
 namespace {
@@ -67,7 +68,11 @@ void read_run_file(const std::string& path) {
   const auto recording = RunRecording::open(path);
   if (!is_good(recording)) return;
   CLEW_CHECK(recording->description().tick_s > 0.0, "ticks that take no time");
-  auto stream = recording->samples();
+  auto todays = recording->samples();
+  for (auto sample = todays.next(); sample.ok() && *sample; sample = todays.next()) {
+    CLEW_CHECK((*sample)->cdr.size() < 1U << 28U, "a sample of any size");
+  }
+  auto stream = recording->raw_samples();
   std::uint64_t count = 0;
   for (auto sample = stream.next(); sample.ok() && *sample; sample = stream.next()) {
     CLEW_CHECK(recording->description().schemas.count((*sample)->topic) == 1, "an unknown topic");
@@ -151,19 +156,28 @@ void write_unprotected_mcap(const std::string& path) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
+/// A text of one letter and a list of one number.
+std::string older_scan() {
+  std::string bytes("\0\1\0\0\2\0\0\0a\0\0\0\1\0\0\0\0\0\0\0", 20);
+  return bytes.append(4, '\0').append(8, '\0');
+}
+
 void write_run(const std::string& path, Compression compression) {
   RunDescription run;
   run.tick_s = 0.3;
   run.versions = {{"clew", "0.1.0"}};
   run.idl_fingerprint = "00112233445566778899aabbccddeeff";
   run.bundle = {{"graph.yaml", "world: w\n"}};
-  run.schemas = {{domain::Topic::kCommand, "struct C {};"}, {domain::Topic::kScan, "struct S {};"}};
+  // Of today, and of another version.
+  run.schemas = {{domain::Topic::kCommand, std::string(idl_text(domain::Topic::kCommand))},
+                 {domain::Topic::kScan,
+                  "@final struct Scan { string<9> gone; sequence<double, 8> ranges_m; };"}};
   run.compression = compression;
   auto recorder = RunRecorder::create(path, run, true);
   CLEW_CHECK(recorder.ok(), recorder.error().text());
   for (std::uint64_t tick = 0; tick < 6; ++tick) {
     const bool added = recorder->add(domain::Topic::kCommand, tick, tick, "command").ok() &&
-                       recorder->add(domain::Topic::kScan, tick, tick, "scan").ok();
+                       recorder->add(domain::Topic::kScan, tick, tick, older_scan()).ok();
     CLEW_CHECK(added, "the seed cannot be written");
   }
   CLEW_CHECK(recorder->finish().ok(), "the seed cannot be written");

@@ -8,6 +8,7 @@
 #include "recording/run_recording.hpp"
 #include "run/sample_account.hpp"
 #include "run/spool.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -19,7 +20,8 @@ class AHeldRun : public ::testing::Test {
   AHeldRun() {
     RunDescription description;
     description.tick_s = 0.1;
-    description.schemas = {{Topic::kScan, "idl"}, {Topic::kState, "idl"}};
+    description.schemas = {{Topic::kScan, std::string(idl_text(Topic::kScan))},
+                           {Topic::kState, std::string(idl_text(Topic::kState))}};
     stream_.describe(description, "run");
   }
 

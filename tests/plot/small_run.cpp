@@ -39,10 +39,16 @@ void fill(std::uint64_t tick, domain::Odometry& odometry) {
 
 void fill(std::uint64_t tick, domain::Guidance& guidance) {
   if (tick >= 4 && tick <= 6) guidance.mode = domain::GuidanceMode::kRecover;
+  if (tick >= 5) guidance.virtual_obstacles.push_back({2.5, 1.0, 3.5, 1.5});
   if (tick != 6) return;
   guidance.target_is_virtual = true;
   guidance.target_x_m = odom_pose(tick).x_m + 2.0;
   guidance.target_y_m = odom_pose(tick).y_m;
+}
+
+void fill(std::uint64_t tick, domain::Command& command) {
+  if (tick != 2 && tick != 3) return;
+  command.virtual_targets.push_back({4.0, 0.2});
 }
 
 void fill(std::uint64_t tick, domain::Landmark& landmark) {
@@ -108,7 +114,7 @@ SmallRun::SmallRun() {
                         {"robot.yaml", "format: clew-robot/1\nname: disc-015\nradius_m: 0.15\n"}};
   for (const auto topic :
        {domain::Topic::kEvent, domain::Topic::kGuidance, domain::Topic::kLandmark,
-        domain::Topic::kOdometry, domain::Topic::kState}) {
+        domain::Topic::kOdometry, domain::Topic::kState, domain::Topic::kCommand}) {
     description.schemas[topic] = bridge::idl_text(topic);
   }
 }
@@ -123,6 +129,7 @@ void SmallRun::write(const std::string& path, bool finished) const {
       add<domain::Guidance>(*recorder, tick);
       add<domain::Landmark>(*recorder, tick);
       add<domain::Event>(*recorder, tick);
+      add<domain::Command>(*recorder, tick);
     }
     if (finished) {
       ASSERT_TRUE(recorder->finish());

@@ -61,24 +61,11 @@ class RandomMessages {
   /// Makes the fields of a struct agree as domain::validate asks for.
   template <typename Struct>
   void agree(Struct&) {}
-  void agree(domain::Motion& motion) {
-    const auto keep = [&](double& number, domain::CommandKind user) {
-      if (motion.kind != user) number = 0.0;
-    };
-    keep(motion.turn_rad, domain::CommandKind::kTurnAndStep);
-    keep(motion.step_m, domain::CommandKind::kTurnAndStep);
-    keep(motion.speed_mps, domain::CommandKind::kVelocities);
-    keep(motion.turn_rate_radps, domain::CommandKind::kVelocities);
-    keep(motion.left_mps, domain::CommandKind::kWheelSpeeds);
-    keep(motion.right_mps, domain::CommandKind::kWheelSpeeds);
-  }
-  void agree(domain::VirtualObstacle& box) {
-    box.x_min_m = box.x_max_m - number(0.0, 9.0);
-    box.y_min_m = box.y_max_m - number(0.0, 9.0);
-  }
-  void agree(domain::Scan& scan) {
-    for (double& range : scan.ranges_m) range *= scan.range_max_m;
-  }
+  void agree(domain::Motion& motion);
+  void agree(domain::VirtualObstacle& box);
+  void agree(domain::PoseCovariance& covariance);
+  void agree(domain::Target& target);
+  void agree(domain::Scan& scan);
 
   std::mt19937 engine_;
 };

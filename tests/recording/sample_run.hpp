@@ -10,6 +10,7 @@
 
 #include "recording/run_recorder.hpp"
 #include "recording/run_recording.hpp"
+#include "wire/codec.hpp"
 
 namespace clew::recording_test {
 
@@ -34,9 +35,9 @@ inline RunDescription description() {
   run.versions = {{"clew", "0.1.0"}};
   run.idl_fingerprint = "00112233445566778899aabbccddeeff";
   run.bundle = {{"graph.yaml", "world: u-trap\n"}, {"world.yaml", "name: u-trap\n"}};
-  run.schemas = {{Topic::kCommand, "struct Command {};"},
-                 {Topic::kScan, "struct Scan {};"},
-                 {Topic::kState, "struct State {};"}};
+  for (const Topic topic : {Topic::kCommand, Topic::kScan, Topic::kState}) {
+    run.schemas[topic] = idl_text(topic);
+  }
   return run;
 }
 

@@ -29,6 +29,11 @@ class Scene {
     odometry_.travel_m = travel_m;
     return *this;
   }
+  /// Odometry's covariance: variances alone, of x and y each, and of the heading.
+  Scene& uncertain(double place_m2, double heading_rad2) {
+    odometry_.covariance = {place_m2, 0.0, 0.0, place_m2, 0.0, heading_rad2};
+    return *this;
+  }
   /// The mission's target, which is pursued.
   Scene& target(double x_m, double y_m) {
     target_ = {x_m, y_m};

@@ -40,11 +40,13 @@ TEST(GoalsOfAChange, AreWrittenAsTheyAreRead) {
 }
 
 TEST(GoalsOfAChange, SayWhichPlaceIsNone) {
-  EXPECT_EQ(refusal("1,2/3"),
-            "way-point 2, '3': found a list of 1, expected goal=X,Y or goal=X,Y,RADIUS");
-  EXPECT_EQ(refusal(""), "'goal=': found a list of 0, expected goal=X,Y or goal=X,Y,RADIUS");
+  EXPECT_EQ(
+      refusal("1,2/3"),
+      "way-point 2, '3': found a list of 1, expected goal=X,Y[,RADIUS[,HEADING[,TOLERANCE]]]");
+  EXPECT_EQ(refusal(""),
+            "'goal=': found a list of 0, expected goal=X,Y[,RADIUS[,HEADING[,TOLERANCE]]]");
   EXPECT_EQ(refusal("1,2/"),
-            "way-point 2, '': found a list of 0, expected goal=X,Y or goal=X,Y,RADIUS");
+            "way-point 2, '': found a list of 0, expected goal=X,Y[,RADIUS[,HEADING[,TOLERANCE]]]");
   EXPECT_NE(refusal("1,nan"), "taken");
   EXPECT_NE(refusal("1,2]\n[3,4"), "taken");
   EXPECT_NE(refusal("1,[2]"), "taken");
@@ -68,6 +70,34 @@ TEST(GoalsOfAGraph, StandInItAsTheyWereRead) {
   EXPECT_FALSE(load_good(kHead + kStages).goals);
   EXPECT_EQ(load_good(kHead + "mission: [[1, 2]]\n" + kStages).expanded_yaml(),
             load_good(kHead + "goal: [1, 2]\n" + kStages).expanded_yaml());
+}
+
+TEST(GoalsOfAChange, MayNameAHeadingWithATolerance) {
+  const auto goals = parse_goals("1,2,0.5,1.5/3,4,~,-7e-1,0.2/5,6");
+
+  ASSERT_TRUE(goals.ok()) << goals.error().message;
+  ASSERT_TRUE((*goals)[0].heading);
+  EXPECT_EQ((*goals)[0].heading->heading_rad, 1.5);
+  EXPECT_EQ((*goals)[0].heading->tolerance_rad, 0.1);
+  EXPECT_EQ((*goals)[0].radius_m, 0.5);
+  EXPECT_FALSE((*goals)[1].radius_m);  // the world's
+  EXPECT_EQ((*goals)[1].heading->heading_rad, -0.7);
+  EXPECT_EQ((*goals)[1].heading->tolerance_rad, 0.2);
+  EXPECT_FALSE((*goals)[2].heading);
+  EXPECT_EQ(goals_change(*goals), "goal=1,2,0.5,1.5,0.1/3,4,~,-0.7,0.2/5,6");
+  EXPECT_EQ(goals_yaml(*goals), "mission: [[1, 2, 0.5, 1.5, 0.1], [3, 4, ~, -0.7, 0.2], [5, 6]]\n");
+}
+
+TEST(GoalsOfAChange, RefuseAHeadingThatIsNone) {
+  EXPECT_EQ(refusal("1,2,0.5,90"),
+            "'goal=1,2,0.5,90': the heading is 90; allowed: -2 pi to 2 pi, in radians");
+  EXPECT_EQ(
+      refusal("1,2,0.5,1,0"),
+      "'goal=1,2,0.5,1,0': the tolerance of the heading is 0; allowed: above 0 and at most pi, "
+      "in radians");
+  EXPECT_NE(refusal("1,2,0.5,1,4"), "taken");
+  EXPECT_NE(refusal("1,2,0.5,1,1,1"), "taken");
+  EXPECT_NE(refusal("1,2,0.5,~"), "taken");
 }
 
 }  // namespace

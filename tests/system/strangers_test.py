@@ -25,8 +25,8 @@ class Strangers(unittest.TestCase):
         self.growing = self.directory / "r.mcap.tmp~"
 
     def test_a_crafted_state_is_refused_wherever_it_is_loaded(self):
-        commands = (["replay"], ["plot", "--tick", "250", "-o", self.directory / "p.svg"],
-                    ["replay", "--branch", "250", "--record", self.directory / "b.mcap"])
+        commands = (["replay"], ["plot", "--tick", "240", "-o", self.directory / "p.svg"],
+                    ["replay", "--branch", "240", "--record", self.directory / "b.mcap"])
         for path in sorted(HOSTILE.glob("*.mcap")):
             for command in commands:
                 with self.subTest(file=path.name, command=command[0]):

@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
       open_output(participant, &clew_msg_Odometry_desc, "odometry", reliable);
   clew_msg_State state;
   clew_msg_Odometry odometry;
-  clew_msg_Target target = {{0, 0.0, 0}, target_x_m, 1.0, 0.2};
+  clew_msg_Target target = {{0, 0.0, 0}, target_x_m, 1.0, 0.2, false, 0.0, 0.0, 1, 1};
   memset(&state, 0, sizeof state);
   memset(&odometry, 0, sizeof odometry);
   clew_msg_Pose2 pose = {1.0, 1.0, 0.0};

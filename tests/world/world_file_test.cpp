@@ -94,6 +94,38 @@ TEST(WorldFile, NeedsOnlyBoundsStartAndTarget) {
   EXPECT_FALSE(world->shortest_path_m().has_value());
 }
 
+TEST(WorldFile, MayNameTheHeadingsAtTargetAndWaypoints) {
+  const std::string places =
+      "{format: clew-world/1, name: bare, bounds: [0, 0, 9, 9], start: [1, 1, 0], target: [8, 8], "
+      "target_radius: 0.1, waypoints: [[2, 2], [3, 3, 0.4, 1.5], [4, 4, ~, -1, 0.3]]";
+  const auto world = World::parse(places + ", target_heading: [4, 0.2]}", "bare.yaml");
+  const auto plain = World::parse(places + ", target_heading: 0.5}", "bare.yaml");
+
+  ASSERT_TRUE(world.ok()) << world.error().text();
+  const std::vector<Waypoint>& mission = world->waypoints();
+  ASSERT_EQ(mission.size(), 4u);
+  EXPECT_FALSE(mission[0].heading);
+  EXPECT_EQ(mission[1].heading->heading_rad, 1.5);
+  EXPECT_EQ(mission[1].heading->tolerance_rad, GoalHeading::kTolerance_rad);
+  EXPECT_EQ(mission[2].radius_m, 0.1);  // the target's
+  EXPECT_EQ(mission[2].heading->heading_rad, -1.0);
+  EXPECT_EQ(mission[2].heading->tolerance_rad, 0.3);
+  EXPECT_EQ(mission[3].heading->heading_rad, 4.0 - 2.0 * core::kPi);
+  EXPECT_EQ(mission[3].heading->tolerance_rad, 0.2);
+  ASSERT_TRUE(plain.ok()) << plain.error().text();
+  EXPECT_EQ(plain->target_heading()->heading_rad, 0.5);
+  EXPECT_EQ(plain->target_heading()->tolerance_rad, GoalHeading::kTolerance_rad);
+}
+
+TEST(WorldFile, ARobotHasArrivedWithTheHeadingWithinItsToleranceOnBothSides) {
+  const Waypoint waypoint{{1.0, 1.0}, 0.2, GoalHeading{3.1, 0.2}};
+
+  EXPECT_TRUE(waypoint.is_reached_by({1.1, 1.0, 2.95}));
+  EXPECT_TRUE(waypoint.is_reached_by({1.1, 1.0, -3.0}));
+  EXPECT_FALSE(waypoint.is_reached_by({1.1, 1.0, -2.9}));
+  EXPECT_FALSE(waypoint.is_reached_by({1.3, 1.0, 3.1}));
+}
+
 TEST(WorldFile, TakesNullForAnUnknownShortestPath) {
   const auto world =
       World::parse(with(kComplete, "shortest_path: 12.5", "shortest_path: null"), "");

@@ -10,6 +10,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/print_text.hpp"
+#include "core/math.hpp"
 #include "dds/rtps_ports.hpp"
 #include "domains/bridge_process.hpp"
 #include "line/command_desk.hpp"
@@ -30,6 +31,7 @@ struct Ros2Options {
   std::string node = "clew";
   std::vector<std::string> remap;
   bool takes_goals = false;
+  std::optional<double> goal_heading_rad;
 };
 
 core::Error named(const char* option, const core::Error& error) {
@@ -59,6 +61,11 @@ core::Result<ros2::BridgeOptions> read_options(const Ros2Options& typed) {
   ros2::BridgeOptions options;
   options.run = typed.run;
   options.takes_goals = typed.takes_goals;
+  options.goal_heading_tolerance_rad = typed.goal_heading_rad;
+  if (const auto rad = typed.goal_heading_rad; rad && !(*rad > 0.0 && *rad <= core::kPi)) {
+    return core::Error{fmt::format("found {}; allowed: above 0 and at most pi, in radians", *rad),
+                       "--goal-heading"};
+  }
   const auto network = ros2::read_ros_network(ros2::variable_of_process);
   if (!network.ok()) return network.error();
   options.network = *network;
@@ -164,6 +171,9 @@ void add_bridge(CLI::App& main, int& status) {
       "--take-goals", options->takes_goals,
       "what is published on goal_pose or, as a path, on waypoints, by one node at a time, is "
       "the run's new goal");
+  app->add_option("--goal-heading", options->goal_heading_rad,
+                  "arrival is within so many radians of a goal's orientation, too; else with any "
+                  "heading");
   app->callback([options, &status] { status = ros2_command(*options); });
 }
 

@@ -40,8 +40,9 @@ Result<void> for_each_sample(const bridge::RunRecording& recording,
     const auto sample = samples.next();
     if (!sample.ok()) return sample.error();
     if (!*sample) return {};
-    const auto fields = reader.fields_of(**sample);
+    auto fields = reader.fields_of(**sample);
     if (!fields.ok()) return Error{fields.error().message, recording.path()};
+    keep_recorded(recording, (*sample)->topic, *fields);
     if (!visit(**sample, *fields)) return {};
   }
 }
@@ -82,7 +83,6 @@ Result<void> print_csv(const bridge::RunRecording& recording, const bridge::Samp
 }
 
 Result<void> echo(const bridge::RunRecording& recording, const EchoOptions& options) {
-  CLEW_RETURN_IF_ERROR(bridge::check_message_types(recording));
   const auto topic = bridge::recorded_topic(recording, options.topic);
   if (!topic.ok()) return topic.error();
   bridge::SampleFilter filter{{*topic}, options.first_tick};

@@ -196,7 +196,6 @@ class EventPrinter {
 
 /// Prints all events and incidents; the number of them.
 Result<std::size_t> print_events(const bridge::RunRecording& recording, bool json) {
-  CLEW_RETURN_IF_ERROR(bridge::check_message_types(recording));
   auto marks = WaypointMarks::create(recording);
   if (!marks.ok()) {
     logs::info("{}: its way-points cannot be told: {}", recording.path(), marks.error().text());

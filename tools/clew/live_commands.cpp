@@ -54,7 +54,7 @@ int swap_command(const LiveOptions& options) {
   return tell(options, command, "changes");
 }
 
-/// Places as typed: way-points `X,Y[,RADIUS]`, or the numbers of one place.
+/// Places as typed: way-points `X,Y[,RADIUS...]`, or the numbers of one place.
 core::Result<world::Goals> read_places(const std::vector<std::string>& places) {
   const bool has_comma = std::any_of(places.begin(), places.end(), [](const std::string& place) {
     return place.find(',') != std::string::npos;
@@ -128,9 +128,11 @@ void add_live(CLI::App& main, int& status) {
 
   const auto goal = std::make_shared<LiveOptions>();
   app = add_command(main, "goal", "Send the robot of a run that goes on somewhere else", goal);
-  app->add_option("place", goal->places,
-                  "X Y [RADIUS] in m (the world's radius), or way-points in their order, each "
-                  "X,Y[,RADIUS]; the run ends at the last");
+  app->add_option(
+      "place", goal->places,
+      "X Y [RADIUS [HEADING [TOLERANCE]]] in m and rad (the world's radius, any heading), or "
+      "way-points in their order, each X,Y[,RADIUS[,HEADING[,TOLERANCE]]]; the run ends at "
+      "the last");
   app->add_flag("--cancel", goal->cancel, "the robot waits where it is until it gets another goal");
   add_tick(*app, *goal);
   app->callback([goal, &status] { status = goal_command(*goal); });

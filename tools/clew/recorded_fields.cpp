@@ -71,6 +71,14 @@ core::Result<std::vector<Field>> FieldReader::fields_of(const bridge::SampleView
   });
 }
 
+void keep_recorded(const bridge::RunRecording& recording, domain::Topic topic,
+                   std::vector<Field>& fields) {
+  fields.erase(
+      std::remove_if(fields.begin(), fields.end(),
+                     [&](const Field& field) { return !recording.has_field(topic, field.path); }),
+      fields.end());
+}
+
 bool is_length(const std::string& path) {
   return path.size() > kLength.size() &&
          path.compare(path.size() - kLength.size(), kLength.size(), kLength) == 0;

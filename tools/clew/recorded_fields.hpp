@@ -22,6 +22,11 @@ class FieldReader {
   domain::Messages messages_;
 };
 
+/// Drops fields that the recording's own type of the topic does not have: those of today's that
+/// came since it was made.
+void keep_recorded(const bridge::RunRecording& recording, domain::Topic topic,
+                   std::vector<bridge::Field>& fields);
+
 /// Whether a field is the length of a list.
 bool is_length(const std::string& path);
 

@@ -35,7 +35,8 @@ void add_ways(CLI::App& app, RunOptions& options) {
       ->check(given_name())
       ->group("How it runs");
   app.add_option("--at", options.at,
-                 "TICK:STAGE.PART=NAME, TICK:STAGE.PARAM=VALUE or TICK:goal=X,Y[,RADIUS][/X,Y...]: "
+                 "TICK:STAGE.PART=NAME, TICK:STAGE.PARAM=VALUE or "
+                 "TICK:goal=X,Y[,RADIUS[,HEADING[,TOLERANCE]]][/X,Y...]: "
                  "change the "
                  "run from that tick on; may be repeated")
       ->allow_extra_args(false)

@@ -86,7 +86,7 @@ Result<std::vector<bridge::ServedFile>> open_all(const std::vector<std::string>&
 void fill(bridge::LiveStream& stream, const std::string& path) {
   const auto recording = bridge::RunRecording::open(path);
   if (!recording.ok()) return;
-  stream.describe(recording->description(), path);
+  stream.describe(recording->description_of_samples(), path);
   bridge::SampleStream samples = recording->samples();
   std::string spool;
   for (auto sample = samples.next(); sample.ok() && *sample; sample = samples.next()) {

@@ -26,8 +26,9 @@ Result<void> for_each_sample(const bridge::RunRecording& recording, domain::Topi
     const auto sample = samples.next();
     if (!sample.ok()) return sample.error();
     if (!*sample) return {};
-    const auto fields = reader.fields_of(**sample);
+    auto fields = reader.fields_of(**sample);
     if (!fields.ok()) return Error{fields.error().message, recording.path()};
+    tools::keep_recorded(recording, topic, *fields);
     const Result<void> visited = visit(**sample, *fields);
     if (!visited.ok()) return visited;
   }

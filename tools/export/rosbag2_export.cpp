@@ -51,8 +51,7 @@ core::Result<void> publish_all(const bridge::RunRecording& recording, ros2::BagO
 core::Result<void> export_rosbag2(const bridge::RunRecording& recording,
                                   const Rosbag2Options& options,
                                   const std::vector<runtime::StageInfo>& stages) {
-  CLEW_RETURN_IF_ERROR(bridge::check_message_types(recording));
-  const auto plan = bridge::recorded_plan(recording, stages);
+  const auto plan = bridge::described_plan(recording, stages);
   if (!plan.ok()) return plan.error();
   auto bag = ros2::BagOutput::create(options.directory, options.force);
   if (!bag.ok()) return bag.error();

@@ -8,6 +8,7 @@
 
 #include "core/angle.hpp"
 #include "core/quoted.hpp"
+#include "world/goal_reader.hpp"
 #include "world_analysis/clearance_grid.hpp"
 #include "world_analysis/reachability.hpp"
 #include "world_analysis/shortest_path.hpp"
@@ -48,7 +49,8 @@ std::string text_of(const MovingObstacle& moving) {
 }
 
 std::string text_of(const world::Waypoint& waypoint) {
-  return fmt::format("[{}, {}, {}]", waypoint.place.x(), waypoint.place.y(), waypoint.radius_m);
+  return '[' + world::goal_numbers({waypoint.place, waypoint.radius_m, waypoint.heading}, ", ") +
+         ']';
 }
 
 template <typename Item>
@@ -72,6 +74,7 @@ std::string world_text(const world::WorldFile& world) {
                       world.start.heading_rad);
   text += "target: " + text_of(world.target) + '\n';
   text += fmt::format("target_radius: {}\n", world.target_radius_m);
+  text += world::target_heading_yaml(world.target_heading);
   if (world.solvable) text += fmt::format("solvable: {}\n", *world.solvable);
   if (world.shortest_path_m) text += fmt::format("shortest_path: {}\n", *world.shortest_path_m);
   return text;

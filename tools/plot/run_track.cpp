@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/run_track.hpp"
 
+#include <array>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "core/yaml_reader.hpp"
@@ -27,6 +29,8 @@ class TrackReader {
         return decode(sample, odometries_, odometry_);
       case Topic::kGuidance:
         return decode(sample, guidances_, guidance_);
+      case Topic::kCommand:
+        return decode(sample, commands_, command_);
       case Topic::kLandmark:
         return decode(sample, landmarks_, landmark_);
       case Topic::kEvent:
@@ -44,12 +48,14 @@ class TrackReader {
       const FramePair frames = {state_->pose_world_robot, odometry_->pose_odom_robot};
       track.frames[tick] = frames;
       if (guidance_) enter_guidance(frames, track);
+      if (command_) enter_command(frames, track);
       if (event_) enter_event(frames, track);
     }
     if (state_ && landmark_) enter_landmark(track);
     state_.reset();
     odometry_.reset();
     guidance_.reset();
+    command_.reset();
     landmark_.reset();
     event_.reset();
   }
@@ -84,6 +90,22 @@ class TrackReader {
       track.virtual_targets.push_back(frames.to_world(*target));
     }
     virtual_target_ = target;
+    for (const domain::VirtualObstacle& box : guidance_->virtual_obstacles) {
+      const std::array corners = {box.x_min_m, box.y_min_m, box.x_max_m, box.y_max_m};
+      if (!boxes_.insert(corners).second) continue;
+      track.virtual_boxes.push_back({frames.to_world({box.x_min_m, box.y_min_m}),
+                                     frames.to_world({box.x_max_m, box.y_min_m}),
+                                     frames.to_world({box.x_max_m, box.y_max_m}),
+                                     frames.to_world({box.x_min_m, box.y_max_m})});
+    }
+  }
+
+  void enter_command(const FramePair& frames, RunTrack& track) {
+    for (const domain::VirtualTarget& target : command_->virtual_targets) {
+      const std::pair place(target.x_m, target.y_m);
+      if (!controller_targets_.insert(place).second) continue;
+      track.controller_targets.push_back(frames.to_world({target.x_m, target.y_m}));
+    }
   }
 
   void enter_landmark(RunTrack& track) {
@@ -120,20 +142,25 @@ class TrackReader {
   bridge::Codec<domain::State> states_;
   bridge::Codec<domain::Odometry> odometries_;
   bridge::Codec<domain::Guidance> guidances_;
+  bridge::Codec<domain::Command> commands_;
   bridge::Codec<domain::Landmark> landmarks_;
   bridge::Codec<domain::Event> events_;
   std::optional<domain::State> state_;
   std::optional<domain::Odometry> odometry_;
   std::optional<domain::Guidance> guidance_;
+  std::optional<domain::Command> command_;
   std::optional<domain::Landmark> landmark_;
   std::optional<domain::Event> event_;
   std::optional<Vec2> virtual_target_;  ///< of the tick before, odometry's frame
+  // Those that are drawn already, odometry's frame.
+  std::set<std::array<double, 4>> boxes_;
+  std::set<std::pair<double, double>> controller_targets_;
 };
 
 core::Result<void> read_samples(const bridge::RunRecording& recording, RunTrack& track) {
   TrackReader reader;
-  auto samples = recording.samples(
-      {{Topic::kState, Topic::kOdometry, Topic::kGuidance, Topic::kLandmark, Topic::kEvent}});
+  auto samples = recording.samples({{Topic::kState, Topic::kOdometry, Topic::kGuidance,
+                                     Topic::kCommand, Topic::kLandmark, Topic::kEvent}});
   std::optional<std::uint64_t> tick;
   for (;;) {
     const auto sample = samples.next();
@@ -206,9 +233,6 @@ core::Result<RunTrack> read_run_track(const std::string& path) {
   const auto recording = bridge::RunRecording::open(path);
   if (!recording.ok()) return recording.error();
   const auto refused = [&path](const std::string& why) { return core::Error{why, path}; };
-  if (recording->description().idl_fingerprint != bridge::idl_fingerprint()) {
-    return refused("was recorded with other message types than this version has");
-  }
   RunTrack track;
   track.name = std::filesystem::path(path).stem().string();
   track.path = path;

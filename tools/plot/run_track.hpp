@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -40,6 +41,9 @@ struct FramePair {
   core::Vec2 to_world(const core::Vec2& place_odom) const;
 };
 
+/// An obstacle that recovery made the controller imagine: its corners, counter-clockwise.
+using VirtualBox = std::array<core::Vec2, 4>;
+
 /// What a picture shows of one run. All places are in the world's frame.
 struct RunTrack {
   std::string name;   ///< of the file, without folder and ending
@@ -61,6 +65,8 @@ struct RunTrack {
   std::vector<LandmarkMark> landmarks;
   std::vector<Mark> marks;  ///< reflexes, escapes begun, ended and failed, unreachable
   std::vector<core::Vec2> virtual_targets;
+  std::vector<core::Vec2> controller_targets;  ///< that the controller set by itself
+  std::vector<VirtualBox> virtual_boxes;
   std::vector<core::Vec2> safety_stops;
   std::vector<core::Vec2> collisions;  ///< that the robot moved into
   std::vector<core::Vec2> hits;        ///< by moving obstacles

@@ -64,6 +64,10 @@ std::string_view symbol_name(Symbol symbol) {
       return "escape failed";
     case Symbol::kVirtualTarget:
       return "virtual target";
+    case Symbol::kControllerTarget:
+      return "the controller's own virtual target";
+    case Symbol::kVirtualBox:
+      return "virtual obstacle";
     case Symbol::kReflex:
       return "immediate memory acted";
     case Symbol::kSafetyStop:
@@ -109,6 +113,12 @@ void draw_symbol(SvgWriter& svg, Symbol symbol, const Point& centre, std::string
       return;
     case Symbol::kVirtualTarget:
       svg.polygon(star(centre, 10, 8.0, 3.4), {kPurple, outline, 1.0});
+      return;
+    case Symbol::kControllerTarget:
+      svg.circle(centre, 2.0, {kGreen, kWhite, 0.5, "", 0.8});
+      return;
+    case Symbol::kVirtualBox:
+      svg.rectangle({centre.x - 7.0, centre.y - 5.0}, 14.0, 10.0, kVirtualBoxPaint);
       return;
     case Symbol::kReflex:
       svg.circle(centre, 2.6, {kPurple, kWhite, 0.8});

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "plot/palette.hpp"
 #include "plot/svg_writer.hpp"
 
 namespace clew::plot {
@@ -18,6 +19,8 @@ enum class Symbol {
   kEscapeEnded,
   kEscapeFailed,
   kVirtualTarget,
+  kControllerTarget,
+  kVirtualBox,
   kReflex,
   kSafetyStop,
   kCollision,
@@ -25,6 +28,9 @@ enum class Symbol {
   kUnreachable,
   kEnd
 };
+
+/// Of a virtual obstacle: boxes lie over each other and over landmarks.
+inline constexpr Paint kVirtualBoxPaint = {kPurple, kPurple, 1.2, "4 2", 0.25};
 
 /// What the legend calls it.
 std::string_view symbol_name(Symbol symbol);

@@ -130,6 +130,10 @@ TrackPaint TrackPaint::of(std::size_t run, std::size_t runs) {
 }
 
 void draw_under_track(SvgWriter& svg, const MapView& view, const RunTrack& track) {
+  for (const VirtualBox& box : track.virtual_boxes) {
+    svg.polygon({view.at(box[0]), view.at(box[1]), view.at(box[2]), view.at(box[3])},
+                kVirtualBoxPaint);
+  }
   // Diamonds are larger than squares: where both networks know a place, both can be seen.
   for (const auto network : {domain::Network::kFuzzyArt, domain::Network::kSom}) {
     for (const auto& landmark : track.landmarks) {
@@ -170,6 +174,7 @@ void draw_over_track(SvgWriter& svg, const MapView& view, const RunTrack& track,
   for (const auto& mark : track.marks) {
     draw_symbol(svg, symbol_of(mark.kind), view.at(mark.position), paint.outline);
   }
+  draw_all(svg, view, track.controller_targets, Symbol::kControllerTarget, paint.outline);
   draw_virtual_targets(svg, view, track, paint.outline);
   draw_all(svg, view, track.safety_stops, Symbol::kSafetyStop, paint.outline);
   draw_all(svg, view, track.collisions, Symbol::kCollision, paint.outline);
@@ -186,6 +191,8 @@ std::set<Symbol> symbols_of(const RunTrack& track) {
     if (trap.earlier) symbols.insert(Symbol::kEarlierVisit);
   }
   if (!track.virtual_targets.empty()) symbols.insert(Symbol::kVirtualTarget);
+  if (!track.controller_targets.empty()) symbols.insert(Symbol::kControllerTarget);
+  if (!track.virtual_boxes.empty()) symbols.insert(Symbol::kVirtualBox);
   if (!track.safety_stops.empty()) symbols.insert(Symbol::kSafetyStop);
   if (!track.collisions.empty()) symbols.insert(Symbol::kCollision);
   if (!track.hits.empty()) symbols.insert(Symbol::kHitBy);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "world/goal_reader.hpp"
+
 namespace clew::train {
 namespace {
 
@@ -43,7 +45,8 @@ std::string scaled_world_yaml(const world::World& world, double scale) {
   yaml += fmt::format("start: [{}, {}, {}]\n", world.start().x_m * scale, world.start().y_m * scale,
                       world.start().heading_rad);
   yaml += "target: " + point(world.target(), scale) + '\n';
-  return yaml + fmt::format("target_radius: {}\n", world.target_radius_m());
+  return yaml + fmt::format("target_radius: {}\n", world.target_radius_m()) +
+         world::target_heading_yaml(world.target_heading());
 }
 
 }  // namespace clew::train

@@ -12,6 +12,9 @@
 namespace clew::control {
 namespace {
 
+// A virtual target on the straight way to the target is none in the paper's sense.
+constexpr double kStraight_rad = 1e-6;
+
 /// Gaps can be told where no blind sector is over 15 degrees, and 45 degrees are seen on each side.
 scan::ScanNeeds gap_needs() {
   scan::ScanNeeds needs;
@@ -48,6 +51,9 @@ domain::Motion NearestVirtualTarget::step(const domain::Odometry& odometry,
   regions_.update(scan);
   const auto virtual_target = choose(pose, target_odom, scan.range_max_m);
   const double bearing_rad = core::bearing_rad(pose, virtual_target.value_or(target_odom));
+  steers_for_target_ =
+      std::fabs(core::wrap_angle_rad(bearing_rad - core::bearing_rad(pose, target_odom))) <
+      kStraight_rad;
   domain::Motion motion = steer(bearing_rad, scan);
   if (!virtual_target) motion.speed_mps = 0.0;
   return motion;
@@ -114,6 +120,11 @@ domain::Motion NearestVirtualTarget::steer(double bearing_rad, const domain::Sca
   motion.turn_rate_radps = bearing_rad < 0.0 ? -most_radps : most_radps;
   motion.speed_mps = output.speed_mps * std::max(0.0, core::cos(bearing_rad));
   return motion;
+}
+
+void NearestVirtualTarget::tell_virtual_targets(VirtualTargets& targets) const {
+  if (!state_.has_gap || steers_for_target_) return;
+  targets.push_back({state_.virtual_target_odom.x(), state_.virtual_target_odom.y()});
 }
 
 void NearestVirtualTarget::save(core::StateWriter& writer) const { writer(state_); }

@@ -68,6 +68,8 @@ class NearestVirtualTarget final : public Controller {
 
   domain::Motion step(const domain::Odometry& odometry, const domain::Scan& scan,
                       const core::Vec2& target_odom) override;
+  /// That of the gap that it goes for, unless it is the target itself.
+  void tell_virtual_targets(VirtualTargets& targets) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
   void tell(const domain::Odometry& odometry, const domain::Scan& scan,
@@ -88,6 +90,8 @@ class NearestVirtualTarget final : public Controller {
   double tick_s_;
   scan::SafeRegions regions_;           // of the present scan
   std::vector<scan::SafeRegion> gaps_;  // scratch
+  bool steers_for_target_ = false;      // scratch: the virtual target of the last step lies on it,
+                                        // or on the straight way there
   State state_;
 };
 

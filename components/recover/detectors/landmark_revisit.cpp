@@ -36,7 +36,8 @@ std::optional<TrapEvidence> LandmarkRevisit::observe(const Situation& situation)
 std::optional<TrapEvidence> LandmarkRevisit::notice_standing_still(const Situation& situation) {
   if (parameters_.still_s == 0.0) return std::nullopt;
   const core::Pose2& pose = situation.pose();
-  const Visit now{situation.tick, pose.position(), pose.heading_rad, situation.odometry.travel_m};
+  const Visit now{situation.tick, pose.position(), pose.heading_rad, situation.odometry.travel_m,
+                  PoseDrift::of(situation.odometry)};
   auto& stay = state_.stay;
   const bool stays = !stay.empty() && core::length(stay[0].position_odom - now.position_odom) <=
                                           parameters_.match_radius_m;
@@ -64,7 +65,8 @@ std::optional<TrapEvidence> LandmarkRevisit::visit(const Situation& situation,
   if (recognition.created) queue.clear();
 
   const core::Pose2& pose = situation.pose();
-  const Visit now{situation.tick, pose.position(), pose.heading_rad, situation.odometry.travel_m};
+  const Visit now{situation.tick, pose.position(), pose.heading_rad, situation.odometry.travel_m,
+                  PoseDrift::of(situation.odometry)};
   std::optional<TrapEvidence> evidence;
   if (const Visit* earlier = find_loop(queue, now)) {
     evidence = TrapEvidence{EarlierVisit{earlier->tick, earlier->position_odom,
@@ -80,6 +82,11 @@ std::optional<TrapEvidence> LandmarkRevisit::visit(const Situation& situation,
   return evidence;
 }
 
+/// How far a visit may lie from here and be of the same place.
+double LandmarkRevisit::match_radius_m(const PoseDrift& now, const Visit& earlier) const {
+  return parameters_.match_radius_m + parameters_.drift_sigmas * now.place_since_m(earlier.drift);
+}
+
 /// The newest earlier visit to this place, if there are as many as it takes.
 const LandmarkRevisit::Visit* LandmarkRevisit::find_loop(const Queue& queue,
                                                          const Visit& now) const {
@@ -87,7 +94,7 @@ const LandmarkRevisit::Visit* LandmarkRevisit::find_loop(const Queue& queue,
   std::int64_t matches = 0;
   for (const Visit& visit : queue) {
     const bool same_place =
-        core::length(visit.position_odom - now.position_odom) <= parameters_.match_radius_m;
+        core::length(visit.position_odom - now.position_odom) <= match_radius_m(now.drift, visit);
     const bool is_loop = now.travel_m - visit.travel_m >= parameters_.loop_length_m;
     const bool same_heading =
         std::fabs(core::wrap_angle_rad(visit.heading_rad - now.heading_rad)) <=

@@ -9,6 +9,7 @@
 #include "core/bounded_vector.hpp"
 #include "core/result.hpp"
 #include "domain/setup.hpp"
+#include "recover/detectors/pose_drift.hpp"
 #include "recover/detectors/trap_detector.hpp"
 
 namespace clew::recover {
@@ -20,6 +21,7 @@ struct LandmarkRevisitParameters {
   double heading_tolerance_rad = core::radians(180.0);
   std::int64_t capacity = 64;
   double still_s = 0.0;
+  double drift_sigmas = 0.0;
 };
 
 template <typename Visitor>
@@ -36,6 +38,10 @@ void visit_parameters(Visitor& visit, LandmarkRevisitParameters& p) {
                 "number of neurons and categories remembered; 49 and 15 in the paper");
   visit.number("still_s", p.still_s, "s", {0.0, 100000.0},
                "a robot that stays at one place for this time is trapped, too; 0: never");
+  visit.number(
+      "drift_sigmas", p.drift_sigmas, "1", {0.0, 5.0},
+      "match_radius grows by so many standard deviations of what odometry's covariance has "
+      "grown by between the visits; 0: not at all");
 }
 
 /// The distant memory of Krishna & Kalra 2000, section 4.3: each neuron and category keeps the last
@@ -43,6 +49,9 @@ void visit_parameters(Visitor& visit, LandmarkRevisitParameters& p) {
 /// loop, has seen the same landmark, and not another of its kind: the robot goes round in a trap.
 ///
 /// A category that ART has made anew has no past. The end of an escape empties all queues.
+///
+/// The paper says that errors of dead reckoning limit this (section 4.6). With `drift_sigmas` the
+/// radius widens with odometry's own covariance.
 ///
 /// *Deviation,* off in the paper's graph: a robot that stands still before a wall sees no landmark
 /// twice, since each needs a loop. With `still_s` that is a trap, too, also for the escape at work.
@@ -56,6 +65,7 @@ class LandmarkRevisit final : public TrapDetector {
     core::Vec2 position_odom = core::Vec2::Zero();
     double heading_rad = 0.0;
     double travel_m = 0.0;
+    PoseDrift drift;
   };
   using Queue = core::BoundedVector<Visit, kQueueLength>;  // oldest first
   using Key = std::pair<domain::Network, std::uint32_t>;
@@ -79,6 +89,7 @@ class LandmarkRevisit final : public TrapDetector {
  private:
   std::optional<TrapEvidence> visit(const Situation& situation,
                                     const domain::Recognition& recognition);
+  double match_radius_m(const PoseDrift& now, const Visit& earlier) const;
   const Visit* find_loop(const Queue& queue, const Visit& now) const;
   std::optional<TrapEvidence> notice_standing_still(const Situation& situation);
 
@@ -89,7 +100,7 @@ class LandmarkRevisit final : public TrapDetector {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, LandmarkRevisit::Visit& v) {
-  visit(v.tick, v.position_odom, v.heading_rad, v.travel_m);
+  visit(v.tick, v.position_odom, v.heading_rad, v.travel_m, v.drift);
 }
 template <typename Visitor>
 void visit_fields(Visitor& visit, LandmarkRevisit::State& s) {

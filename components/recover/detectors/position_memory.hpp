@@ -8,6 +8,7 @@
 #include "core/archive.hpp"
 #include "core/bounded_vector.hpp"
 #include "core/geometry.hpp"
+#include "recover/detectors/pose_drift.hpp"
 
 namespace clew::recover {
 
@@ -31,6 +32,7 @@ class PositionMemory {
     std::uint64_t tick = 0;
     core::Pose2 pose_odom;
     double travel_m = 0.0;  ///< by the wheels, since tick 0
+    PoseDrift drift;        ///< of pose_odom
   };
   struct Cell {
     std::uint64_t key = 0;   ///< Cantor's, times four, plus the quadrant
@@ -47,12 +49,13 @@ class PositionMemory {
   /// The key of the cell that holds a position.
   std::uint64_t key_at(const core::Vec2& position_odom) const;
 
-  /// Calls `look(visit)` for every visit kept in the cell of a position and the eight around it.
+  /// Calls `look(visit)` for every visit kept in the cell of a position and in those around it, up
+  /// to `cells` away on each side.
   template <typename Look>
-  void around(const core::Vec2& position_odom, Look&& look) const {
+  void around(const core::Vec2& position_odom, std::int64_t cells, Look&& look) const {
     const auto [x, y] = indices(position_odom);
-    for (std::int64_t dx = -1; dx <= 1; ++dx) {
-      for (std::int64_t dy = -1; dy <= 1; ++dy) {
+    for (std::int64_t dx = -cells; dx <= cells; ++dx) {
+      for (std::int64_t dy = -cells; dy <= cells; ++dy) {
         const std::uint64_t key = key_of(x + dx, y + dy);
         for (const Generation& generation : generations_) {
           const Cell* cell = generation.find(key);
@@ -94,7 +97,7 @@ class PositionMemory {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, PositionMemory::Visit& v) {
-  visit(v.tick, v.pose_odom, v.travel_m);
+  visit(v.tick, v.pose_odom, v.travel_m, v.drift);
 }
 template <typename Visitor>
 void visit_fields(Visitor& visit, PositionMemory::Cell& c) {

@@ -39,36 +39,54 @@ std::optional<TrapEvidence> PositionRevisit::observe(const Situation& situation)
   }
   state_.begun = true;
   state_.last_odom = position;
-  const PositionMemory::Visit now{situation.tick, situation.pose(), situation.odometry.travel_m};
+  const PositionMemory::Visit now{situation.tick, situation.pose(), situation.odometry.travel_m,
+                                  PoseDrift::of(situation.odometry)};
   const auto earlier = recognised(now);
   memory_.add(now);
   state_.in_a_row = earlier ? state_.in_a_row + 1 : 0;
+  const bool turned = earlier && degrees(now, *earlier).direction < parameters_.threshold;
+  state_.turned_in_a_row = earlier ? state_.turned_in_a_row + (turned ? 1 : 0) : 0;
   if (state_.in_a_row < parameters_.recognitions) return std::nullopt;
 
+  const std::string with_another =
+      state_.turned_in_a_row == 0
+          ? ""
+          : ", " + std::to_string(state_.turned_in_a_row) + " with another direction";
   state_.in_a_row = 0;
+  state_.turned_in_a_row = 0;
   const core::Vec2 earlier_position = earlier->pose_odom.position();
   return TrapEvidence{
       EarlierVisit{earlier->tick, earlier_position, now.travel_m - earlier->travel_m,
                    static_cast<std::uint32_t>(memory_.key_at(earlier_position))},
-      std::to_string(parameters_.recognitions) + " positions in a row seen before"};
+      std::to_string(parameters_.recognitions) + " positions in a row seen before" + with_another};
 }
 
-/// The degree to which both rules hold.
-double PositionRevisit::recognition(const PositionMemory::Visit& now,
-                                    const PositionMemory::Visit& earlier) const {
+/// The degrees to which the two rules hold.
+PositionRevisit::Degrees PositionRevisit::degrees(const PositionMemory::Visit& now,
+                                                  const PositionMemory::Visit& earlier) const {
   const double between_m = now.travel_m - earlier.travel_m;
   const double room_m = parameters_.grid_m - parameters_.place_none_m;
-  const double place_drift_m = std::min(parameters_.place_drift_ratio * between_m, room_m);
-  const double direction_drift_rad = parameters_.direction_drift_radpm * between_m;
+  const double wide_m = parameters_.drift_sigmas * now.drift.place_since_m(earlier.drift);
+  const double place_drift_m =
+      std::min(parameters_.place_drift_ratio * between_m, room_m) +
+      std::min(wide_m, static_cast<double>(reach_cells() - 1) * parameters_.grid_m);
+  const double direction_drift_rad =
+      parameters_.direction_drift_radpm * between_m +
+      parameters_.drift_sigmas * now.drift.heading_since_rad(earlier.drift);
   const double apart_m = core::distance_m(now.pose_odom, earlier.pose_odom.position());
   const double turned_rad =
       std::fabs(core::wrap_angle_rad(now.pose_odom.heading_rad - earlier.pose_odom.heading_rad));
-  const double place = core::falling_membership(apart_m, parameters_.place_full_m + place_drift_m,
-                                                parameters_.place_none_m + place_drift_m);
-  const double direction =
-      core::falling_membership(turned_rad, parameters_.direction_full_rad + direction_drift_rad,
-                               parameters_.direction_none_rad + direction_drift_rad);
-  return std::min(place, direction);
+  return {core::falling_membership(apart_m, parameters_.place_full_m + place_drift_m,
+                                   parameters_.place_none_m + place_drift_m),
+          core::falling_membership(turned_rad, parameters_.direction_full_rad + direction_drift_rad,
+                                   parameters_.direction_none_rad + direction_drift_rad)};
+}
+
+/// The degree to which a visit counts.
+double PositionRevisit::recognition(const PositionMemory::Visit& now,
+                                    const PositionMemory::Visit& earlier) const {
+  const Degrees degree = degrees(now, earlier);
+  return parameters_.other_direction ? degree.place : std::min(degree.place, degree.direction);
 }
 
 /// The earlier visit that is recognised best, the newest of equal ones.
@@ -76,7 +94,7 @@ std::optional<PositionMemory::Visit> PositionRevisit::recognised(
     const PositionMemory::Visit& now) const {
   std::optional<PositionMemory::Visit> best;
   double best_degree = parameters_.threshold;
-  memory_.around(now.pose_odom.position(), [&](const PositionMemory::Visit& visit) {
+  memory_.around(now.pose_odom.position(), reach_cells(), [&](const PositionMemory::Visit& visit) {
     if (now.travel_m - visit.travel_m < parameters_.loop_length_m) return;
     const double degree = recognition(now, visit);
     if (degree < best_degree) return;

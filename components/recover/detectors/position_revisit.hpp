@@ -23,6 +23,8 @@ struct PositionRevisitParameters {
   double direction_full_rad = core::radians(15.0);
   double direction_none_rad = core::radians(45.0);
   double direction_drift_radpm = 0.002;
+  double drift_sigmas = 0.0;
+  bool other_direction = false;
   double threshold = 0.5;
   std::int64_t recognitions = 3;
   std::int64_t capacity = 16384;
@@ -48,6 +50,12 @@ void visit_parameters(Visitor& visit, PositionRevisitParameters& p) {
               "same direction: degree 0 beyond this angle");
   visit.number("direction_drift_radpm", p.direction_drift_radpm, "rad/m", {0.0, 1.0},
                "both angles grow by this for each metre of path between the visits");
+  visit.number(
+      "drift_sigmas", p.drift_sigmas, "1", {0.0, 5.0},
+      "all four grow by so many standard deviations of what odometry's covariance has grown "
+      "by between the visits, the distances at most to two cells' width; 0: not at all");
+  visit.flag("other_direction", p.other_direction,
+             "whether a place that was seen before counts with another direction, too");
   visit.number("threshold", p.threshold, "1", {0.01, 1.0},
                "a position is recognised if the smaller degree is at least this");
   visit.integer("recognitions", p.recognitions, "1", {1, 1000},
@@ -63,9 +71,16 @@ void visit_parameters(Visitor& visit, PositionRevisitParameters& p) {
 /// from direction_full to direction_none; both widen with the path L between the two visits, as
 /// odometry's uncertainty does:
 ///
-///     place = falling(|p - p'|, full + k L, none + k L)
-///     direction = falling(|h - h'|, full + c L, none + c L)
+///     place = falling(|p - p'|, full + k L + n s_p, none + k L + n s_p)
+///     direction = falling(|h - h'|, full + c L + n s_h, none + c L + n s_h)
 ///     recognised = min(place, direction) >= threshold
+///
+/// with n = drift_sigmas and the standard deviations s_p [m] and s_h [rad] that odometry's own
+/// covariance tells of the way between the visits (pose_drift.hpp).
+///
+/// Where *same place* alone holds, the robot has been there *with another direction*, which the
+/// paper tells apart. That is told, and makes no limit cycle, as in the paper; with
+/// `other_direction` it counts as well: then the minimum is *place* alone.
 ///
 /// `recognitions` positions in a row that are recognised make a limit cycle; the evidence is the
 /// best earlier visit of the last one. A visit less than loop_length before is no earlier visit but
@@ -82,6 +97,7 @@ class PositionRevisit final : public TrapDetector {
     bool begun = false;
     core::Vec2 last_odom = core::Vec2::Zero();  ///< position remembered last
     std::int64_t in_a_row = 0;
+    std::int64_t turned_in_a_row = 0;  ///< of these, with another direction
   };
 
   /// Refuses a grid that is narrower than *same place* is wide, and memberships that do not fall.
@@ -96,6 +112,13 @@ class PositionRevisit final : public TrapDetector {
   void load(core::StateReader& reader) override;
 
  private:
+  /// Cells on each side that may hold what is recognised.
+  std::int64_t reach_cells() const { return parameters_.drift_sigmas > 0.0 ? 2 : 1; }
+  struct Degrees {
+    double place = 0.0;
+    double direction = 0.0;
+  };
+  Degrees degrees(const PositionMemory::Visit& now, const PositionMemory::Visit& earlier) const;
   double recognition(const PositionMemory::Visit& now, const PositionMemory::Visit& earlier) const;
   std::optional<PositionMemory::Visit> recognised(const PositionMemory::Visit& now) const;
 
@@ -106,7 +129,7 @@ class PositionRevisit final : public TrapDetector {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, PositionRevisit::State& s) {
-  visit(s.begun, s.last_odom, s.in_a_row);
+  visit(s.begun, s.last_odom, s.in_a_row, s.turned_in_a_row);
 }
 
 }  // namespace clew::recover

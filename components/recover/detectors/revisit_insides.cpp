@@ -30,8 +30,8 @@ void LandmarkRevisit::tell(const Situation& situation, domain::Inside& inside) c
       const double loop_m = situation.odometry.travel_m - visit.travel_m;
       const double turned_rad =
           std::fabs(core::wrap_angle_rad(visit.heading_rad - pose.heading_rad));
-      const bool matches_here = apart_m <= parameters_.match_radius_m &&
-                                loop_m >= parameters_.loop_length_m &&
+      const double reach_m = match_radius_m(PoseDrift::of(situation.odometry), visit);
+      const bool matches_here = apart_m <= reach_m && loop_m >= parameters_.loop_length_m &&
                                 turned_rad <= parameters_.heading_tolerance_rad;
       if (matches_here) ++matches;
       domain::InsideGroup& told = item.item("visits");
@@ -60,14 +60,18 @@ void LandmarkRevisit::tell(const Situation& situation, domain::Inside& inside) c
 }
 
 void PositionRevisit::tell(const Situation& situation, domain::Inside& inside) const {
-  const PositionMemory::Visit now{situation.tick, situation.pose(), situation.odometry.travel_m};
+  const PositionMemory::Visit now{situation.tick, situation.pose(), situation.odometry.travel_m,
+                                  PoseDrift::of(situation.odometry)};
   double best = 0.0;
-  memory_.around(now.pose_odom.position(), [&](const PositionMemory::Visit& visit) {
+  double best_place = 0.0;
+  memory_.around(now.pose_odom.position(), reach_cells(), [&](const PositionMemory::Visit& visit) {
     if (now.travel_m - visit.travel_m < parameters_.loop_length_m) return;
     best = std::max(best, recognition(now, visit));
+    best_place = std::max(best_place, degrees(now, visit).place);
   });
   inside.values.number("known_cells", static_cast<double>(memory_.size()));
   inside.values.number("recognition", best);
+  inside.values.number("same_place", best_place);
   inside.values.number("threshold", parameters_.threshold);
   inside.values.number("recognised_in_a_row", static_cast<double>(state_.in_a_row));
   inside.values.number("needed_in_a_row", static_cast<double>(parameters_.recognitions));
@@ -77,6 +81,9 @@ void PositionRevisit::tell(const Situation& situation, domain::Inside& inside) c
              std::to_string(state_.in_a_row) + " of the " +
              std::to_string(parameters_.recognitions) +
              " positions in a row that make a trap were seen before.");
+  if (best < parameters_.threshold && best_place >= parameters_.threshold) {
+    inside.say("The robot was at this place before, but with another direction.");
+  }
 }
 
 }  // namespace clew::recover

@@ -176,5 +176,23 @@ TEST(NearestVirtualTarget, RefusesASensorThatShowsNoGaps) {
       "degrees apart from 90 on");
 }
 
+TEST(NearestVirtualTarget, TellsTheVirtualTargetInForceAndNoneOnTheStraightWay) {
+  NearestVirtualTarget free = controller();
+  NearestVirtualTarget around = controller();
+  Controller::VirtualTargets none;
+  Controller::VirtualTargets one;
+
+  free.step(at(0, 0, 0), free_scan(), {5, 0});
+  free.tell_virtual_targets(none);
+  around.step(at(1, 0, 0), scan_with(30, -50, 1.0), {6, 0});
+  around.tell_virtual_targets(one);
+
+  EXPECT_EQ(none.size(), 0u);
+  // As deep as it sees, on the left of what is in the way.
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_NEAR(std::hypot(one[0].x_m - 1.0, one[0].y_m), kRange_m, 1e-9);
+  EXPECT_GT(core::degrees(std::atan2(one[0].y_m, one[0].x_m - 1.0)), 30.0);
+}
+
 }  // namespace
 }  // namespace clew::control

@@ -43,6 +43,13 @@ class Drive {
     return *this;
   }
 
+  /// Odometry is less certain with every metre: variances of x and y each, and of the heading.
+  Drive& drifts(double place_m2, double heading_rad2) {
+    place_m2_ = place_m2;
+    heading_rad2_ = heading_rad2;
+    return *this;
+  }
+
   std::vector<TrapEvidence> found;
   std::vector<std::uint64_t> found_at;
 
@@ -51,7 +58,8 @@ class Drive {
     const Scene scene = Scene()
                             .tick(tick_)
                             .at(pose_.x_m, pose_.y_m, core::degrees(pose_.heading_rad))
-                            .travelled(travel_m_);
+                            .travelled(travel_m_)
+                            .uncertain(place_m2_ * travel_m_, heading_rad2_ * travel_m_);
     const auto evidence = detector_.observe(scene.situation());
     if (evidence) {
       found.push_back(*evidence);
@@ -63,6 +71,8 @@ class Drive {
   TrapDetector& detector_;
   core::Pose2 pose_;
   double travel_m_ = 0.0;
+  double place_m2_ = 0.0;
+  double heading_rad2_ = 0.0;
   std::uint64_t tick_ = 0;
 };
 
@@ -113,6 +123,64 @@ TEST(PositionRevisit, WidensWithThePathBetween) {
 
     EXPECT_EQ(drive.found.empty(), detector == &exact);
   }
+}
+
+TEST(PositionRevisit, WidensWithWhatOdometrysCovarianceHasGrownBy) {
+  PositionRevisitParameters parameters;
+  parameters.place_drift_ratio = 0.0;
+  parameters.drift_sigmas = 2.0;
+  PositionRevisit drifting(parameters);
+  PositionRevisit certain(parameters);
+  parameters.drift_sigmas = 0.0;
+  PositionRevisit blind(parameters);
+
+  // The second time 0.5 m beside the first, after 10.5 m: x and y have 0.0025 m^2 a metre each, so
+  // two standard deviations are 2 sqrt(0.0525) = 0.46 m. Half of the membership is left at 0.25 m,
+  // and so at 0.71 m with them.
+  for (PositionRevisit* detector : {&drifting, &certain, &blind}) {
+    Drive drive(*detector);
+    if (detector != &certain) drive.drifts(0.0025, 0.0);
+    drive.to(5, 0).to(5, 0.5, 0.125).to(0, 0.5).to(4, 0.5);
+    EXPECT_EQ(drive.found.empty(), detector != &drifting);
+  }
+}
+
+TEST(PositionRevisit, WidensDirectionsWithTheVarianceOfTheHeading) {
+  PositionRevisitParameters parameters;
+  parameters.direction_drift_radpm = 0.0;
+  parameters.drift_sigmas = 2.0;
+  PositionRevisit drifting(parameters);
+  PositionRevisit certain(parameters);
+
+  // The second way crosses the first at 45 degrees, where *same direction* is gone; two standard
+  // deviations after some 11 m are 2 sqrt(0.11) = 0.66 rad.
+  for (PositionRevisit* detector : {&drifting, &certain}) {
+    Drive drive(*detector);
+    if (detector == &drifting) drive.drifts(0.0, 0.01);
+    drive.to(3, 0).to(3, -2).to(0, -2).to(0, -1.5).to(3, 1.5, 0.05);
+    EXPECT_EQ(drive.found.empty(), detector == &certain);
+  }
+}
+
+TEST(PositionRevisit, TellsAPlaceSeenWithAnotherDirectionApartAndCountsItWhereAsked) {
+  PositionRevisitParameters parameters;
+  PositionRevisit same(parameters);
+  parameters.other_direction = true;
+  PositionRevisit any(parameters);
+  Drive not_found(same);
+  Drive found(any);
+
+  not_found.to(3, 0).to(0, 0);
+  found.to(3, 0).to(0, 0);
+
+  EXPECT_TRUE(not_found.found.empty());
+  ASSERT_FALSE(found.found.empty());
+  EXPECT_EQ(found.found[0].text, "3 positions in a row seen before, 3 with another direction");
+  Drive around(any);
+  any.start_afresh();
+  go_round(around);
+  ASSERT_FALSE(around.found.empty());
+  EXPECT_EQ(around.found[0].text, "3 positions in a row seen before");
 }
 
 TEST(PositionRevisit, DoesNotKnowItsOwnTail) {

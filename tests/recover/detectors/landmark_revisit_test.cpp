@@ -45,6 +45,28 @@ TEST(LandmarkRevisit, TellsALandmarkFromAnotherOfItsKind) {
   EXPECT_FALSE(revisit.observe(win(2.31, 3, 17.0).situation()).has_value());
 }
 
+TEST(LandmarkRevisit, WidensItsRadiusWithWhatOdometrysCovarianceHasGrownBy) {
+  LandmarkRevisitParameters parameters;
+  parameters.drift_sigmas = 2.0;
+  LandmarkRevisit revisit(parameters);
+  LandmarkRevisit blind = detector();
+  // x and y have grown by 0.005 m^2 each: two standard deviations are 0.2 m beside the 0.3 m.
+  Scene first = win(2, 3, 5.0);
+  first.uncertain(0.02, 0.0);
+  Scene near = win(2.49, 3, 17.0);
+  near.uncertain(0.025, 0.0);
+  Scene far = win(2.51, 3, 17.0);
+  far.uncertain(0.025, 0.0);
+  revisit.observe(first.situation());
+  blind.observe(first.situation());
+
+  EXPECT_FALSE(revisit.observe(far.situation()).has_value());
+  EXPECT_FALSE(blind.observe(near.situation()).has_value());
+  LandmarkRevisit again(parameters);
+  again.observe(first.situation());
+  EXPECT_TRUE(again.observe(near.situation()).has_value());
+}
+
 TEST(LandmarkRevisit, TakesNoLoopThatIsTooShort) {
   LandmarkRevisit revisit = detector();
   revisit.observe(win(2, 3, 5.0).situation());

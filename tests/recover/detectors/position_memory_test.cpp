@@ -18,7 +18,7 @@ PositionMemory::Visit visit(double x_m, double y_m, std::uint64_t tick = 0) {
 /// The ticks of the visits kept around a position, in order.
 std::vector<std::uint64_t> ticks_around(const PositionMemory& memory, double x_m, double y_m) {
   std::vector<std::uint64_t> ticks;
-  memory.around({x_m, y_m}, [&](const PositionMemory::Visit& v) { ticks.push_back(v.tick); });
+  memory.around({x_m, y_m}, 1, [&](const PositionMemory::Visit& v) { ticks.push_back(v.tick); });
   std::sort(ticks.begin(), ticks.end());
   return ticks;
 }
