@@ -34,7 +34,7 @@ core::Result<std::optional<SampleView>> SampleStream::next() {
                     found.sequence, found.data};
   if (!older_) return std::optional(sample);
   const auto cdr = in_todays_type(sample.topic, sample.cdr);
-  if (!cdr) {
+  if (!cdr.ok()) {
     return core::Error{"tick " + std::to_string(sample.tick) + " of " +
                        std::string(domain::topic_name(sample.topic)) +
                        ", by the type that the recording gives: " + cdr.error().message};
@@ -47,7 +47,7 @@ core::Result<std::string_view> SampleStream::in_todays_type(domain::Topic topic,
                                                             std::string_view cdr) {
   const auto type = older_->find(topic);
   if (type == older_->end()) return cdr;
-  if (!type->second) return type->second.error();
+  if (!type->second.ok()) return type->second.error();
   return type->second->to_current(cdr, buffer_);
 }
 
@@ -181,7 +181,7 @@ core::Result<void> RunRecording::read_topics() {
 bool RunRecording::has_field(domain::Topic topic, std::string_view path) const {
   if (!older_) return true;
   const auto type = older_->find(topic);
-  return type == older_->end() || !type->second || type->second->has_field(path);
+  return type == older_->end() || !type->second.ok() || type->second->has_field(path);
 }
 
 std::string RunRecording::cut_off() const {
