@@ -35,7 +35,6 @@ TEST(Result, HoldsAValue) {
   const Result<int> result = half(8);
 
   ASSERT_TRUE(result.ok());
-  EXPECT_TRUE(static_cast<bool>(result));
   EXPECT_EQ(result.value(), 4);
   EXPECT_EQ(*result, 4);
 }
@@ -44,7 +43,6 @@ TEST(Result, HoldsAnError) {
   const Result<int> result = half(7);
 
   ASSERT_FALSE(result.ok());
-  EXPECT_FALSE(static_cast<bool>(result));
   EXPECT_EQ(result.error().text(), "numbers.yaml:3:5: 7 is odd");
 }
 

@@ -8,6 +8,7 @@
 
 #include "../recording/scratch_directory.hpp"
 #include "line/acceptor.hpp"
+#include "recording/output_file.hpp"
 #include "recording/run_recording.hpp"
 #include "run/limits.hpp"
 #include "short_run.hpp"
@@ -23,7 +24,11 @@ constexpr auto kPatient = std::chrono::seconds(60);
 /// A run that has a recorder, which lives in a thread of this process.
 class RecorderProcess : public testing::Test {
  protected:
-  RecorderProcess() : lock_(DomainLock::take({})) { EXPECT_TRUE(lock_.ok()); }
+  RecorderProcess() : lock_(DomainLock::take({})) {
+    EXPECT_TRUE(lock_.ok());
+    // The run has made the file before it has a recorder.
+    EXPECT_TRUE(mcap::OutputFile::reserve(path_, false).ok());
+  }
 
   void begin() {
     status_ = std::async(std::launch::async,
