@@ -132,7 +132,7 @@ void SmallRun::write(const std::string& path, bool finished) const {
       add<domain::Command>(*recorder, tick);
     }
     if (finished) {
-      ASSERT_TRUE(recorder->finish());
+      ASSERT_TRUE(recorder->finish().ok());
     }
   }
   if (!finished) std::filesystem::rename(path + ".tmp~", path);

@@ -63,7 +63,7 @@ TEST_F(TickPicture, NamesTickLayersAndCharts) {
 TEST_F(TickPicture, DrawsLayersWhereTheyAreInTheWorld) {
   const std::string output = scratch_.file("out.svg");
 
-  ASSERT_TRUE(plot::plot_tick(recording_, view_of(2), output));
+  ASSERT_TRUE(plot::plot_tick(recording_, view_of(2), output).ok());
 
   // At tick 2 the robot is at (2, 2) and believes to be at (1, 0.2): the way from there is from
   // (2, 2) to (3, 2). The map's corner is at (24, 80), 72 pixels a metre: 168, 512 and 240, 512.
@@ -78,7 +78,7 @@ TEST_F(TickPicture, TellsTwoLayersOfOneKindApart) {
   auto& layers = view.pictures[0].layers;
   layers.push_back({"other road", PictureLayer::Kind::kWay, {}, {{1.0, 0.2}, {2.0, 0.2}}});
 
-  ASSERT_TRUE(plot::plot_tick(recording_, view, output));
+  ASSERT_TRUE(plot::plot_tick(recording_, view, output).ok());
 
   const std::string svg = read_bytes(output);
   EXPECT_TRUE(contains(svg, "<path d=\"M168 512L240 512\" fill=\"none\" stroke=\"#D55E00\""));
@@ -91,8 +91,8 @@ TEST_F(TickPicture, ShowsWhatMightNotBeChosen) {
   InsideView all_allowed = view_of(2);
   for (auto& cell : all_allowed.pictures[0].charts[0].cells) cell.allowed = true;
 
-  ASSERT_TRUE(plot::plot_tick(recording_, view_of(2), with));
-  ASSERT_TRUE(plot::plot_tick(recording_, all_allowed, without));
+  ASSERT_TRUE(plot::plot_tick(recording_, view_of(2), with).ok());
+  ASSERT_TRUE(plot::plot_tick(recording_, all_allowed, without).ok());
 
   EXPECT_NE(read_bytes(with), read_bytes(without));
 }

@@ -99,7 +99,7 @@ json messages_of(const mcap::McapReader& reader, mcap::Order order) {
   auto stream = reader.messages(order);
   for (;;) {
     const auto message = value_or_exit(stream.next());
-    if (!message.ok()) return messages;
+    if (!message) return messages;
     messages.push_back({{"topic", reader.channels().at(message->channel_id).topic},
                         {"sequence", message->sequence},
                         {"log_time_ns", std::to_string(message->log_time_ns)},

@@ -131,8 +131,8 @@ TEST(McapGolden, WritesTheBytesOfTheSpecification) {
   ASSERT_TRUE(writer.ok());
   const auto schema = writer->add_schema("T", "omgidl", "I");
   const auto channel = writer->add_channel(schema, "/t", "cdr");
-  ASSERT_TRUE(writer->write(Message{channel, 7, 10, 11, "\xAB\xCD"}));
-  ASSERT_TRUE(writer->finish());
+  ASSERT_TRUE(writer->write(Message{channel, 7, 10, 11, "\xAB\xCD"}).ok());
+  ASSERT_TRUE(writer->finish().ok());
 
   EXPECT_EQ(read_bytes(path), bytes_of(kOneMessage));
 }

@@ -124,9 +124,9 @@ TEST(McapWriter, KeepsEachSecondInAChunkOfItsOwn) {
 
   // Ten messages of 0.3 s: 0-0.9 | 1.2-1.8 | 2.1-2.7
   for (std::uint32_t i = 0; i < 10; ++i) {
-    ASSERT_TRUE(writer->write(Message{channel, i, i * 300'000'000ULL, 0, "x"}));
+    ASSERT_TRUE(writer->write(Message{channel, i, i * 300'000'000ULL, 0, "x"}).ok());
   }
-  ASSERT_TRUE(writer->finish());
+  ASSERT_TRUE(writer->finish().ok());
 
   const auto reader = McapReader::open(path);
   ASSERT_TRUE(reader.ok());
@@ -146,10 +146,10 @@ TEST(McapWriter, GivesALargeMessageAChunkOfItsOwn) {
   const auto channel = writer->add_channel(0, "/t", "");
   const std::string large(5000, 'x');
 
-  ASSERT_TRUE(writer->write(Message{channel, 0, 0, 0, "small"}));
-  ASSERT_TRUE(writer->write(Message{channel, 1, 1, 1, large}));
-  ASSERT_TRUE(writer->write(Message{channel, 2, 2, 2, "small"}));
-  ASSERT_TRUE(writer->finish());
+  ASSERT_TRUE(writer->write(Message{channel, 0, 0, 0, "small"}).ok());
+  ASSERT_TRUE(writer->write(Message{channel, 1, 1, 1, large}).ok());
+  ASSERT_TRUE(writer->write(Message{channel, 2, 2, 2, "small"}).ok());
+  ASSERT_TRUE(writer->finish().ok());
 
   const auto reader = McapReader::open(path);
   ASSERT_TRUE(reader.ok());
@@ -166,9 +166,9 @@ TEST(McapWriter, LeavesWhatItWroteReadableWhenItIsCutOff) {
     auto writer = McapWriter::create(path, false, {});
     ASSERT_TRUE(writer.ok());
     const auto channel = writer->add_channel(0, "/t", "");
-    ASSERT_TRUE(writer->write(Message{channel, 0, 0, 0, "kept"}));
-    ASSERT_TRUE(writer->flush());
-    ASSERT_TRUE(writer->write(Message{channel, 1, 1, 1, "lost with the open chunk"}));
+    ASSERT_TRUE(writer->write(Message{channel, 0, 0, 0, "kept"}).ok());
+    ASSERT_TRUE(writer->flush().ok());
+    ASSERT_TRUE(writer->write(Message{channel, 1, 1, 1, "lost with the open chunk"}).ok());
   }
 
   const auto reader = McapReader::open(path + ".tmp~");

@@ -25,9 +25,9 @@ TEST(OutputFile, HasItsNameOnlyWhenItIsWhole) {
   auto file = OutputFile::create(path, false);
   ASSERT_TRUE(file.ok());
 
-  ASSERT_TRUE(file->append("content"));
+  ASSERT_TRUE(file->append("content").ok());
   EXPECT_FALSE(std::filesystem::exists(path));
-  ASSERT_TRUE(file->publish());
+  ASSERT_TRUE(file->publish().ok());
 
   EXPECT_EQ(read_bytes(path), "content");
   EXPECT_FALSE(std::filesystem::exists(path + ".tmp~"));
@@ -55,11 +55,11 @@ TEST(OutputFile, WritesTheFileThatALinkLeadsToAndKeepsTheLink) {
   write_bytes(there, "old");
   std::filesystem::create_symlink(there, link);
 
-  EXPECT_FALSE(OutputFile::create(link, false));
+  EXPECT_FALSE(OutputFile::create(link, false).ok());
   auto forced = OutputFile::create(link, true);
   ASSERT_TRUE(forced.ok() && forced->append("new").ok());
   EXPECT_EQ(read_bytes(there), "old") << "until it is whole";
-  ASSERT_TRUE(forced->publish());
+  ASSERT_TRUE(forced->publish().ok());
 
   EXPECT_TRUE(std::filesystem::is_symlink(link));
   EXPECT_EQ(read_bytes(there), "new");
@@ -128,7 +128,7 @@ TEST(OutputFile, TakesBackWhatItReservedAndNoPipe) {
   const ScratchDirectory scratch;
   const std::string pipe = scratch.file("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  ASSERT_TRUE(OutputFile::reserve(scratch.file("a"), false));
+  ASSERT_TRUE(OutputFile::reserve(scratch.file("a"), false).ok());
   const auto reserved = OutputFile::reserve(pipe, true);
 
   OutputFile::discard(scratch.file("a"));
@@ -193,10 +193,10 @@ TEST(OutputFile, KeepsWhatStandsThereAndReplacesTheRest) {
   auto file = OutputFile::go_on(path);
   ASSERT_TRUE(file.ok());
   file->keep(true);
-  ASSERT_TRUE(file->append("one ") && file->append("two "));
+  ASSERT_TRUE(file->append("one ").ok() && file->append("two ").ok());
   file->keep(false);
-  ASSERT_TRUE(file->append("3"));
-  ASSERT_TRUE(file->publish());
+  ASSERT_TRUE(file->append("3").ok());
+  ASSERT_TRUE(file->publish().ok());
 
   EXPECT_EQ(read_bytes(path), "one two 3");
 }
@@ -224,13 +224,13 @@ TEST(OutputFile, WritesNothingWhileItHolds) {
   ASSERT_TRUE(file.ok());
 
   file->hold();
-  ASSERT_TRUE(file->append("what belongs ") && file->append("together"));
+  ASSERT_TRUE(file->append("what belongs ").ok() && file->append("together").ok());
   EXPECT_EQ(file->position(), 21U);
   EXPECT_EQ(read_bytes(path + ".tmp~"), "");
-  ASSERT_TRUE(file->release());
+  ASSERT_TRUE(file->release().ok());
 
   EXPECT_EQ(read_bytes(path + ".tmp~"), "what belongs together");
-  ASSERT_TRUE(file->append(", and more"));
+  ASSERT_TRUE(file->append(", and more").ok());
   EXPECT_EQ(read_bytes(path + ".tmp~"), "what belongs together, and more");
   EXPECT_EQ(file->position(), 31U);
 }
@@ -242,9 +242,9 @@ TEST(OutputFile, WritesOverWhatItWroteAhead) {
   ASSERT_TRUE(file.ok() && file->append("one ").ok() && file->write_ahead("something long").ok());
 
   EXPECT_EQ(read_bytes(path + ".tmp~"), "one something long");
-  ASSERT_TRUE(file->append("two"));
+  ASSERT_TRUE(file->append("two").ok());
   EXPECT_EQ(read_bytes(path + ".tmp~"), "one two");
-  ASSERT_TRUE(file->write_ahead(" three") && file->publish());
+  ASSERT_TRUE(file->write_ahead(" three").ok() && file->publish().ok());
 
   EXPECT_EQ(read_bytes(path), "one two");
 }
@@ -294,12 +294,12 @@ TEST(McapWriter, LeavesWhatItWroteReadableWhenTheDiskIsFull) {
   EXPECT_NE(written.error().message.find("File too large; the " + whole + " bytes written before"),
             std::string::npos)
       << written.error().message;
-  EXPECT_FALSE(writer->finish());
+  EXPECT_FALSE(writer->finish().ok());
   ASSERT_TRUE(reader.ok()) << reader.error().text();
   EXPECT_TRUE(reader->tear());
   auto messages = reader->messages(Order::kFile);
   std::uint32_t readable = 0;
-  for (auto message = messages.next(); message && *message; message = messages.next()) {
+  for (auto message = messages.next(); message.ok() && *message; message = messages.next()) {
     EXPECT_EQ((*message)->sequence, readable);
     ++readable;
   }

@@ -42,7 +42,7 @@ TEST(RecordedIncident, SteersNoTerminalWhoeverWroteIt) {
 void record(RunRecorder& recorder, std::uint64_t end) {
   for (const StoredSample& sample : samples_of_run(end)) {
     if (sample.tick == 31) recorder.add_incident({5, domain::kForeignReader, "drive", "a reader"});
-    ASSERT_TRUE(recorder.add(sample.topic, sample.tick, sample.tick, sample.cdr));
+    ASSERT_TRUE(recorder.add(sample.topic, sample.tick, sample.tick, sample.cdr).ok());
   }
 }
 
@@ -55,7 +55,7 @@ TEST(RecordedIncident, StandsBeforeTheNextTickOrAfterTheLast) {
   record(*recorder, 200);
   recorder->add_incident({5, domain::kForeignReader, "drive", "a reader"});
   recorder->add_incident({999, domain::kRefused, "run", "after all"});
-  ASSERT_TRUE(recorder->finish());
+  ASSERT_TRUE(recorder->finish().ok());
   const auto recording = RunRecording::open(path);
   ASSERT_TRUE(recording.ok()) << recording.error().text();
 
@@ -76,10 +76,10 @@ TEST(RecordedIncident, IsInNoHashAndChangesNoSample) {
   with->add_incident({0, domain::kRefused, "run", "before all"});
   record(*with, 200);
   for (const StoredSample& sample : samples_of_run(200)) {
-    ASSERT_TRUE(without->add(sample.topic, sample.tick, sample.tick, sample.cdr));
+    ASSERT_TRUE(without->add(sample.topic, sample.tick, sample.tick, sample.cdr).ok());
   }
-  ASSERT_TRUE(with->finish());
-  ASSERT_TRUE(without->finish());
+  ASSERT_TRUE(with->finish().ok());
+  ASSERT_TRUE(without->finish().ok());
   const auto undisturbed = RunRecording::open(scratch.file("without.mcap"));
   const auto disturbed = RunRecording::open(scratch.file("with.mcap"));
   ASSERT_TRUE(undisturbed.ok() && disturbed.ok());
@@ -96,18 +96,18 @@ TEST(RecordedIncident, IsKeptByARecorderThatGoesOn) {
   auto whole = RunRecorder::create(scratch.file("whole.mcap"), description(), false);
   ASSERT_TRUE(whole.ok());
   record(*whole, 200);
-  ASSERT_TRUE(whole->finish());
+  ASSERT_TRUE(whole->finish().ok());
 
   {
     auto killed = RunRecorder::create(scratch.file("again.mcap"), description(), false);
     ASSERT_TRUE(killed.ok());
     record(*killed, 100);
-    ASSERT_TRUE(killed->write_ahead());
+    ASSERT_TRUE(killed->write_ahead().ok());
   }
   auto again = RunRecorder::go_on(scratch.file("again.mcap"), description());
   ASSERT_TRUE(again.ok()) << again.error().text();
   record(*again, 200);
-  ASSERT_TRUE(again->finish());
+  ASSERT_TRUE(again->finish().ok());
 
   EXPECT_EQ(read_bytes(scratch.file("again.mcap")), read_bytes(scratch.file("whole.mcap")));
 }

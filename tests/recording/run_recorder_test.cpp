@@ -52,11 +52,11 @@ TEST(RunRecorder, WritesATickOnceEveryTopicHasDeliveredIt) {
   auto recorder = RunRecorder::create(scratch.file("a.mcap"), description(), false);
   ASSERT_TRUE(recorder.ok());
 
-  ASSERT_TRUE(recorder->add(Topic::kScan, 0, 0, "x"));
-  ASSERT_TRUE(recorder->add(Topic::kScan, 1, 1, "x"));
-  ASSERT_TRUE(recorder->add(Topic::kState, 0, 0, "x"));
+  ASSERT_TRUE(recorder->add(Topic::kScan, 0, 0, "x").ok());
+  ASSERT_TRUE(recorder->add(Topic::kScan, 1, 1, "x").ok());
+  ASSERT_TRUE(recorder->add(Topic::kState, 0, 0, "x").ok());
   EXPECT_EQ(recorder->complete_ticks(), 0U);
-  ASSERT_TRUE(recorder->add(Topic::kCommand, 0, 0, "x"));
+  ASSERT_TRUE(recorder->add(Topic::kCommand, 0, 0, "x").ok());
 
   EXPECT_EQ(recorder->complete_ticks(), 1U);
 }
@@ -71,11 +71,11 @@ TEST(RunRecorder, PassesOverWhatItHasAndRefusesWhatIsNotOfTheRun) {
   for (std::uint64_t tick : {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  6,  7,  8,  9,
                              10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 16, 17, 18, 19}) {
     for (const auto& [topic, schema] : description().schemas) {
-      ASSERT_TRUE(recorder->add(topic, tick, tick, bytes_of(topic, tick)));
+      ASSERT_TRUE(recorder->add(topic, tick, tick, bytes_of(topic, tick)).ok());
     }
   }
   const auto unknown = recorder->add(Topic::kEvent, 0, 0, "x");
-  ASSERT_TRUE(recorder->finish());
+  ASSERT_TRUE(recorder->finish().ok());
 
   EXPECT_EQ(read_bytes(scratch.file("twice.mcap")), read_bytes(scratch.file("once.mcap")));
   ASSERT_FALSE(unknown.ok());
@@ -88,14 +88,14 @@ TEST(RunRecorder, SaysWhichSamplesAreLost) {
   auto recorder = RunRecorder::create(path, description(), false);
   ASSERT_TRUE(recorder.ok());
   for (std::uint64_t tick = 0; tick < 10; ++tick) {
-    ASSERT_TRUE(recorder->add(Topic::kCommand, tick, tick, "x"));
+    ASSERT_TRUE(recorder->add(Topic::kCommand, tick, tick, "x").ok());
     // No scan at 3, 6 and 7; the state's writer numbers one sample more than it sends.
     if (tick != 3 && tick != 6 && tick != 7) {
-      ASSERT_TRUE(recorder->add(Topic::kScan, tick, tick, "x"));
+      ASSERT_TRUE(recorder->add(Topic::kScan, tick, tick, "x").ok());
     }
-    ASSERT_TRUE(recorder->add(Topic::kState, tick, tick < 5 ? tick : tick + 1, "x"));
+    ASSERT_TRUE(recorder->add(Topic::kState, tick, tick < 5 ? tick : tick + 1, "x").ok());
   }
-  ASSERT_TRUE(recorder->finish());
+  ASSERT_TRUE(recorder->finish().ok());
 
   EXPECT_EQ(recorder->losses().samples(), 4U);
   std::vector<std::string> texts = recorder->losses().texts();
@@ -126,9 +126,9 @@ TEST(RunRecorder, CallsNothingLostThatAnAbortedRunDidNotReach) {
   for (const StoredSample& sample : samples_of_interrupted_run()) {
     // Behind the last command, and yet lost: a later scan is there.
     if (sample.topic == Topic::kScan && sample.tick == 12) continue;
-    ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
+    ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr).ok());
   }
-  ASSERT_TRUE(recorder->finish("interrupted"));
+  ASSERT_TRUE(recorder->finish("interrupted").ok());
 
   EXPECT_EQ(recorder->losses().texts(), std::vector<std::string>{"'scan' of tick 12"});
   const auto recording = RunRecording::open(path);
@@ -147,16 +147,16 @@ TEST(RunRecorder, GoesOnWithAnAbortedRun) {
   auto recorder = RunRecorder::create(path, description(), false);
   ASSERT_TRUE(recorder.ok());
   for (const StoredSample& sample : samples_of_interrupted_run()) {
-    ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
+    ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr).ok());
   }
-  ASSERT_TRUE(recorder->seal("interrupted"));
+  ASSERT_TRUE(recorder->seal("interrupted").ok());
 
   auto next = RunRecorder::go_on(path, description());
   ASSERT_TRUE(next.ok()) << next.error().text();
   for (const StoredSample& sample : samples_of_run(15)) {
-    ASSERT_TRUE(next->add(sample.topic, sample.tick, sample.tick, sample.cdr));
+    ASSERT_TRUE(next->add(sample.topic, sample.tick, sample.tick, sample.cdr).ok());
   }
-  ASSERT_TRUE(next->finish());
+  ASSERT_TRUE(next->finish().ok());
 
   EXPECT_EQ(read_bytes(path), read_bytes(scratch.file("whole.mcap")));
 }
@@ -166,12 +166,12 @@ TEST(RunRecorder, GivesUpATopicThatStaysBehind) {
   auto recorder = RunRecorder::create(scratch.file("a.mcap"), description(), false);
   ASSERT_TRUE(recorder.ok());
   for (std::uint64_t tick = 0; tick < RunRecorder::kMaxWaitingTicks + 10; ++tick) {
-    ASSERT_TRUE(recorder->add(Topic::kScan, tick, tick, "x"));
-    ASSERT_TRUE(recorder->add(Topic::kState, tick, tick, "x"));
+    ASSERT_TRUE(recorder->add(Topic::kScan, tick, tick, "x").ok());
+    ASSERT_TRUE(recorder->add(Topic::kState, tick, tick, "x").ok());
   }
 
   // Ten ticks were written without a command, which now comes too late for them.
-  ASSERT_TRUE(recorder->add(Topic::kCommand, 9, 9, "x"));
+  ASSERT_TRUE(recorder->add(Topic::kCommand, 9, 9, "x").ok());
 
   EXPECT_EQ(recorder->losses().samples(), 10U);
   EXPECT_EQ(recorder->losses().texts(), std::vector<std::string>{"'command' of ticks 0 to 9"});
@@ -198,10 +198,10 @@ void record_with_a_death(const std::string& path, const std::vector<StoredSample
     ASSERT_TRUE(recorder.ok());
     for (std::size_t i = 0; i < death; ++i) {
       const StoredSample& sample = samples[i];
-      ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
+      ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr).ok());
     }
     if (death % 2 == 0) {
-      ASSERT_TRUE(recorder->write_ahead());
+      ASSERT_TRUE(recorder->write_ahead().ok());
     }
     durable_ticks = recorder->durable_ticks();
   }
@@ -209,9 +209,9 @@ void record_with_a_death(const std::string& path, const std::vector<StoredSample
   ASSERT_TRUE(recorder.ok()) << recorder.error().text();
   for (const StoredSample& sample : samples) {
     if (sample.tick < durable_ticks) continue;
-    ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
+    ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr).ok());
   }
-  ASSERT_TRUE(recorder->finish());
+  ASSERT_TRUE(recorder->finish().ok());
 }
 
 TEST(RunRecorder, GoesOnAfterADeathAtEverySample) {
@@ -243,9 +243,9 @@ TEST(RunRecorder, GoesOnAfterATearAtEveryByte) {
     auto recorder = RunRecorder::go_on(path, description());
     ASSERT_TRUE(recorder.ok()) << recorder.error().text();
     for (const StoredSample& sample : samples) {
-      ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
+      ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr).ok());
     }
-    ASSERT_TRUE(recorder->finish());
+    ASSERT_TRUE(recorder->finish().ok());
     ASSERT_EQ(read_bytes(path), whole) << "torn at byte " << kept_bytes;
   }
 }

@@ -116,9 +116,9 @@ TEST(RunRecording, LosesNothingThatWasWrittenAhead) {
     auto recorder = RunRecorder::create(path, description(), false);
     ASSERT_TRUE(recorder.ok());
     for (const auto& sample : samples_of_run(100)) {
-      ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
+      ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr).ok());
     }
-    ASSERT_TRUE(recorder->write_ahead());
+    ASSERT_TRUE(recorder->write_ahead().ok());
   }
 
   const auto recording = RunRecording::open(path + ".tmp~");
@@ -135,7 +135,7 @@ TEST(RunRecording, LosesAtMostASecondOfACrashedRun) {
     auto recorder = RunRecorder::create(path, description(), false);
     ASSERT_TRUE(recorder.ok());
     for (const auto& sample : samples_of_run(kTicks)) {
-      ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr));
+      ASSERT_TRUE(recorder->add(sample.topic, sample.tick, sample.tick, sample.cdr).ok());
     }
   }
 
@@ -188,12 +188,12 @@ TEST(RunRecording, NoticesSamplesThatAreNotThoseOfTheRun) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("forged.mcap");
   auto writer = mcap::McapWriter::create(path, false, {});
-  ASSERT_TRUE(writer.ok() && writer->write(to_metadata(description()).ok()));
+  ASSERT_TRUE(writer.ok() && writer->write(to_metadata(description())).ok());
   const auto schema = writer->add_schema("clew::msg::Scan", "omgidl", "struct Scan {};");
   const auto channel = writer->add_channel(schema, "/scan", "cdr");
-  ASSERT_TRUE(writer->write(mcap::Message{channel, 0, 0, 0, "x"}));
-  ASSERT_TRUE(writer->write(to_metadata(RunEnd{1, {1, 1}, 0, {}})));
-  ASSERT_TRUE(writer->finish());
+  ASSERT_TRUE(writer->write(mcap::Message{channel, 0, 0, 0, "x"}).ok());
+  ASSERT_TRUE(writer->write(to_metadata(RunEnd{1, {1, 1}, 0, {}})).ok());
+  ASSERT_TRUE(writer->finish().ok());
 
   const auto recording = RunRecording::open(path);
   ASSERT_TRUE(recording.ok()) << recording.error().text();

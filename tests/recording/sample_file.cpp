@@ -43,18 +43,20 @@ void write_sample_file(const std::string& path, bridge::mcap::Compression compre
   options.chunk_bytes = 700;
   auto writer = McapWriter::create(path, true, options);
   ASSERT_TRUE(writer.ok()) << writer.error().text();
-  ASSERT_TRUE(writer->write(Attachment{0, 0, "first", "text/plain", "one"}));
-  ASSERT_TRUE(writer->write(Metadata{"facts", {{"seed", "1"}}}));
+  ASSERT_TRUE(writer->write(Attachment{0, 0, "first", "text/plain", "one"}).ok());
+  ASSERT_TRUE(writer->write(Metadata{"facts", {{"seed", "1"}}}).ok());
   const auto schema = writer->add_schema("clew::msg::Scan", "omgidl", "struct Scan {};");
   writer->add_channel(schema, "/scan", "cdr", {{"key", "value"}});
   writer->add_channel(0, "/raw", "");
   for (const auto& message : messages) {
-    ASSERT_TRUE(writer->write(bridge::mcap::Message{message.channel_id, message.sequence,
-                                                    message.log_time_ns, message.publish_time_ns,
-                                                    message.data}));
+    ASSERT_TRUE(
+        writer
+            ->write(bridge::mcap::Message{message.channel_id, message.sequence, message.log_time_ns,
+                                          message.publish_time_ns, message.data})
+            .ok());
   }
-  ASSERT_TRUE(writer->write(Attachment{1, 2, "second", "application/yaml", "two: 2\n"}));
-  ASSERT_TRUE(writer->write(Metadata{"end", {}}));
+  ASSERT_TRUE(writer->write(Attachment{1, 2, "second", "application/yaml", "two: 2\n"}).ok());
+  ASSERT_TRUE(writer->write(Metadata{"end", {}}).ok());
   const auto finished = writer->finish();
   ASSERT_TRUE(finished.ok()) << finished.error().text();
 }
@@ -74,7 +76,7 @@ Content read_content(const bridge::mcap::McapReader& reader, bridge::mcap::Order
   bridge::mcap::ByteBuffer buffer;
   for (const auto& place : reader.attachments()) {
     const auto attachment = reader.attachment(place, buffer);
-    if (attachment) {
+    if (attachment.ok()) {
       content.attachments.push_back(attachment->name + "=" + std::string(attachment->data));
     } else {
       content.errors.push_back(attachment.error().text());

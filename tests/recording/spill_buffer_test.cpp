@@ -33,7 +33,7 @@ TEST(SpillBuffer, GivesBackWhatItTookWithoutLeavingAFile) {
   // Four times what stays in memory, in pieces that do not divide it.
   for (int i = 0; expected.size() < 4 * SpillBuffer::kMemoryBytes; ++i) {
     const std::string piece(1 + static_cast<std::size_t>(i) % 997, static_cast<char>('a' + i % 26));
-    ASSERT_TRUE(buffer.append(piece));
+    ASSERT_TRUE(buffer.append(piece).ok());
     expected += piece;
     ASSERT_EQ(buffer.size(), expected.size());
   }
@@ -47,7 +47,7 @@ TEST(SpillBuffer, GoesElsewhereIfItsNeighboursDirectoryIsNotThere) {
   SpillBuffer buffer("/nowhere/at/all");
   const std::string bytes(SpillBuffer::kMemoryBytes + 1, 'x');
 
-  ASSERT_TRUE(buffer.append(bytes));
+  ASSERT_TRUE(buffer.append(bytes).ok());
 
   EXPECT_EQ(content(buffer), bytes);
 }
@@ -64,15 +64,15 @@ TEST(McapWriter, IndexesMoreChunksThanItKeepsInMemory) {
   constexpr std::uint32_t kChunks = 5000;
 
   for (std::uint32_t i = 0; i < kChunks; ++i) {
-    ASSERT_TRUE(writer->write(Message{channel, i, i, i, "x"}));
+    ASSERT_TRUE(writer->write(Message{channel, i, i, i, "x"}).ok());
   }
-  ASSERT_TRUE(writer->finish());
+  ASSERT_TRUE(writer->finish().ok());
   const auto reader = McapReader::open(path);
 
   ASSERT_TRUE(reader.ok()) << reader.error().text();
   EXPECT_TRUE(reader->indexed());
   EXPECT_EQ(reader->segments().size(), kChunks);
-  EXPECT_TRUE(reader->verify());
+  EXPECT_TRUE(reader->verify().ok());
 }
 
 }  // namespace

@@ -27,9 +27,9 @@ RecordingDraft RecordingDraft::read(const std::string& path) {
 
 void RecordingDraft::write(const std::string& path) const {
   auto writer = mcap::McapWriter::create(path, true, {});
-  ASSERT_TRUE(writer && writer->write(to_metadata(description)));
+  ASSERT_TRUE(writer.ok() && writer->write(to_metadata(description)).ok());
   for (const auto& [name, text] : description.bundle) {
-    ASSERT_TRUE(writer->write(mcap::Attachment{0, 0, name, "application/yaml", text}));
+    ASSERT_TRUE(writer->write(mcap::Attachment{0, 0, name, "application/yaml", text}).ok());
   }
   std::map<domain::Topic, std::uint16_t> channels;
   for (const auto& [topic, idl] : description.schemas) {
@@ -40,9 +40,11 @@ void RecordingDraft::write(const std::string& path) const {
   std::map<domain::Topic, core::HashChain> chains;
   for (const Sample& sample : samples) {
     const std::uint64_t time_ns = tick_to_ns(sample.tick, description.tick_s);
-    ASSERT_TRUE(writer->write(mcap::Message{channels.at(sample.topic),
-                                            static_cast<std::uint32_t>(sample.sequence), time_ns,
-                                            time_ns, sample.cdr}));
+    ASSERT_TRUE(writer
+                    ->write(mcap::Message{channels.at(sample.topic),
+                                          static_cast<std::uint32_t>(sample.sequence), time_ns,
+                                          time_ns, sample.cdr})
+                    .ok());
     chains[sample.topic].add(sample.tick, sample.sequence, sample.cdr);
   }
   std::map<std::string, core::Hash128> values;
@@ -51,9 +53,9 @@ void RecordingDraft::write(const std::string& path) const {
   }
   const std::uint64_t ticks = samples.empty() ? 0 : samples.back().tick + 1;
   if (finished) {
-    ASSERT_TRUE(writer->write(to_metadata(RunEnd{ticks, run_hash(values), 0, aborted})));
+    ASSERT_TRUE(writer->write(to_metadata(RunEnd{ticks, run_hash(values), 0, aborted})).ok());
   }
-  ASSERT_TRUE(writer->finish());
+  ASSERT_TRUE(writer->finish().ok());
 }
 
 RecordingDraft::Sample& RecordingDraft::sample(domain::Topic topic, std::uint64_t tick) {
