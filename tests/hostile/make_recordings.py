@@ -50,7 +50,7 @@ def tampered(content, change):
                 content[at + begin:at + end] = change(bytes(content[at + begin:at + end]))
                 struct.pack_into("<I", content, at + end, zlib.crc32(content[at:at + end]))
         if kind == DATA_END:
-            assert content[at:at + 4] == bytes(4), "the data section has a checksum"
+            content[at:at + 4] = bytes(4)  # the checksum of the data section: none
             return bytes(content)
         at += size
     raise ValueError("the recording does not end")

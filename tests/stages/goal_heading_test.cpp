@@ -63,7 +63,8 @@ TEST_P(GoalHeading, IsMetWhereTheTargetIsReached) {
             kTolerance_rad);
   EXPECT_LE(core::length(with.pose_world_robot.position() - core::Vec2(6.0, 3.5)), 0.2);
   EXPECT_GT(with.stamp.tick, without.stamp.tick);
-  EXPECT_LE(with.path_length_m, without.path_length_m + 0.3);
+  // A controller that does not slow down passes by and comes back.
+  EXPECT_LE(with.path_length_m, without.path_length_m + 1.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GoalHeading, testing::ValuesIn(shipped_graphs()));
