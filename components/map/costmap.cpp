@@ -84,6 +84,7 @@ const Costmap& CostmapBuilder::update(const SeenMap& seen, const Vec2& from, con
     lay_out_anew(costs_.grid, grid, 1.0F, costs_.cost, spare_costs_);
     lay_out_anew(costs_.grid, grid, Clearance::kOpen, costs_.clearance, spare_clearances_);
     costs_.grid = grid;
+    costs_.plain.lay(grid);
   }
   nearest_.update(grid, seen);
   for (const std::size_t index : nearest_.changed()) charge(index);
@@ -91,7 +92,7 @@ const Costmap& CostmapBuilder::update(const SeenMap& seen, const Vec2& from, con
 }
 
 void CostmapBuilder::overrule(std::size_t index, float cost, Clearance clearance) {
-  costs_.cost[index] = cost;
+  set_cost(index, cost);
   costs_.clearance[index] = clearance;
   costs_.changed.push_back(index);
   overruled_.push_back(index);
@@ -111,7 +112,19 @@ void CostmapBuilder::charge(std::size_t index) {
   float cost = std::max(hit_cost_[by_hit], suspected_cost_[by_suspected]);
   if (clearance == Clearance::kNone) cost = Costmap::kBlocked;
   costs_.clearance[index] = clearance;
-  costs_.cost[index] = cell.seen_free && seen_free_cost_ > 1.0F ? cost * seen_free_cost_ : cost;
+  set_cost(index, cell.seen_free && seen_free_cost_ > 1.0F ? cost * seen_free_cost_ : cost);
+}
+
+void CostmapBuilder::set_cost(std::size_t index, float cost) {
+  const bool was_dear = costs_.cost[index] != 1.0F;
+  const bool is_dear = cost != 1.0F;
+  costs_.cost[index] = cost;
+  if (was_dear == is_dear) return;
+  if (is_dear) {
+    costs_.plain.add(costs_.grid.cell(index));
+  } else {
+    costs_.plain.remove(costs_.grid.cell(index));
+  }
 }
 
 }  // namespace clew::map

@@ -8,6 +8,7 @@
 
 #include "map/grid.hpp"
 #include "map/nearest_marks.hpp"
+#include "map/plain_blocks.hpp"
 #include "map/seen_map.hpp"
 
 namespace clew::map {
@@ -33,6 +34,8 @@ struct Costmap {
   /// Cells that may cost something else than at the revision before, if the grid is the same. Some
   /// may be in it more than once.
   std::vector<std::size_t> changed;
+  /// Where all cells cost 1; of costs that come from elsewhere, nowhere.
+  PlainBlocks plain;
 };
 
 /// What of a robot's surroundings costs how much.
@@ -81,6 +84,7 @@ class CostmapBuilder {
   Grid grid_over(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m,
                  double reach_m) const;
   void charge(std::size_t index);
+  void set_cost(std::size_t index, float cost);
 
   double cell_m_;
   float seen_free_cost_;

@@ -10,6 +10,8 @@ namespace {
 
 // A piece is kept straight if that costs this much more at most: sums of costs are rounded.
 constexpr double kSameCost_ratio = 1.001;
+// Half a cell apart, so many places in a row from one on lie within PlainBlocks::kSide of it.
+constexpr double kPlacesAcross = 2.0 * PlainBlocks::kSide;
 
 /// What going straight costs; infinite through what is blocked, and where it is more than `most_m`
 /// for certain: costs only add up. Both places lie within the grid.
@@ -22,21 +24,32 @@ double straight_cost_m(const Costmap& costs, const Vec2& from, const Vec2& to, d
   const Vec2 first = (from - grid.corner) / grid.cell_m + 0.5 * piece;
   const double most = most_m * pieces / length_m * kSameCost_ratio;
   const float* cost = costs.cost.data();
+  const auto cell_at = [&](double i) {
+    return Cell{static_cast<std::int32_t>(first.x() + i * piece.x()),
+                static_cast<std::int32_t>(first.y() + i * piece.y())};
+  };
   const auto index_at = [&](double i) {
-    const auto column = static_cast<std::int32_t>(first.x() + i * piece.x());
-    const auto row = static_cast<std::int32_t>(first.y() + i * piece.y());
-    return row * grid.columns + column;  // at most 2^24 cells
+    const Cell cell = cell_at(i);
+    return cell.row * grid.columns + cell.column;  // at most 2^24 cells
   };
   // Costs are multiples of 2^-23 and few, so their sums are exact, whatever the order.
   double sum = 0.0;
   double i = 0.0;
-  for (; i + 4.0 <= pieces; i += 4.0) {
+  while (i + 4.0 <= pieces) {
+    const Cell cell = cell_at(i);
+    if (costs.plain.is_plain_around(cell.column, cell.row)) {
+      const double plain = std::min(kPlacesAcross, pieces - i);
+      sum += plain;
+      i += plain;
+      continue;
+    }
     const float a = cost[index_at(i)];
     const float b = cost[index_at(i + 1.0)];
     const float c = cost[index_at(i + 2.0)];
     const float d = cost[index_at(i + 3.0)];
     if (std::min(std::min(a, b), std::min(c, d)) == Costmap::kBlocked) return HUGE_VAL;
     sum += (double{a} + double{b}) + (double{c} + double{d});
+    i += 4.0;
     if (sum > most) return HUGE_VAL;
   }
   for (; i < pieces; i += 1.0) {

@@ -50,6 +50,33 @@ void expect_same(const Costmap& found, const Costmap& expected, int step) {
   ASSERT_EQ(found.clearance, expected.clearance) << step;
 }
 
+/// Whether all cells in the block of 8 by 8 and in those around it cost 1, looked up one by one.
+bool is_plain_around(const Costmap& costs, const Cell& cell) {
+  constexpr std::int32_t kSide = PlainBlocks::kSide;
+  const Cell first{cell.column / kSide * kSide - kSide, cell.row / kSide * kSide - kSide};
+  for (std::int32_t row = first.row; row < first.row + 3 * kSide; ++row) {
+    for (std::int32_t column = first.column; column < first.column + 3 * kSide; ++column) {
+      if (!costs.grid.contains({column, row})) continue;
+      if (costs.cost[costs.grid.index({column, row})] != 1.0F) return false;
+    }
+  }
+  return true;
+}
+
+/// Looks at one cell in each block; how many are plain around.
+int expect_plain_where_all_cost_1(const Costmap& costs, int step) {
+  int plain = 0;
+  for (std::int32_t row = step % 8; row < costs.grid.rows; row += PlainBlocks::kSide) {
+    for (std::int32_t column = step % 8; column < costs.grid.columns;
+         column += PlainBlocks::kSide) {
+      const bool expected = is_plain_around(costs, {column, row});
+      EXPECT_EQ(costs.plain.is_plain_around(column, row), expected) << step;
+      plain += expected ? 1 : 0;
+    }
+  }
+  return plain;
+}
+
 /// A robot that wanders, and a target that is elsewhere now and then. With a short reach, the grid
 /// does not hold all that was seen, and its borders cut tiles.
 void wander(std::uint64_t seed, double reach_m) {
@@ -58,6 +85,7 @@ void wander(std::uint64_t seed, double reach_m) {
   CostmapBuilder repaired(inflation(), kCell_m);
   Vec2 robot(0.0, 0.0);
   Vec2 target(4.0, 1.0);
+  int plain = 0;
   for (int step = 0; step < 60; ++step) {
     if (step % 20 == 19) target = sights.place_near(robot, 6.0);
     if (step == 40) seen.state() = {};
@@ -69,7 +97,10 @@ void wander(std::uint64_t seed, double reach_m) {
     CostmapBuilder anew(inflation(), kCell_m);
     expect_same(found, anew.update(seen, robot, target, kMargin_m, reach_m), step);
     repaired.overrule(found.grid.index(*found.grid.cell_at(robot)), 7.0F, Clearance::kTouching);
+    repaired.overrule(static_cast<std::size_t>(step), Costmap::kBlocked, Clearance::kNone);
+    plain += expect_plain_where_all_cost_1(found, step);
   }
+  EXPECT_GT(plain, 60);
 }
 
 TEST(CostmapBuilder, RepairsToWhatANewOneComputes) {

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "map/distance_path.hpp"
+
 namespace clew::map {
 namespace {
 
@@ -55,6 +59,44 @@ TEST(TightPath, DoesNotGoStraightWhereThatCostsMore) {
   pull_tight(costs, bent_path(), {0.5, 0.5}, corners);
 
   EXPECT_GE(corners.size(), 3u);
+}
+
+/// What lies between is not looked at cell by cell where all cells cost 1; the corners are the
+/// same.
+TEST(TightPath, IsTheSameWhereItPassesOverWhatIsPlain) {
+  std::mt19937_64 random(5);
+  const auto within = [&](double least, double most) {
+    return std::uniform_real_distribution<double>(least, most)(random);
+  };
+  int bends = 0;
+  for (int round = 0; round < 40; ++round) {
+    SeenMap seen(0.025, 400);
+    for (int wall = 0; wall < 12; ++wall) {
+      const Vec2 from(within(-2.0, 8.0), within(-4.0, 4.0));
+      const Vec2 step(within(-0.03, 0.03), within(-0.03, 0.03));
+      for (int i = 0; i < 60; ++i) seen.mark_hit(from + i * step);
+    }
+    seen.mark_free(Sector({0.0, 0.0}, 1.5));
+    Inflation inflation = inflation_of(0.15, 0.1, 0.025);
+    inflation.seen_free_cost = 2.0;
+    CostmapBuilder builder(inflation, 0.025);
+    const Vec2 from(within(-1.0, 1.0), within(-1.0, 1.0));
+    const Vec2 to(within(6.0, 14.0), within(-6.0, 6.0));
+    Costmap costs = builder.update(seen, from, to, 1.0);
+    DistancePath search;
+    const std::vector<Vec2> path = search.find(costs, from, to, 0.2);
+    if (path.empty()) continue;
+    std::vector<Vec2> corners;
+    std::vector<Vec2> one_by_one;
+
+    pull_tight(costs, path, from, corners);
+    costs.plain = {};
+    pull_tight(costs, path, from, one_by_one);
+
+    EXPECT_EQ(corners, one_by_one) << round;
+    bends += static_cast<int>(corners.size()) - 2;
+  }
+  EXPECT_GT(bends, 40);
 }
 
 TEST(TightPath, AppendsToWhatIsThere) {
