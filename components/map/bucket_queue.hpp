@@ -31,11 +31,7 @@ class BucketQueue {
 
   void push(const Waiting& waiting) {
     const std::size_t bucket = bucket_of(waiting.key);
-    if (bucket >= kBuckets) {
-      beyond_.push_back(waiting);
-      std::push_heap(beyond_.begin(), beyond_.end(), has_greater_key);
-      return;
-    }
+    if (bucket >= kBuckets) return push_beyond(waiting);
     std::uint32_t place = unused_;
     if (place == kNone) {
       place = static_cast<std::uint32_t>(places_.size());
@@ -81,6 +77,11 @@ class BucketQueue {
 
   static std::size_t bucket_of(std::uint32_t key) { return key / 64; }
   static bool has_greater_key(const Waiting& a, const Waiting& b) { return a.key > b.key; }
+
+  [[gnu::noinline]] void push_beyond(const Waiting& waiting) {
+    beyond_.push_back(waiting);
+    std::push_heap(beyond_.begin(), beyond_.end(), has_greater_key);
+  }
 
   std::optional<Waiting> take_beyond(std::uint32_t key) {
     if (beyond_.empty() || is_later(beyond_.front().key, key)) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace clew::map {
 namespace {
@@ -91,16 +92,27 @@ const Costmap& CostmapBuilder::update(const SeenMap& seen, const Vec2& from, con
   return costs_;
 }
 
+inline void CostmapBuilder::set_cost(std::size_t index, float cost) {
+  const float before = std::exchange(costs_.cost[index], cost);
+  if (before == cost) return;
+  costs_.changed.push_back(index);
+  const bool is_dear = cost != 1.0F;
+  if ((before != 1.0F) == is_dear) return;
+  if (is_dear) {
+    costs_.plain.add(costs_.grid.cell(index));
+  } else {
+    costs_.plain.remove(costs_.grid.cell(index));
+  }
+}
+
 void CostmapBuilder::overrule(std::size_t index, float cost, Clearance clearance) {
   set_cost(index, cost);
   costs_.clearance[index] = clearance;
-  costs_.changed.push_back(index);
   overruled_.push_back(index);
 }
 
 /// What a cell costs for its surroundings.
 void CostmapBuilder::charge(std::size_t index) {
-  costs_.changed.push_back(index);
   const NearestMarks::Surroundings& cell = nearest_.cells()[index];
   const std::uint8_t by_hit = cell.steps[NearestMarks::kHit];
   const std::uint8_t by_suspected = cell.steps[NearestMarks::kSuspected];
@@ -113,18 +125,6 @@ void CostmapBuilder::charge(std::size_t index) {
   if (clearance == Clearance::kNone) cost = Costmap::kBlocked;
   costs_.clearance[index] = clearance;
   set_cost(index, cell.seen_free && seen_free_cost_ > 1.0F ? cost * seen_free_cost_ : cost);
-}
-
-void CostmapBuilder::set_cost(std::size_t index, float cost) {
-  const bool was_dear = costs_.cost[index] != 1.0F;
-  const bool is_dear = cost != 1.0F;
-  costs_.cost[index] = cost;
-  if (was_dear == is_dear) return;
-  if (is_dear) {
-    costs_.plain.add(costs_.grid.cell(index));
-  } else {
-    costs_.plain.remove(costs_.grid.cell(index));
-  }
 }
 
 }  // namespace clew::map

@@ -27,9 +27,14 @@ Cell beside(const Cell& block, const BlockStep& step) {
   return {block.column + step.columns, block.row + step.rows};
 }
 
-/// Calls `visit(step)` for each bit.
+/// Calls `visit(step)` for each bit. Most blocks have all: of these, lengths are constants.
 template <typename Visit>
-void for_each_step(std::uint8_t steps, Visit&& visit) {
+inline void for_each_step(std::uint8_t steps, Visit&& visit) {
+  if (steps == 0xFF) {
+#pragma GCC unroll 8
+    for (std::size_t i = 0; i < kBlockSteps.size(); ++i) visit(i);
+    return;
+  }
   for (std::uint32_t left = steps; left != 0; left &= left - 1) {
     visit(static_cast<std::size_t>(__builtin_ctz(left)));
   }
@@ -193,9 +198,14 @@ std::uint32_t DistanceField::settle(const Cell& start) {
   const Cell block = block_of(start);
   moved_ += estimate(start_, block);
   start_ = block;
-  const Node& here = nodes_[at(block)];
+  const std::uint32_t place = at(block);
+  const Node& here = nodes_[place];
   if (here.weight == 0) return kNone;
-  while (const auto waiting = queue_.take_up_to(last_key())) {
+  while (true) {
+    if (here.look_ahead == kVoid) look_afresh(place, block);
+    // Up to here, blocks may lie on a best path from the start.
+    const auto waiting = queue_.take_up_to(here.look_ahead + moved_);
+    if (!waiting) break;
     Node& node = nodes_[waiting->who];
     if (node.queued != waiting->key) continue;
     node.queued = kNotQueued;
@@ -212,15 +222,10 @@ std::uint32_t DistanceField::settle(const Cell& start) {
   return here.look_ahead;
 }
 
-/// Up to here, blocks may lie on a best path from the start.
-std::uint32_t DistanceField::last_key() {
-  const std::uint32_t place = at(start_);
-  Node& here = nodes_[place];
-  if (here.look_ahead == kVoid) {
-    here.look_ahead = best_look_ahead(place);
-    queue(place, start_);
-  }
-  return here.look_ahead + moved_;
+/// Finds a look-ahead that is void anew.
+void DistanceField::look_afresh(std::uint32_t at, const Cell& block) {
+  nodes_[at].look_ahead = best_look_ahead(at);
+  queue(at, block);
 }
 
 void DistanceField::expand(std::uint32_t at, const Cell& block) {
@@ -266,32 +271,6 @@ void DistanceField::raise_around(std::uint32_t at, const Cell& block, std::uint3
     next.look_ahead = kVoid;
     queue(near, beside(block, kBlockSteps[i]));
   });
-}
-
-/// A block that is not settled waits, with the least of its keys.
-void DistanceField::queue(std::uint32_t at, const Cell& block) {
-  const Node& node = nodes_[at];
-  if (node.distance == node.look_ahead) return;
-  queue_with(key(node, block), at);
-}
-
-void DistanceField::queue_with(std::uint32_t key, std::uint32_t at) {
-  Node& node = nodes_[at];
-  if (key >= node.queued) return;
-  node.queued = key;
-  queue_.push({key, at});
-}
-
-/// A path from the start over that block costs at least this, but for moved_.
-std::uint32_t DistanceField::key(const Node& node, const Cell& block) const {
-  return std::min(node.distance, node.look_ahead) + estimate(start_, block) + moved_;
-}
-
-std::uint32_t DistanceField::estimate(const Cell& from, const Cell& to) const {
-  const auto columns = static_cast<std::uint32_t>(std::abs(to.column - from.column));
-  const auto rows = static_cast<std::uint32_t>(std::abs(to.row - from.row));
-  const auto [less, more] = std::minmax(columns, rows);
-  return 2 * kWeightOfOne * (kBlockSteps[1].length * less + kBlockSteps[0].length * (more - less));
 }
 
 /// The middle of the cheapest of some cells of a block, one of which is not blocked.

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <vector>
 
+#include "map/block_steps.hpp"
 #include "map/bucket_queue.hpp"
 #include "map/costmap.hpp"
 
@@ -86,7 +89,7 @@ class DistanceField {
   void raise_around(std::uint32_t at, const Cell& block, std::uint32_t before);
   void queue(std::uint32_t at, const Cell& block);
   void queue_with(std::uint32_t key, std::uint32_t at);
-  std::uint32_t last_key();
+  void look_afresh(std::uint32_t at, const Cell& block);
   std::uint32_t key(const Node& node, const Cell& block) const;
   std::uint32_t estimate(const Cell& from, const Cell& to) const;
   std::size_t best_step(std::uint32_t at) const;
@@ -116,5 +119,34 @@ class DistanceField {
   Cell start_;               // its block
   std::uint32_t moved_ = 0;  // km: the sum of the estimates from start to start
 };
+
+// These are where the time goes: they are here so that they are inlined.
+
+inline std::uint32_t DistanceField::estimate(const Cell& from, const Cell& to) const {
+  const auto columns = static_cast<std::uint32_t>(std::abs(to.column - from.column));
+  const auto rows = static_cast<std::uint32_t>(std::abs(to.row - from.row));
+  constexpr std::uint32_t kStraight = 2 * kWeightOfOne * kBlockSteps[0].length;
+  constexpr std::uint32_t kDiagonal = 2 * kWeightOfOne * kBlockSteps[1].length;
+  return kStraight * std::max(columns, rows) + (kDiagonal - kStraight) * std::min(columns, rows);
+}
+
+/// A path from the start over that block costs at least this, but for moved_.
+inline std::uint32_t DistanceField::key(const Node& node, const Cell& block) const {
+  return std::min(node.distance, node.look_ahead) + estimate(start_, block) + moved_;
+}
+
+inline void DistanceField::queue_with(std::uint32_t key, std::uint32_t at) {
+  Node& node = nodes_[at];
+  if (key >= node.queued) return;
+  node.queued = key;
+  queue_.push({key, at});
+}
+
+/// A block that is not settled waits, with the least of its keys.
+inline void DistanceField::queue(std::uint32_t at, const Cell& block) {
+  const Node& node = nodes_[at];
+  if (node.distance == node.look_ahead) return;
+  queue_with(key(node, block), at);
+}
 
 }  // namespace clew::map

@@ -16,16 +16,9 @@ bool same(const SeenMap::Tile& a, const SeenMap::Tile& b) {
   return std::memcmp(a.rows.data(), b.rows.data(), sizeof(a.rows)) == 0;
 }
 
-/// Whether neither of two cells that follow each other is marked: most are not.
-bool is_unmarked_pair(const NearestMarks::Surroundings* cells) {
-  constexpr NearestMarks::Surroundings kMarked{{0, 0}, 0xFF, false};
-  constexpr std::array<NearestMarks::Surroundings, 2> kBoth = {kMarked, kMarked};
-  std::uint64_t asked = 0;
-  std::uint64_t pair = 0;
-  static_assert(sizeof(kBoth) == sizeof(pair));
-  std::memcpy(&asked, kBoth.data(), sizeof(asked));
-  std::memcpy(&pair, cells, sizeof(pair));
-  return (pair & asked) == 0;
+/// How many words hold a bit for each column.
+std::size_t words_of(const Grid& grid) {
+  return (static_cast<std::size_t>(grid.columns) + 63) / 64;
 }
 
 /// The columns of a tile's row from `first` to before `end`, which are cells of the grid.
@@ -93,6 +86,12 @@ bool NearestMarks::lay(const Grid& grid) {
   if (grid == before_) return false;
   grid_ = grid;
   lay_out_anew(before_, grid, Surroundings{}, cells_, spare_);
+  marked_.assign(words_of(grid) * static_cast<std::size_t>(grid.rows), 0);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (cells_[i].marked == 0) continue;
+    const Cell cell = grid.cell(i);
+    note_marked({cell.column, cell.row}, cells_[i]);
+  }
   return true;
 }
 
@@ -182,6 +181,7 @@ void NearestMarks::come(Obstacle obstacle, const Quarter& place) {
   Surroundings* own = at(place.cell);
   if (own != nullptr) {
     own->marked = static_cast<std::uint8_t>(own->marked | 1U << (4U * obstacle + place.number));
+    note_marked(place.cell, *own);
   }
   for (const Offset& offset : around_[place.number]) {
     Surroundings* cell = at({place.cell.column + offset.columns, place.cell.row + offset.rows});
@@ -196,6 +196,7 @@ void NearestMarks::go(Obstacle obstacle, const Quarter& place) {
   Surroundings* own = at(place.cell);
   if (own != nullptr) {
     own->marked = static_cast<std::uint8_t>(own->marked & ~(1U << (4U * obstacle + place.number)));
+    note_marked(place.cell, *own);
   }
   for (const Offset& offset : around_[place.number]) {
     Surroundings* cell = at({place.cell.column + offset.columns, place.cell.row + offset.rows});
@@ -205,29 +206,40 @@ void NearestMarks::go(Obstacle obstacle, const Quarter& place) {
   }
 }
 
+/// Keeps whether a cell of the grid is marked.
+void NearestMarks::note_marked(const Position& cell, const Surroundings& surroundings) {
+  const auto column = static_cast<std::size_t>(cell.column);
+  std::uint64_t& word = marked_[static_cast<std::size_t>(cell.row) * words_of(grid_) + column / 64];
+  const std::uint64_t bit = std::uint64_t{1} << column % 64;
+  word = surroundings.marked != 0 ? word | bit : word & ~bit;
+}
+
 /// Finds the marks that are nearest to a cell.
 void NearestMarks::look_around(std::size_t index) {
   const Cell cell = grid_.cell(index);
   std::array<std::uint8_t, 2> nearest = {kFar, kFar};
   const std::int32_t side = 2 * reach_cells_ + 1;
-  const std::int32_t first = std::max(0, cell.column - reach_cells_);
-  const std::int32_t last = std::min(grid_.columns - 1, cell.column + reach_cells_);
+  const auto first = static_cast<std::uint32_t>(std::max(0, cell.column - reach_cells_));
+  const auto last =
+      static_cast<std::uint32_t>(std::min(grid_.columns - 1, cell.column + reach_cells_));
   const std::int32_t last_row = std::min(grid_.rows - 1, cell.row + reach_cells_);
   for (std::int32_t row = std::max(0, cell.row - reach_cells_); row <= last_row; ++row) {
     // Seen from the mark, the cell lies on the other side.
     const std::int32_t rows = (cell.row - row + reach_cells_) * side;
+    const std::uint64_t* words = &marked_[static_cast<std::size_t>(row) * words_of(grid_)];
     const Surroundings* cells = &cells_[grid_.index({0, row})];
-    for (std::int32_t column = first; column <= last; ++column) {
-      if (column < last && is_unmarked_pair(cells + column)) {
-        ++column;
-        continue;
-      }
-      std::uint32_t marked = cells[column].marked;
-      if (marked == 0) continue;
-      const auto offset = static_cast<std::size_t>(rows + cell.column - column + reach_cells_);
-      for (; marked != 0; marked &= marked - 1) {
-        const auto bit = static_cast<std::size_t>(__builtin_ctz(marked));
-        nearest[bit / 4] = std::min(nearest[bit / 4], steps_[bit % 4][offset]);
+    for (std::uint32_t word = first / 64; word <= last / 64; ++word) {
+      std::uint64_t bits = words[word];
+      if (word == first / 64) bits &= ~std::uint64_t{0} << first % 64;
+      if (word == last / 64) bits &= ~std::uint64_t{0} >> (63 - last % 64);
+      for (; bits != 0; bits &= bits - 1) {
+        const auto column =
+            static_cast<std::int32_t>(64 * word) + static_cast<std::int32_t>(__builtin_ctzll(bits));
+        const auto offset = static_cast<std::size_t>(rows + cell.column - column + reach_cells_);
+        for (std::uint32_t marked = cells[column].marked; marked != 0; marked &= marked - 1) {
+          const auto bit = static_cast<std::size_t>(__builtin_ctz(marked));
+          nearest[bit / 4] = std::min(nearest[bit / 4], steps_[bit % 4][offset]);
+        }
       }
     }
   }

@@ -77,6 +77,7 @@ class NearestMarks {
   void come(Obstacle obstacle, const Quarter& place);
   void go(Obstacle obstacle, const Quarter& place);
   void look_around(std::size_t index);
+  void note_marked(const Position& cell, const Surroundings& surroundings);
   Surroundings* at(const Position& cell);
 
   double cell_m_;
@@ -89,6 +90,7 @@ class NearestMarks {
   std::map<TileKey, Tile> known_;  // the marks that are taken in
   std::vector<Surroundings> cells_;
   std::vector<Surroundings> spare_;
+  std::vector<std::uint64_t> marked_;  // by row, and 64 columns each: bit i is set if i is marked
   std::vector<std::size_t> changed_;
   std::vector<std::size_t> bared_;  // cells whose nearest mark went
 };

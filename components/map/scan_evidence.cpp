@@ -67,13 +67,13 @@ void ScanEvidence::mark(const domain::Odometry& odometry, const domain::Scan& sc
     if (ranges_m[i] >= scan.range_max_m) continue;
     Arc arc{pose.position(), radius_m_ + ranges_m[i], pose.heading_rad + scan.bearing_rad(i),
             scan.beam_width_rad, 0};
+    if (arc.width_rad == 0.0) {
+      mark_ray(arc, fan_.beams[i], seen);
+      continue;
+    }
     const double most_apart_m = 0.5 * seen.cell_m();
     arc.pieces = static_cast<std::size_t>(std::ceil(arc.width_rad * arc.distance_m / most_apart_m));
-    if (arc.pieces == 0) {
-      mark_ray(arc, fan_.beams[i], seen);
-    } else {
-      mark_arc(arc, seen);
-    }
+    mark_arc(arc, seen);
   }
   for (const double bearing_rad : odometry.contact_bearings_rad) {
     seen.mark_hit(pose.position() +

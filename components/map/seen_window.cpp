@@ -122,8 +122,8 @@ bool SeenWindow::make_tiles(const Box& box) {
   return true;
 }
 
-SeenWindow::Cut SeenWindow::cut_at(const Sides& sides, double squared_radius,
-                                   std::int32_t row) const {
+inline SeenWindow::Cut SeenWindow::cut_at(const Sides& sides, double squared_radius,
+                                          std::int32_t row) const {
   const double y = row - place_.y();
   const double square = squared_radius - y * y;
   if (square < 0.0) return {HUGE_VAL, -HUGE_VAL};
@@ -201,6 +201,7 @@ bool SeenWindow::touches_open(const Sides& sides, const Box& box, std::int32_t s
 /// The same within the rows from `first` to before `end`.
 bool SeenWindow::mark_strip_free(const Sides& sides, double squared_radius, std::int32_t first,
                                  std::int32_t end, const SeenMap::IsGone& is_gone) {
+  const std::size_t first_tile = index_of({0, first});
   Cut below = cut_at(sides, squared_radius, first);
   for (std::int32_t row = first; row < end; ++row) {
     // A convex set holds a cell if it holds the cell's lower and upper side.
@@ -210,9 +211,27 @@ bool SeenWindow::mark_strip_free(const Sides& sides, double squared_radius, std:
     below = above;
     if (!(to - from >= 1.0 - kUnsure)) continue;
     if (is_near_border(from, kUnsure) || is_near_border(to, kUnsure)) return false;
-    mark_row_free(row, static_cast<std::int32_t>(from) + 1, static_cast<std::int32_t>(to), is_gone);
+    const std::int32_t first_cell = static_cast<std::int32_t>(from) + 1;
+    const std::int32_t end_cell = static_cast<std::int32_t>(to);
+    if (!is_row_free(first_tile, row, first_cell, end_cell)) {
+      mark_row_free(row, first_cell, end_cell, is_gone);
+    }
   }
   return true;
+}
+
+/// Whether the cells of a row from `first` to before `end` are free already, as far as that is told
+/// at a glance: most lie in one tile. `first_tile` is the first one of that row of tiles.
+inline bool SeenWindow::is_row_free(std::size_t first_tile, std::int32_t row, std::int32_t first,
+                                    std::int32_t end) const {
+  if (first >= end) return true;
+  const std::int32_t column = first / SeenMap::kTileCells;
+  if (column != (end - 1) / SeenMap::kTileCells) return false;
+  const SeenMap::Tile* tile = tiles_[first_tile + static_cast<std::size_t>(column)];
+  if (tile == nullptr) return true;
+  const std::uint64_t bits = ~std::uint64_t{0} >> (SeenMap::kTileCells - (end - first))
+                                                      << first % SeenMap::kTileCells;
+  return (bits & ~tile->rows[static_cast<std::size_t>(Mark::kFree)][line_of(row)]) == 0;
 }
 
 /// Marks the cells of a row from `first` to before `end`.

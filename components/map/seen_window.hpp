@@ -88,6 +88,8 @@ class SeenWindow {
                        std::int32_t end, const SeenMap::IsGone& is_gone);
   bool make_tiles(const Box& box);
   Cut cut_at(const Sides& sides, double squared_radius, std::int32_t row) const;
+  bool is_row_free(std::size_t first_tile, std::int32_t row, std::int32_t first,
+                   std::int32_t end) const;
   void mark_row_free(std::int32_t row, std::int32_t first, std::int32_t end,
                      const SeenMap::IsGone& is_gone);
   SeenMap::TileKey key_of(std::size_t index) const;
