@@ -5,6 +5,7 @@
 ///   composed-run CONFIGS replay RECORDING...                  prints what differs; status 1 if so
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
