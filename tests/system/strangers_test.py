@@ -58,6 +58,16 @@ class Strangers(unittest.TestCase):
         self.assertIn(r"unknown key 'a\x1b[2Jb\xc2\x9b'", refused.err)
         self.assertNotRegex(refused.err, "[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 
+    def test_names_of_files_steer_no_terminal(self):
+        out = self.directory / "a\x1b[2Jb"
+
+        done = Run(["hunt", "krishna_kalra", "--world", "open-field", "--property", "outcome == reached",
+                    "--runs", "1", "--max-ticks", "100", "--out", out])
+
+        self.assertEqual(done.status, 0, done.err)
+        self.assertIn(r"a\x1b[2Jb/runs.jsonl", done.out)
+        self.assertNotIn("\x1b", done.out)
+
     def test_a_run_that_dies_at_once_can_be_gone_on_with(self):
         whole = run_graph(*RUN, "--layout", "composed")
         process = start(["run", *RUN, "--record", self.recording], start_new_session=True)

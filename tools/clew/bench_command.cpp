@@ -186,7 +186,7 @@ int tell(const bench::BenchEnd& end, const bench::BenchOptions& bench, bool as_j
     print_text("{}\n", bench::to_markdown(end.report.tables[i]));
   }
   if (end.report.covers) print_text("{}\n", bench::to_markdown(end.report.tables.back()));
-  fmt::print("{}/report.html, report.md, results.csv, results.jsonl{}\n", bench.directory,
+  print_text("{}/report.html, report.md, results.csv, results.jsonl{}\n", bench.directory,
              end.report.covers ? ", coverage.csv" : "");
   return kExitGood;
 }

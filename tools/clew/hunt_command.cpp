@@ -124,7 +124,7 @@ void print(const HuntEnd& end, const HuntCommandOptions& options,
     print_text("\nnearest misses:\n");
     print_runs(nearest, {});
   }
-  fmt::print("\nall runs: {}/runs.jsonl\n", options.out);
+  print_text("\nall runs: {}/runs.jsonl\n", options.out);
 }
 
 /// What is there is somebody's, unless --force drops it.

@@ -87,7 +87,7 @@ void print(const Tuned& tuned, const TuneCommandOptions& options) {
   if (tuned.gain_interval) {
     print_text(" ({:+.3f} to {:+.3f})", tuned.gain_interval->low, tuned.gain_interval->high);
   }
-  fmt::print(", below 0 is better\n\nall runs: {}/runs.jsonl\n", options.out);
+  print_text(", below 0 is better\n\nall runs: {}/runs.jsonl\n", options.out);
 }
 
 std::function<void(std::size_t, std::optional<double>)> terminal_progress() {
