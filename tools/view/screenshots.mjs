@@ -43,7 +43,7 @@ const kSituations = {
   },
   landscape: {
     runs: () => [record("landscape", "run", "lagoudakis_maida", "--max-ticks", "200", ...kComposed)],
-    tick: 15, panel: "Insides", open: "control",
+    tick: 15, panel: "Insides", open: "control", without: ["scan"], size: [940, 580],
   },
 };
 
@@ -67,14 +67,16 @@ async function open_values(page, stage) {
   }
 }
 
-async function take(browser, name, { runs, tick, panel, open }) {
+async function take(browser, name, { runs, tick, panel, open, without = [], size: [width, height] = [1120, 700] }) {
   const server = spawn(kClew, ["view", ...runs()], { stdio: ["ignore", "pipe", "inherit"] });
   const line = await new Promise((resolve) => createInterface({ input: server.stdout }).once("line", resolve));
-  const page = await browser.newPage({ viewport: { width: 1120, height: 700 } });
+  const page = await browser.newPage({ viewport: { width, height } });
   await page.goto(line.split(" ")[1]);
   await page.waitForSelector("body[data-ready]");
   await page.evaluate((wanted) => window.clew.session.go_to(wanted), tick);
   await page.getByRole("button", { name: panel, exact: true }).or(page.getByRole("tab", { name: panel, exact: true })).first().click();
+  // What lies over a landscape makes the picture large; pictures have at most 150 kB.
+  for (const layer of without) await page.evaluate((each) => document.querySelector(`[data-layer=${each}]`).click(), layer);
   if (open) await open_values(page, open);
   await page.waitForTimeout(1000);
   await page.screenshot({ path: path.join(kSource, "docs/pictures", `${name}.png`) });

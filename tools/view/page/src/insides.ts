@@ -194,7 +194,8 @@ function is_first(key: string): boolean {
 
 function title_of(item: Group, index: number): string {
   const first = Object.values(item)[0];
-  return typeof first === "string" || typeof first === "number" ? String(first) : String(index + 1);
+  if (typeof first === "number") return short(first);
+  return typeof first === "string" ? first : String(index + 1);
 }
 
 function unit_of(name: string): string {
