@@ -7,6 +7,7 @@
 #include "component/topic_input.hpp"
 #include "line/user_data.hpp"
 #include "run/limits.hpp"
+#include "run/shown_states.hpp"
 
 namespace clew::bridge {
 
@@ -255,7 +256,10 @@ void NodeHost::step() {
 // will not write it again.
 void NodeHost::save_checkpoint() {
   const std::string state = node_.save();
-  if (spools_states_) account_.spool_state({node_.name(), buffer_.next_tick(), state});
+  const bool is_shown = shown_from_ && shows_states(buffer_.next_tick(), *shown_from_);
+  if (spools_states_ || is_shown) {
+    account_.spool_state({node_.name(), buffer_.next_tick(), state});
+  }
   report();
   core::StateWriter account;
   account(account_);
@@ -322,6 +326,7 @@ void NodeHost::flush() {
 void NodeHost::spool() {
   const std::lock_guard<std::mutex> lock(mutex_);
   account_.spool();
+  if (!shown_from_) shown_from_ = buffer_.next_tick();
 }
 
 std::optional<Finished> NodeHost::finished(std::uint64_t last_tick) const {

@@ -110,7 +110,7 @@ class NodeHost {
   StepTimes step_times() const { return steps_.times(); }
   /// Reports progress, and hands over what is spooled.
   void flush();
-  /// Hands over what the node writes from now on.
+  /// Hands over what the node writes from now on, and states, as shows_states() has it.
   void spool();
   /// What the node wrote, if it has stepped `last_tick` and every write was taken; else none yet.
   std::optional<Finished> finished(std::uint64_t last_tick) const;
@@ -150,6 +150,7 @@ class NodeHost {
   const bool lockstep_;
   const double tick_s_;
   const bool spools_states_;
+  std::optional<std::uint64_t> shown_from_;  ///< the tick from which on somebody looks on
   const bool waits_for_go_;
   const bool has_lead_;
   Handlers handlers_;

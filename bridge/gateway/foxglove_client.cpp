@@ -134,6 +134,7 @@ void FoxgloveClient::send_tick(const LiveStream::Tick& tick) {
                                    },
                                    [](const SpooledState&) {}});
   if (!scene_) return;
+  scene_->take_changes(stream_.interventions());
   for (const FoxgloveMessage& message : scene_->convert(time_ns, samples)) {
     send(kFirstFoxglove + static_cast<std::uint32_t>(message.topic), time_ns, message.json);
   }

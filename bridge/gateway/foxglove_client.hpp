@@ -32,6 +32,7 @@ class FoxgloveClient : public SocketClient, public StreamFollower {
   bool idle() const override {
     return sender_.queued_bytes() == 0 && (channels_.empty() || !stream_.tick_from(next_));
   }
+  std::uint64_t progress() const override { return next_; }
 
  private:
   void subscribe(std::uint32_t subscription, std::uint32_t channel);

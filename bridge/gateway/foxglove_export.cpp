@@ -78,6 +78,7 @@ Result<void> export_foxglove(const RunRecording& recording, const std::string& p
                              bool overwrite) {
   auto scene = FoxgloveScene::create(recording.description());
   if (!scene.ok()) return core::Error{scene.error().text(), recording.path()};
+  scene->take_changes(recording.interventions());
   mcap::WriterOptions options;
   options.library = "clew";
   options.compression = mcap::Compression::kZstd;

@@ -2,6 +2,7 @@
 #include "gateway/foxglove_scene.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -108,6 +109,28 @@ ordered_json world_json(const world::World& world, std::uint64_t time_ns) {
   return entity;
 }
 
+ordered_json text_json(const Vec2& place, const std::string& text, const Colour& colour) {
+  return {{"pose", pose_json(place, kHeight_m, 0.0)},
+          {"billboard", true},
+          {"font_size", 0.3},
+          {"scale_invariant", false},
+          {"color", colour_json(colour)},
+          {"text", text}};
+}
+
+/// Way-points with their radius; several are joined in their order, and have their numbers.
+void add_mission(const GivenMission& mission, ordered_json& entity) {
+  ordered_json way = ordered_json::array();
+  for (const world::Waypoint& waypoint : mission.waypoints) {
+    entity["cylinders"].push_back(
+        cylinder_json(waypoint.place, std::max(waypoint.radius_m, 0.05), kTarget));
+    way.push_back(point_json(waypoint.place));
+    if (mission.waypoints.size() == 1) return;
+    entity["texts"].push_back(text_json(waypoint.place, std::to_string(way.size()), kWall));
+  }
+  if (!way.empty()) entity["lines"].push_back(line_json(0, way, kTarget));
+}
+
 /// What of it can be read of the samples of one tick.
 bool take(const std::vector<SampleView>& samples, domain::Messages& messages) {
   bool has_state = false;
@@ -143,7 +166,26 @@ core::Result<FoxgloveScene> FoxgloveScene::create(const RunDescription& descript
   if (!read.ok()) return read.error();
   const auto body = runtime::read_robot({"robot.yaml", robot->second}, "robot");
   if (!body.ok()) return body.error();
-  return FoxgloveScene(std::move(read).value(), body->radius_m);
+  auto missions = missions_of(description.bundle, {});
+  if (!missions.ok()) return missions.error();
+  FoxgloveScene scene(std::move(read).value(), body->radius_m, description.bundle);
+  scene.missions_ = std::move(missions).value();
+  return scene;
+}
+
+// The run took them, so they can be read: nothing is refused here.
+void FoxgloveScene::take_changes(const std::vector<domain::Intervention>& interventions) {
+  if (interventions.size() == interventions_) return;
+  interventions_ = interventions.size();
+  if (auto missions = missions_of(bundle_, interventions); missions.ok()) {
+    missions_ = std::move(missions).value();
+  }
+}
+
+const GivenMission& FoxgloveScene::mission_at(std::uint64_t tick) const {
+  const auto later = std::find_if(std::next(missions_.begin()), missions_.end(),
+                                  [&](const GivenMission& mission) { return mission.tick > tick; });
+  return *std::prev(later);
 }
 
 std::vector<FoxgloveMessage> FoxgloveScene::convert(std::uint64_t time_ns,
@@ -165,12 +207,9 @@ FoxgloveMessage FoxgloveScene::scene(std::uint64_t time_ns) {
   ordered_json entities = ordered_json::array();
   if (!std::exchange(has_world_, true)) entities.push_back(world_json(world_, time_ns));
   ordered_json movers = entity_json("run", time_ns);
+  add_mission(mission_at(state.stamp.tick), movers);
   const Pose2& robot = state.pose_world_robot;
   movers["cylinders"].push_back(cylinder_json(robot.position(), radius_m_, kRobot));
-  for (const world::Waypoint& waypoint : world_.waypoints()) {
-    movers["cylinders"].push_back(
-        cylinder_json(waypoint.place, std::max(waypoint.radius_m, 0.05), kTarget));
-  }
   for (const auto& obstacle : world_.moving()) {
     movers["cylinders"].push_back(
         cylinder_json(obstacle.position_at(state.stamp.sim_time_s), obstacle.radius_m, kMoving));

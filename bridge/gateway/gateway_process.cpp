@@ -12,6 +12,7 @@
 #include "gateway/held_recording.hpp"
 #include "gateway/insides_answer.hpp"
 #include "gateway/json_text.hpp"
+#include "gateway/live_feed.hpp"
 #include "gateway/live_stream.hpp"
 #include "gateway/program_runs.hpp"
 #include "gateway/run_orders.hpp"
@@ -26,6 +27,8 @@ namespace {
 constexpr std::size_t kMostHeldBytes = 256 * 1024 * 1024;
 /// So long a viewer may take to ask for what it has missed, when the run has ended.
 constexpr int kQuietTurns = 30;
+/// How often the run hears that viewers still get something.
+constexpr int kProgressTurns = 30;
 
 /// Whoever looks on gives way to the run.
 constexpr int kNiceness = 5;
@@ -99,7 +102,7 @@ class InsidesDesk {
   bool polls_ = false;
 };
 
-void take(const Frame& frame, LiveStream& stream, std::string& run) {
+void take(const Frame& frame, const GatewayPage& page, LiveStream& stream, std::string& run) {
   if (frame.type == FrameType::kSamples) {
     stream.add(frame.payload);
   } else if (frame.type == FrameType::kRecord) {
@@ -107,7 +110,8 @@ void take(const Frame& frame, LiveStream& stream, std::string& run) {
     RunDescription description;
     core::StateReader reader(frame.payload);
     reader(name, run, description);
-    if (reader.complete()) stream.describe(description, name);
+    if (!reader.complete()) return;
+    stream.describe(description, name, page.count_stages(description));
   } else if (frame.type == FrameType::kRecordingEnd) {
     run.clear();  // Another run may be called so by now.
     stream.end(frame.as<Text>().value_or(Text{}).text);
@@ -145,17 +149,23 @@ int run_gateway_process(int socket, int port, const GatewayPage& page) {
   bool told = false;
   (*server)->watch(socket, [&] {
     const bool open = link.receive();
-    while (const auto frame = link.next()) take(*frame, stream, run);
+    while (const auto frame = link.next()) take(*frame, page, stream, run);
     if (!open) (*server)->stop();
     return open;
   });
   int quiet_turns = 0;
+  int turns = 0;
+  std::uint64_t progress = 0;
   (*server)->repeat(kPassOnPeriod, [&] {
     stream.pass_on();
     if (stream.ended().empty()) return true;
     quiet_turns = stream.idle() ? quiet_turns + 1 : 0;
     const bool done = quiet_turns == kQuietTurns || !stream.has_followers();
-    if (done && !std::exchange(told, true)) link.post(FrameType::kNotice, Text{"passed on"});
+    if (done && !std::exchange(told, true)) link.post(FrameType::kNotice, Text{kPassedOn});
+    if (!told && ++turns % kProgressTurns == 0 &&
+        std::exchange(progress, stream.progress()) != stream.progress()) {
+      link.post(FrameType::kNotice, Text{"passing on"});
+    }
     return true;
   });
   (*server)->run();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "core/result.hpp"
 #include "line/frames.hpp"
+#include "recording/run_description.hpp"
 
 namespace clew::bridge {
 
@@ -33,6 +35,8 @@ struct GatewayPage {
       read_command;
   /// Reads which tick a page asks to be explained.
   std::function<core::Result<PageQuestion>(const std::string& body)> read_question;
+  /// How many of the run's stages hand over states at a checkpoint; 0: that is not known.
+  std::function<std::size_t(const RunDescription& description)> count_stages;
   /// The program that explains a tick of a recording, and its first arguments.
   std::vector<std::string> explain;
 };

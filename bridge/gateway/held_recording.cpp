@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -44,25 +45,26 @@ class Folder {
   std::string path_;
 };
 
-Result<void> check_held(const LiveStream& stream, std::uint64_t last_tick) {
+Result<LiveStream::Start> find_start(const LiveStream& stream, std::uint64_t last_tick) {
   const auto newest = stream.newest();
   if (!newest) return Error{"the run has not begun"};
   if (newest->number < last_tick) {
     return Error{"the run is at tick " + std::to_string(newest->number)};
   }
-  for (std::uint64_t tick = 0; tick <= last_tick; ++tick) {
-    const auto held = stream.tick_from(tick);
-    if (held && held->number == tick) continue;
-    return Error{"tick " + std::to_string(tick) +
-                 " is not held here, and what components remember follows from all ticks; ask "
-                 "clew explain once the run is recorded"};
-  }
-  return {};
+  if (auto start = stream.start_before(last_tick)) return *std::move(start);
+  return Error{"what came before tick " + std::to_string(last_tick) +
+               " is not held here, and what components remember follows from it; ask for a later "
+               "tick, or clew explain once the run is recorded"};
 }
 
-Result<void> record(const LiveStream& stream, std::uint64_t last_tick, const std::string& path) {
+Result<void> record(const LiveStream& stream, LiveStream::Start start, std::uint64_t last_tick,
+                    const std::string& path) {
   RunDescription description = *stream.description();
   description.compression = mcap::Compression::kNone;  // it is read once
+  const std::uint64_t first = start.tick - std::min<std::uint64_t>(start.tick, 1);
+  if (start.tick > 0) {
+    description.black_box = {start.tick, "somebody looked on", std::move(start.states)};
+  }
   auto recorder = RunRecorder::create(path, description, false);
   if (!recorder.ok()) return recorder.error();
   for (const domain::Intervention& each : stream.interventions()) {
@@ -73,7 +75,7 @@ Result<void> record(const LiveStream& stream, std::uint64_t last_tick, const std
     if (!written.ok()) return;
     written = recorder->add(sample.topic, sample.tick, sample.sequence, sample.cdr);
   };
-  for (std::uint64_t tick = 0; tick <= last_tick; ++tick) {
+  for (std::uint64_t tick = first; tick <= last_tick; ++tick) {
     for_each_spooled(*stream.tick_from(tick)->records, {add, [](const SpooledState&) {}});
   }
   CLEW_RETURN_IF_ERROR(written);
@@ -83,11 +85,12 @@ Result<void> record(const LiveStream& stream, std::uint64_t last_tick, const std
 }  // namespace
 
 Result<HeldRecording> HeldRecording::write(const LiveStream& stream, std::uint64_t last_tick) {
-  CLEW_RETURN_IF_ERROR(check_held(stream, last_tick));
+  auto start = find_start(stream, last_tick);
+  if (!start.ok()) return start.error();
   const auto folder = Folder::make();
   if (!folder.ok()) return folder.error();
   const std::string path = folder->path() + "/held.mcap";
-  CLEW_RETURN_IF_ERROR(record(stream, last_tick, path));
+  CLEW_RETURN_IF_ERROR(record(stream, std::move(start).value(), last_tick, path));
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return Error{std::strerror(errno), path};
   return HeldRecording(descriptor);

@@ -9,12 +9,12 @@
 
 namespace clew::bridge {
 
-/// What a stream holds of a run, from its first tick to `last_tick`, as a recording that has no
-/// name: it is gone with this object.
+/// What a stream holds of a run up to `last_tick`, as a recording that has no name: it is gone with
+/// this object. It begins with the run, or as a black box at the newest checkpoint.
 class HeldRecording {
  public:
-  /// Refused: a tick that the run has not reached, and one before which ticks are no longer held,
-  /// or never came. What components remember follows from all ticks before.
+  /// Refused: a tick that the run has not reached, and one before which neither all ticks are held
+  /// nor the states of a checkpoint. What components remember follows from all ticks before.
   static core::Result<HeldRecording> write(const LiveStream& stream, std::uint64_t last_tick);
 
   HeldRecording(HeldRecording&& other) noexcept;

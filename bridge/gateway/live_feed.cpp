@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -110,8 +111,11 @@ void LiveFeed::end(const std::string& how) {
   while (!waiting_.empty() && link_->flush_until(deadline) && Clock::now() < deadline) send();
   link_->post(FrameType::kRecordingEnd, Text{how});
   // Until viewers have what they are still to get: with this process the gateway ends.
-  const auto passed_on = link_->wait_for_frame(deadline);
-  static_cast<void>(passed_on);
+  const auto last = Clock::now() + kGatewayMostEndPatience;
+  for (;;) {
+    const auto said = link_->wait_for_frame(std::min(Clock::now() + kGatewayEndPatience, last));
+    if (!said.ok() || said->as<Text>().value_or(Text{}).text == kPassedOn) return;
+  }
 }
 
 void LiveFeed::wait(EndSignals& signals) {
@@ -123,8 +127,15 @@ void LiveFeed::wait(EndSignals& signals) {
   child_.signal(SIGTERM);
 }
 
+void FedSink::add_state(const SpooledState& state) {
+  if (page_.is_open() && shows(state.tick)) append_to_spool(state, spool_);
+  if (next_ != nullptr && next_->wants_states()) next_->add_state(state);
+}
+
 core::Result<void> FedSink::add(const SampleView& sample) {
+  next_tick_ = sample.tick + 1;
   if (page_.is_open()) {
+    if (!shown_from_) shown_from_ = sample.tick;
     append_to_spool(sample, spool_);
     const auto now = Clock::now();
     if (spool_.size() >= kBatchBytes || now - handed_on_at_ >= kPassOnPeriod) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,9 +17,13 @@
 #include "run/run_page.hpp"
 #include "run/sample_account.hpp"
 #include "run/sample_sink.hpp"
+#include "run/shown_states.hpp"
 #include "supervisor/child_process.hpp"
 
 namespace clew::bridge {
+
+/// What a gateway says when viewers have all.
+inline constexpr char kPassedOn[] = "passed on";
 
 /// The run's side of its gateway: a process that gets what the recorder gets, and that the run
 /// never waits for. What it does not take in time is dropped and counted.
@@ -42,7 +47,8 @@ class LiveFeed {
   bool goes_on();
   /// Takes what a component spooled. Does not wait.
   void add(std::string_view spool);
-  /// Tells how the run ended, and waits until viewers have it all, for three seconds at most.
+  /// Tells how the run ended, and waits until viewers have it all: for three seconds in which none
+  /// gets anything, for thirty at most.
   void end(const std::string& how);
   /// Until a signal asks for an end, or the gateway ends; then it is gone.
   void wait(EndSignals& signals);
@@ -73,22 +79,28 @@ class FedSink : public SampleSink {
   bool wants_samples() const override {
     return page_.is_open() || (next_ != nullptr && next_->wants_samples());
   }
-  bool wants_states() const override { return next_ != nullptr && next_->wants_states(); }
-  void add_state(const SpooledState& state) override {
-    if (next_ != nullptr) next_->add_state(state);
+  bool wants_states() const override {
+    return shows(next_tick_) || (next_ != nullptr && next_->wants_states());
   }
+  void add_state(const SpooledState& state) override;
   void add_intervention(const domain::Intervention& intervention) override {
     page_.add_intervention(intervention);
     if (next_ != nullptr) next_->add_intervention(intervention);
   }
   void add_incident(const domain::Incident& incident) override {
+    page_.add(spooled(incident));
     if (next_ != nullptr) next_->add_incident(incident);
   }
 
  private:
+  /// Whether the page gets the states before `tick`.
+  bool shows(std::uint64_t tick) const { return shown_from_ && shows_states(tick, *shown_from_); }
+
   SampleSink* next_;
   RunPage& page_;
   std::string spool_;
+  std::uint64_t next_tick_ = 0;              ///< behind that of the last sample
+  std::optional<std::uint64_t> shown_from_;  ///< the tick of the first sample that the page got
   std::chrono::steady_clock::time_point handed_on_at_{};
 };
 

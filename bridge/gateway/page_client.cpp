@@ -46,6 +46,7 @@ PageClient::PageClient(LiveStream& stream, SocketSender& sender)
 
 void PageClient::begin() {
   sender_.send_text(description_text(*stream_.description(), stream_.name()));
+  send_changes();
   send_all();
 }
 
@@ -55,6 +56,9 @@ void PageClient::receive_text(std::string_view text) {
   if (const auto all = asked.find("all"); all != asked.end() && all->is_boolean()) {
     all_ = all->get<bool>();
   }
+  if (const auto has = asked.find("has_all"); has != asked.end() && has->is_boolean()) {
+    has_all_ = has->get<bool>();
+  }
   const auto from = asked.find("from");
   if (from == asked.end() || !from->is_number_unsigned()) return;
   next_ = from->get<std::uint64_t>();
@@ -63,6 +67,7 @@ void PageClient::receive_text(std::string_view text) {
 }
 
 void PageClient::pass_on() {
+  send_changes();
   const auto newest = stream_.newest();
   if (!newest || newest->number < next_ || sender_.queued_bytes() > kMostUnderWayBytes) return;
   if (all_) return send_all();
@@ -75,6 +80,25 @@ void PageClient::end() {
   pass_on();
   sender_.send_text(json_text({{"missed", missed_}}));
   sender_.send_text(json_text({{"ended", stream_.ended()}}));
+}
+
+// Before the samples of their ticks, since what they say holds from there on.
+void PageClient::send_changes() {
+  const auto& changes = stream_.interventions();
+  const auto& incidents = stream_.incidents();
+  if (!stream_.description() || changes_ + incidents_ == changes.size() + incidents.size()) return;
+  ordered_json told = {{"changes", ordered_json::array()}, {"incidents", ordered_json::array()}};
+  for (; changes_ < changes.size(); ++changes_) {
+    const domain::Intervention& each = changes[changes_];
+    told["changes"].push_back(
+        {{"tick", each.tick}, {"changes", each.changes}, {"order", each.order}});
+  }
+  for (; incidents_ < incidents.size(); ++incidents_) {
+    const domain::Incident& each = incidents[incidents_];
+    told["incidents"].push_back(
+        {{"tick", each.tick}, {"kind", each.kind}, {"stage", each.stage}, {"text", each.text}});
+  }
+  sender_.send_text(json_text(told));
 }
 
 // What is held, from next_ on, as far as the client takes it.

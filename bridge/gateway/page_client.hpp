@@ -10,8 +10,10 @@
 namespace clew::bridge {
 
 /// The subprotocol of the page's web socket. First a text that describes the run, as JSON; then
-/// binary messages, each of whole ticks as a spool has them (SampleAccount); at the end a text
-/// `{"ended": "outcome or reason"}`. The client may send `{"all": true, "from": TICK}`.
+/// binary messages, each of whole ticks as a spool has them (SampleAccount), and between them texts
+/// `{"changes": [...], "incidents": [...]}` of what was changed and what befell the run; at the end
+/// a text `{"ended": "outcome or reason"}`. The client may send `{"all": true, "from": TICK}`, and
+/// says `{"has_all": true}` when the run has ended and it wants no more.
 inline constexpr char kLiveProtocol[] = "clew.view.v1";
 
 /// The page, as it follows a run.
@@ -25,16 +27,24 @@ class PageClient : public SocketClient, public StreamFollower {
   void begin() override;
   void pass_on() override;
   void end() override;
-  bool idle() const override { return sender_.queued_bytes() == 0 && !stream_.tick_from(next_); }
+  /// At the end only the client knows: what has left here may still be on its way, and it may ask
+  /// for more.
+  bool idle() const override { return stream_.ended().empty() || has_all_; }
+  std::uint64_t progress() const override { return next_; }
 
  private:
   void send_all();
+  /// What was changed in the run and what befell it since the last call.
+  void send_changes();
 
   LiveStream& stream_;
   SocketSender& sender_;
   std::uint64_t next_ = 0;
   std::uint64_t missed_ = 0;
+  std::size_t changes_ = 0;  ///< that were told
+  std::size_t incidents_ = 0;
   bool all_ = false;
+  bool has_all_ = false;
 };
 
 }  // namespace clew::bridge

@@ -206,6 +206,8 @@ inline constexpr auto kRunForgottenAfter = std::chrono::seconds(60);
 inline constexpr auto kGatewayStartPatience = std::chrono::seconds(10);
 /// How long a run that ends waits for what its gateway has not taken yet.
 inline constexpr auto kGatewayEndPatience = std::chrono::seconds(3);
+/// And how long a gateway at most that says again and again that it is still at it.
+inline constexpr auto kGatewayMostEndPatience = std::chrono::seconds(30);
 /// What a person can see: sixty times a second.
 inline constexpr auto kPassOnPeriod = std::chrono::milliseconds(16);
 /// How soon a page hears what the run answers.

@@ -63,11 +63,13 @@ void SampleAccount::add_bytes(domain::Topic topic, const domain::TickStamp& stam
   append_to_spool({topic, stamp.tick, stamp.sequence, cdr}, spooled_);
 }
 
-void SampleAccount::spool_state(const SpooledState& state) {
+void append_to_spool(const SpooledState& state, std::string& spool) {
   const std::size_t size = state.stage.size() + state.state.size();
-  append(spooled_, {state.tick, state.stage.size(), static_cast<std::uint32_t>(size), kState});
-  spooled_.append(state.stage).append(state.state);
+  append(spool, {state.tick, state.stage.size(), static_cast<std::uint32_t>(size), kState});
+  spool.append(state.stage).append(state.state);
 }
+
+void SampleAccount::spool_state(const SpooledState& state) { append_to_spool(state, spooled_); }
 
 std::map<std::string, core::Hash128> SampleAccount::chains() const {
   std::map<std::string, core::Hash128> chains;

@@ -21,6 +21,9 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
+/// An incident that is told to who looks on, and not recorded.
+constexpr char kRestart[] = "restart";
+
 /// At a pace of its own a run need not be far ahead, and what somebody changes shall not wait long.
 /// In real time a supervisor that is stopped, as by Ctrl-Z, holds the run up when it would call a
 /// component frozen: a robot is not left to itself for longer.
@@ -114,6 +117,7 @@ void Supervisor::tell(domain::Incident incident) {
 void Supervisor::record(domain::Incident incident) {
   incident.tick = started_ticks(members_);
   log({incident.text});
+  if (page() != nullptr) page()->add(spooled(incident));
   if (recording_) recording_->add(spooled(incident), incident.tick + 1);
 }
 
@@ -253,7 +257,12 @@ void Supervisor::lose(Member& member, Time now) {
     member.down = true;
     return end_at_rest(what + why_not, now);
   }
-  log({what + "; restarting it"});
+  what += "; restarting it";
+  log({what});
+  // No recording holds it: the run is the same as without.
+  if (page() != nullptr) {
+    page()->add(spooled(domain::Incident{member.progress.ticks, kRestart, member.stage, what}));
+  }
   ++report_.restarts;
 }
 

@@ -22,7 +22,17 @@ class AHeldRun : public ::testing::Test {
     description.tick_s = 0.1;
     description.schemas = {{Topic::kScan, std::string(idl_text(Topic::kScan))},
                            {Topic::kState, std::string(idl_text(Topic::kState))}};
-    stream_.describe(description, "run");
+    stream_.describe(description, "run", 2);
+  }
+
+  void add_states(std::uint64_t tick, const std::vector<std::string>& stages,
+                  const std::string& more = {}) {
+    std::string spool;
+    for (const std::string& stage : stages) {
+      const std::string state = "of " + stage + more;
+      append_to_spool(SpooledState{stage, tick, state}, spool);
+    }
+    stream_.add(spool);
   }
 
   void add_tick(std::uint64_t tick) {
@@ -78,7 +88,60 @@ TEST_F(AHeldRun, IsRefusedWhenItsBeginningIsForgotten) {
 
   const auto held = HeldRecording::write(stream_, 99);
   ASSERT_FALSE(held.ok());
-  EXPECT_EQ(held.error().message.find("tick 0 is not held here"), 0U);
+  EXPECT_EQ(held.error().message.find("what came before tick 99 is not held here"), 0U);
+}
+
+TEST_F(AHeldRun, BeginsAtTheNewestCheckpointOfWhichAllStatesAreHeld) {
+  for (std::uint64_t tick = 0; tick < 100; ++tick) {
+    if (tick == 90) add_states(tick, {"drive", "sense"});
+    if (tick == 94) add_states(tick, {"drive"});
+    add_tick(tick);
+  }
+
+  const auto held = HeldRecording::write(stream_, 98);
+  ASSERT_TRUE(held.ok()) << held.error().text();
+  const auto recording = RunRecording::open(held->path());
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
+  const auto& box = recording->description().black_box;
+  ASSERT_TRUE(box.has_value());
+  EXPECT_EQ(box->tick, 90U);
+  EXPECT_EQ(box->states,
+            (std::map<std::string, std::string>{{"drive", "of drive"}, {"sense", "of sense"}}));
+  const auto survey = recording->survey_samples();
+  ASSERT_TRUE(survey.ok()) << survey.error().text();
+  EXPECT_EQ(survey->topics.at(Topic::kState).first_tick, 89U);
+  EXPECT_EQ(survey->topics.at(Topic::kState).last_tick, 98U);
+}
+
+TEST_F(AHeldRun, IsRefusedBeforeItsOnlyCheckpoint) {
+  for (std::uint64_t tick = 0; tick < 100; ++tick) {
+    if (tick == 90) add_states(tick, {"drive", "sense"});
+    add_tick(tick);
+  }
+
+  EXPECT_FALSE(HeldRecording::write(stream_, 89).ok());
+  EXPECT_TRUE(HeldRecording::write(stream_, 90).ok());
+}
+
+TEST_F(AHeldRun, TakesNoCheckpointBehindALostTick) {
+  for (std::uint64_t tick = 80; tick < 100; ++tick) {
+    if (tick == 90) add_states(tick, {"drive", "sense"});
+    if (tick != 89) add_tick(tick);
+  }
+
+  EXPECT_FALSE(HeldRecording::write(stream_, 98).ok());
+}
+
+TEST_F(AHeldRun, HoldsStatesUpToAQuarterOfItsRoom) {
+  for (std::uint64_t tick = 85; tick < 100; ++tick) {
+    add_states(tick, {"drive", "sense"}, std::string(30, '.'));
+    add_tick(tick);
+  }
+
+  const auto start = stream_.start_before(99);
+  ASSERT_TRUE(start.has_value());
+  EXPECT_EQ(start->tick, 99U);
+  EXPECT_FALSE(stream_.start_before(90).has_value());
 }
 
 TEST_F(AHeldRun, IsRefusedWhenATickBetweenWasLost) {
@@ -87,7 +150,7 @@ TEST_F(AHeldRun, IsRefusedWhenATickBetweenWasLost) {
 
   const auto held = HeldRecording::write(stream_, 2);
   ASSERT_FALSE(held.ok());
-  EXPECT_EQ(held.error().message.find("tick 1 is not held here"), 0U);
+  EXPECT_EQ(held.error().message.find("what came before tick 2 is not held here"), 0U);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gateway/page_client.hpp"
+#include "run/sample_account.hpp"
 #include "run/spool.hpp"
 
 namespace clew::bridge {
@@ -48,6 +49,22 @@ class ALiveStream : public ::testing::Test {
   LiveStream stream_{10000};
   Taker taker_;
 };
+
+TEST_F(ALiveStream, TellsAPageWhatWasChangedAndWhatBefellTheRunOnce) {
+  stream_.add(spooled(domain::Intervention{4, 4, {"goal=1,2"}, {}, {}}));
+  PageClient page(stream_, taker_);
+  ASSERT_EQ(taker_.texts.size(), 2U);
+  EXPECT_EQ(taker_.texts[1]["changes"].dump(), R"([{"changes":["goal=1,2"],"order":"","tick":4}])");
+
+  stream_.add(spooled(domain::Incident{7, "restart", "drive", "gone; restarting it"}));
+  stream_.pass_on();
+  stream_.pass_on();
+
+  ASSERT_EQ(taker_.texts.size(), 3U);
+  EXPECT_EQ(taker_.texts[2]["changes"], nlohmann::json::array());
+  EXPECT_EQ(taker_.texts[2]["incidents"][0]["kind"], "restart");
+  EXPECT_EQ(taker_.texts[2]["incidents"][0]["stage"], "drive");
+}
 
 TEST_F(ALiveStream, HasATickWhenEachTopicHasIt) {
   stream_.add(record(Topic::kState, 0));

@@ -36,6 +36,17 @@ TEST(PageOrder, NamesBehavioursAndValuesAsSwapDoes) {
   EXPECT_EQ(swap.words, (Texts{"recover.detector=none", "--set=control.rules=pin_bender_fba"}));
 }
 
+TEST(PageOrder, HoldsRuleBasesThatWereWrittenOnThePage) {
+  const PageOrder swap = order_of(
+      R"({"order": "swap", "rules": [{"stage": "control", "part": "behaviour",
+          "behaviour": "fuzzy_behaviourist", "name": "rules", "text": "format: x"}]})");
+
+  EXPECT_TRUE(swap.changes.empty());
+  ASSERT_EQ(swap.rules.size(), 1U);
+  EXPECT_EQ(swap.rules[0].place, "control.rules");
+  EXPECT_EQ(swap.rules[0].text, "format: x");
+}
+
 TEST(PageOrder, IsRefusedWhereAPageMayNotAsk) {
   for (const char* json :
        {"", "[]", "{}", R"({"order": "kill"})", R"({"order": "step", "ticks": 0})",
@@ -45,6 +56,9 @@ TEST(PageOrder, IsRefusedWhereAPageMayNotAsk) {
         R"({"order": "swap"})", R"({"order": "swap", "with": {"control": ["polar"]}})",
         R"({"order": "swap", "with": {"recover.detector": ["/bin/sh"]}})",
         R"({"order": "swap", "with": {"recover.detector": ["none,exec=sh"]}})",
+        R"({"order": "swap", "rules": [{"stage": "control", "part": "behaviour",
+            "behaviour": "fuzzy_behaviourist", "name": "rules", "text": ""}]})",
+        R"({"order": "swap", "rules": [{"stage": "recover", "name": "trace_m", "text": "x"}]})",
         R"({"order": "swap", "set": [{"stage": "control", "part": "behaviour",
             "behaviour": "fuzzy_behaviourist", "name": "rules", "value": "../../etc/passwd"}]})"}) {
     EXPECT_FALSE(read_order(json, stages::all()).ok()) << json;

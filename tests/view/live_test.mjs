@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
 
-import { clew, json_lines, open_browser, open_page, scratch_directory, serve } from "./view_server.mjs";
+import { clew, json_lines, open_browser, open_page, scratch_directory, serve, start } from "./view_server.mjs";
 
 for (const layout of ["processes", "composed"]) {
   test(`the page follows a run (${layout})`, async (context) => {
@@ -46,9 +46,12 @@ for (const layout of ["processes", "composed"]) {
     assert.equal(clew("pause", name).status, 0);
     await page.keyboard.press("x");
     await page.waitForFunction(() => document.querySelector("#insides").dataset.tick, undefined, { timeout: 60000 });
-    const tick = Number(await page.evaluate(() => document.querySelector("#insides").dataset.tick));
+    // In one look: what comes late makes the page ask for a later tick.
+    const { tick, texts } = await page.evaluate(() => ({
+      tick: Number(document.querySelector("#insides").dataset.tick),
+      texts: [...document.querySelectorAll("#insides section")].map((each) => [each.dataset.stage, each.querySelector(".told").textContent]),
+    }));
     assert.ok(tick > 40 && tick <= await page.evaluate(() => window.clew.session.last_tick));
-    const texts = await page.$$eval("#insides section", (all) => all.map((each) => [each.dataset.stage, each.querySelector(".told").textContent]));
     assert.ok(await page.locator("#map-legend label").count() > 0);
     if (process.env.CLEW_SCREENSHOT) await page.screenshot({ path: process.env.CLEW_SCREENSHOT });
 
@@ -59,6 +62,64 @@ for (const layout of ["processes", "composed"]) {
     assert.deepEqual(complaints.filter((text) => !text.includes("ERR_")), []);
   });
 }
+
+for (const layout of ["processes", "composed"]) {
+  test(`a page that is opened late tells the insides of what comes then (${layout})`, async (context) => {
+    const recording = path.join(scratch_directory(context), "late.mcap");
+    const name = `page-late-${process.pid}-${layout}`;
+    const browser = await open_browser(context);
+    const run = start(context, "run", "default", "--world", "unsolvable-behind-wall", "--set", "recover.escape.remembered_map.proof_s=10000",
+      "--layout", layout, "--pace", "100x", "--name", name, "--record", recording, "--json");
+    // Another controller than the one that the run began with, before anybody looks on.
+    assert.equal(clew("swap", name, "control.behaviour=fuzzy_behaviourist").status, 0);
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    const served = await serve(context, "view", name);
+    const { page, complaints } = await open_page(browser, served.address);
+    await page.waitForFunction(() => window.clew.session.runs[0].ticks.length > 0);
+    const first = await page.evaluate(() => window.clew.session.first_tick);
+    assert.ok(first > 0);
+    // Two checkpoints lie behind it by then.
+    await page.waitForFunction((tick) => window.clew.session.last_tick > tick + 140, first);
+    assert.equal(clew("pause", name).status, 0);
+    await page.keyboard.press("x");
+    await page.waitForFunction((tick) => Number(document.querySelector("#insides").dataset.tick) > tick + 100, first, { timeout: 60000 });
+    const { tick, texts } = await page.evaluate(() => ({
+      tick: Number(document.querySelector("#insides").dataset.tick),
+      texts: [...document.querySelectorAll("#insides section")].map((each) => [each.dataset.stage, each.querySelector(".told").textContent]),
+    }));
+    // Of a tick that came with the page itself nothing before it is known.
+    await page.fill("#tick", String(first));
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => document.querySelector("#insides").textContent.includes("is not held here"), undefined, { timeout: 60000 });
+
+    assert.equal(clew("stop", name).status, 0);
+    await run.ended;
+    const told = json_lines(clew("explain", recording, "--tick", String(tick), "--json").out);
+    assert.deepEqual(texts, told.map(({ stage, text }) => [stage, text]));
+    assert.ok(told.some(({ behaviour }) => behaviour === "fuzzy_behaviourist"));
+    assert.deepEqual(complaints.filter((text) => !text.includes("ERR_") && !text.includes("409")), []);
+  });
+}
+
+test("a killed component is on the lanes of a page, and in no recording", async (context) => {
+  const recording = path.join(scratch_directory(context), "killed.mcap");
+  const name = `page-killed-${process.pid}`;
+  const browser = await open_browser(context);
+  const served = await serve(context, "run", "krishna_kalra", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none",
+    "--pace", "20x", "--name", name, "--record", recording, "--json", "--view");
+  const { page } = await open_page(browser, served.address);
+  await page.waitForFunction(() => window.clew.session.last_tick > 20);
+  const { pid } = json_lines(clew("top", name, "--once", "--json").out).find(({ stage }) => stage === "recover");
+  process.kill(pid, "SIGKILL");
+  await page.waitForFunction(() => window.clew.session.runs[0].events.some(({ kind }) => kind === "restart"), undefined, { timeout: 60000 });
+  const event = await page.evaluate(() => window.clew.session.runs[0].events.find(({ kind }) => kind === "restart"));
+  assert.equal(event.stage, "recover");
+  assert.match(event.text, /^recover \(process \d+\) .*; restarting it$/);
+  if (process.env.CLEW_SCREENSHOT) await page.screenshot({ path: process.env.CLEW_SCREENSHOT });
+  assert.equal(clew("stop", name).status, 0);
+  await served.ended;
+  assert.ok(json_lines(clew("events", recording, "--json").out).every(({ kind }) => kind !== "restart"));
+});
 
 test("a port that is taken is refused before the run", async (context) => {
   const recording = path.join(scratch_directory(context), "a.mcap");

@@ -6,7 +6,7 @@ import { copyFileSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 
-import { clew, open_browser, open_page, scratch_directory, serve } from "./view_server.mjs";
+import { clew, json_lines, open_browser, open_page, scratch_directory, serve } from "./view_server.mjs";
 
 const hash_of = (file) => JSON.parse(clew("info", file, "--json").out).hash;
 
@@ -57,5 +57,46 @@ for (const { graph, world, ticks, place, field, value, line } of [
     await page.getByRole("button", { name: "As it was" }).first().click();
     assert.equal(await editor.locator("input.changed").count(), 0);
     assert.deepEqual(complaints.filter((each) => !each.includes("400 (Bad Request)")), []);
+  });
+}
+
+for (const layout of ["processes", "composed"]) {
+  test(`a run under way goes on with edited rules, and its recording replays (${layout})`, async (context) => {
+    const recording = path.join(scratch_directory(context), "edited.mcap");
+    const name = `page-rules-${process.pid}-${layout}`;
+    const browser = await open_browser(context);
+    const served = await serve(context, "run", "krishna_kalra", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none",
+      "--layout", layout, "--pace", "20x", "--name", name, "--record", recording, "--json", "--view");
+    const { page, complaints } = await open_page(browser, served.address);
+    await page.waitForFunction(() => window.clew.session.last_tick > 20);
+    assert.equal(clew("pause", name).status, 0);
+    await page.click("#tab-insides");
+    const editor = page.locator("[data-rules='control.rules']");
+    await editor.locator("summary").click({ timeout: 60000 });
+    await editor.getByLabel("target_turn_deg: 9", { exact: true }).first().fill("4");
+    await editor.getByRole("button", { name: "Use these rules from now on" }).click();
+    await page.waitForSelector(".rule-editor [role=status] code", { timeout: 60000 });
+    const tick = Number(/from tick (\d+) on/.exec(await editor.locator("[role=status]").textContent())[1]);
+    // The same on the command line names the file, which is there as long as the page is.
+    const command = await editor.locator("[role=status] code").textContent();
+    const [, file] = /^clew swap \S+ --set=control\.rules=(\S+)$/.exec(command);
+    assert.ok(readFileSync(file, "utf8").includes("target_turn_deg: 4"));
+    // What the rule base refuses is told with its place, and the run goes on as it was.
+    await editor.getByLabel("target_turn_deg: 4", { exact: true }).or(editor.getByLabel("target_turn_deg: 9", { exact: true })).first().fill("nonsense");
+    await editor.getByRole("button", { name: "Use these rules from now on" }).click();
+    await page.waitForFunction(() => /rules-\d+\.yaml:\d+/.test(document.querySelector(".rule-editor [role=alert]").textContent));
+    assert.equal(clew("resume", name).status, 0);
+    await page.waitForFunction((from) => window.clew.session.last_tick > from + 20, tick);
+    const events = await page.evaluate(() => window.clew.session.runs[0].events.filter(({ kind }) => kind === "change")
+      .map(({ tick, stage, text }) => ({ tick, stage, text })));
+    assert.deepEqual(events.filter(({ stage }) => stage === "control").map((each) => each.tick), [tick]);
+    assert.equal(clew("stop", name).status, 0);
+    await served.ended;
+
+    const { interventions } = JSON.parse(clew("info", recording, "--json").out);
+    assert.deepEqual(interventions.filter((each) => each.changes?.length > 0).map((each) => each.tick), [tick]);
+    const replayed = clew("replay", recording, "--component", "control", "--json");
+    assert.equal(replayed.status, 0, replayed.out + replayed.err);
+    assert.deepEqual(complaints.filter((text) => !text.includes("ERR_") && !text.includes("409")), []);
   });
 }

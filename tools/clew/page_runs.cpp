@@ -2,11 +2,7 @@
 #include "clew/page_runs.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "clew/json_line.hpp"
@@ -49,17 +45,14 @@ ordered_json last_object(const std::string& out) {
 Result<std::unique_ptr<PageRuns>> PageRuns::create(bridge::ViewContent& content,
                                                    std::vector<std::string> recordings,
                                                    std::vector<std::string> plugins) {
-  std::error_code code;
-  std::string folder = (std::filesystem::temp_directory_path(code) / "clew-view-XXXXXX").string();
-  if (code || ::mkdtemp(folder.data()) == nullptr) {
-    return Error{std::string("cannot be made: ") + std::strerror(errno), folder};
-  }
+  auto folder = files::ScratchFolder::make("clew-view");
+  if (!folder.ok()) return folder.error();
   return std::unique_ptr<PageRuns>(
-      new PageRuns(content, std::move(recordings), std::move(plugins), std::move(folder)));
+      new PageRuns(content, std::move(recordings), std::move(plugins), std::move(folder).value()));
 }
 
 PageRuns::PageRuns(bridge::ViewContent& content, std::vector<std::string> recordings,
-                   std::vector<std::string> plugins, std::string folder)
+                   std::vector<std::string> plugins, files::ScratchFolder folder)
     : content_(content),
       paths_(std::move(recordings)),
       plugins_(std::move(plugins)),
@@ -67,11 +60,6 @@ PageRuns::PageRuns(bridge::ViewContent& content, std::vector<std::string> record
       programs_(kPatience) {
   const auto path = runtime::ConfigPath::from_environment();
   names_ = {path.names("graphs"), path.names("worlds")};
-}
-
-PageRuns::~PageRuns() {
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
 }
 
 void PageRuns::serve_with(bridge::WebServer& server) {
@@ -95,7 +83,7 @@ void PageRuns::branch(const std::string& body, Answer answer) {
   std::vector<std::string> words = {"replay", paths_[command->recording]};
   words.insert(words.end(), command->words.begin(), command->words.end());
   for (const view::EditedRules& edited : command->rules) {
-    const std::string file = folder_ + "/rules-" + std::to_string(++rule_bases_) + ".yaml";
+    const std::string file = folder_.path() + "/rules-" + std::to_string(++rule_bases_) + ".yaml";
     const auto written = files::write_file(file, edited.text);
     if (!written.ok()) return answer(refusal(written.error().text()));
     words.push_back("--set=" + edited.place + '=' + file);
@@ -120,7 +108,7 @@ void PageRuns::run(const std::string& body, Answer answer) {
   if (!command.ok()) return answer(refusal(command.error().message));
   std::string world = command->world;
   if (!command->world_text.empty()) {
-    world = folder_ + "/world-" + std::to_string(count_ + 1) + ".yaml";
+    world = folder_.path() + "/world-" + std::to_string(count_ + 1) + ".yaml";
     const auto written = files::write_file(world, command->world_text);
     if (!written.ok()) return answer(refusal(written.error().text()));
   }
@@ -131,7 +119,7 @@ void PageRuns::run(const std::string& body, Answer answer) {
 }
 
 void PageRuns::record(std::vector<std::string> words, const std::string& what, Answer answer) {
-  const std::string file = folder_ + "/run-" + std::to_string(++count_) + ".mcap";
+  const std::string file = folder_.path() + "/run-" + std::to_string(++count_) + ".mcap";
   name_plugins(words);
   words.insert(words.end(), {"--record", file, "--json"});
   const std::string line = typed_line(words);

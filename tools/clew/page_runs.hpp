@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "files/scratch_folder.hpp"
 #include "gateway/program_runs.hpp"
 #include "gateway/view_content.hpp"
 #include "gateway/web_server.hpp"
@@ -23,7 +24,6 @@ class PageRuns {
   static core::Result<std::unique_ptr<PageRuns>> create(bridge::ViewContent& content,
                                                         std::vector<std::string> recordings,
                                                         std::vector<std::string> plugins);
-  ~PageRuns();
 
   /// Takes the page's requests from now on.
   void serve_with(bridge::WebServer& server);
@@ -32,7 +32,7 @@ class PageRuns {
   using Answer = bridge::WebContent::Answer;
 
   PageRuns(bridge::ViewContent& content, std::vector<std::string> recordings,
-           std::vector<std::string> plugins, std::string folder);
+           std::vector<std::string> plugins, files::ScratchFolder folder);
 
   void branch(const std::string& body, Answer answer);
   void run(const std::string& body, Answer answer);
@@ -46,7 +46,7 @@ class PageRuns {
   bridge::ViewContent& content_;
   std::vector<std::string> paths_;  ///< of what is served, in the order of their numbers
   std::vector<std::string> plugins_;
-  std::string folder_;  ///< of our own recordings and worlds
+  files::ScratchFolder folder_;  ///< of our own recordings and worlds
   view::KnownNames names_;
   bridge::ProgramRuns programs_;
   bridge::WebServer* server_ = nullptr;

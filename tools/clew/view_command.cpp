@@ -17,6 +17,7 @@
 #include "plugins/plugin_loader.hpp"
 #include "recording/run_recording.hpp"
 #include "run/end_signals.hpp"
+#include "run/sample_account.hpp"
 #include "run/spool.hpp"
 #include "view/page_file.hpp"
 
@@ -87,6 +88,9 @@ void fill(bridge::LiveStream& stream, const std::string& path) {
   const auto recording = bridge::RunRecording::open(path);
   if (!recording.ok()) return;
   stream.describe(recording->description_of_samples(), path);
+  for (const domain::Intervention& each : recording->interventions()) {
+    stream.add(bridge::spooled(each));
+  }
   bridge::SampleStream samples = recording->samples();
   std::string spool;
   for (auto sample = samples.next(); sample.ok() && *sample; sample = samples.next()) {

@@ -6,58 +6,25 @@
 #include <string>
 #include <utility>
 
-#include "runtime/goals.hpp"
-#include "runtime/run_plan.hpp"
+#include "run/missions.hpp"
 #include "wire/codec.hpp"
 
 namespace clew::tools {
 namespace {
 
 using core::Result;
-using runtime::kGoalChange;
-using world::Goals;
-
-/// The way-points of the recorded world, with other goals in the place of its own.
-Result<world::Route> route_to(const runtime::Bundle& bundle, const std::optional<Goals>& goals) {
-  const auto file = runtime::BundleSource(bundle).find("worlds", "world");
-  if (!file.ok()) return file.error();
-  const auto world = world::World::parse(file->text, file->file, goals);
-  if (!world.ok()) return world.error();
-  return world::Route(world->waypoints());
-}
-
-/// What the recorded graph says of its goals.
-Result<std::optional<Goals>> goals_of_graph(const runtime::Bundle& bundle) {
-  const auto file = runtime::BundleSource(bundle).find("graphs", "graph");
-  if (!file.ok()) return file.error();
-  const auto root = core::YamlNode::parse(file->text, file->file);
-  if (!root.ok()) return root.error();
-  const auto goals = runtime::read_goals(*root);
-  if (!goals.ok()) return goals.error();
-  return *goals ? std::optional((*goals)->goals) : std::nullopt;
-}
 
 }  // namespace
 
 Result<WaypointMarks> WaypointMarks::create(const bridge::RunRecording& recording) {
-  const runtime::Bundle& bundle = recording.description().bundle;
+  const bridge::RunDescription& description = recording.description();
+  auto missions = bridge::missions_of(description.bundle, recording.interventions());
+  if (!missions.ok()) return missions.error();
   WaypointMarks marks;
-  if (!recording.description().black_box) {
-    const auto goals = goals_of_graph(bundle);
-    if (!goals.ok()) return goals.error();
-    auto route = route_to(bundle, *goals);
-    if (!route.ok()) return route.error();
-    marks.missions_.push_back({0, std::move(route).value()});
-  }
-  for (const domain::Intervention& intervention : recording.interventions()) {
-    for (const std::string& change : intervention.changes) {
-      if (change.rfind(kGoalChange, 0) != 0) continue;
-      auto goals = runtime::parse_goals(change.substr(std::string(kGoalChange).size()));
-      if (!goals.ok()) return goals.error();
-      auto route = route_to(bundle, std::move(goals).value());
-      if (!route.ok()) return route.error();
-      marks.missions_.push_back({intervention.tick, std::move(route).value()});
-    }
+  for (bridge::GivenMission& mission : *missions) {
+    const bool is_first = &mission == &missions->front();
+    if (is_first && description.black_box) continue;
+    marks.missions_.push_back({mission.tick, world::Route(std::move(mission.waypoints))});
   }
   return marks;
 }

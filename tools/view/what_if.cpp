@@ -9,7 +9,6 @@
 
 #include "core/nearest_name.hpp"
 #include "runtime/raw_graph.hpp"
-#include "view/page_order.hpp"
 
 namespace clew::view {
 namespace {
@@ -149,7 +148,7 @@ Result<std::string> read_set(const json& entry, const std::vector<runtime::Stage
 
 /// What stands in them, the components judge that load them.
 Result<void> read_rules(const json& request, const std::vector<runtime::StageInfo>& stages,
-                        PageCommand& command) {
+                        std::vector<EditedRules>& edited) {
   const json rules = request.value("rules", json::array());
   if (!rules.is_array() || rules.size() > kMostRuleBases) {
     return bad(fmt::format("rules is a list of up to {}", kMostRuleBases));
@@ -165,7 +164,7 @@ Result<void> read_rules(const json& request, const std::vector<runtime::StageInf
     if (text.empty() || text.size() > kMostRuleBytes) {
       return bad(fmt::format("a rule base is a text of up to {} bytes", kMostRuleBytes));
     }
-    command.rules.push_back({parameter->place, std::move(text)});
+    edited.push_back({parameter->place, std::move(text)});
   }
   return {};
 }
@@ -295,7 +294,7 @@ Result<PageCommand> read_branch(std::string_view text, std::size_t recordings,
   if (!tick.ok()) return tick.error();
   command.words.push_back(fmt::format("--branch={}", *tick));
   CLEW_RETURN_IF_ERROR(read_changes(*request, stages, command.words));
-  CLEW_RETURN_IF_ERROR(read_rules(*request, stages, command));
+  CLEW_RETURN_IF_ERROR(read_rules(*request, stages, command.rules));
   CLEW_RETURN_IF_ERROR(read_max_ticks(*request, command.words));
   std::string changes = changes_text(command.words);
   for (const EditedRules& edited : command.rules) {
@@ -356,7 +355,8 @@ Result<PageOrder> read_order(std::string_view text, const std::vector<runtime::S
     // `clew swap` takes behaviours without an option.
     if (word.compare(0, kWith.size(), kWith) == 0) word = order.changes.back();
   }
-  if (order.changes.empty()) return bad("nothing is to be changed");
+  CLEW_RETURN_IF_ERROR(read_rules(*request, stages, order.rules));
+  if (order.changes.empty() && order.rules.empty()) return bad("nothing is to be changed");
   return order;
 }
 

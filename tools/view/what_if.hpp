@@ -9,14 +9,9 @@
 
 #include "core/result.hpp"
 #include "runtime/stage.hpp"
+#include "view/page_order.hpp"
 
 namespace clew::view {
-
-/// A rule base that was written on the page.
-struct EditedRules {
-  std::string place;  ///< the parameter that names it: `control.rules`
-  std::string text;   ///< of the file
-};
 
 /// A command of clew that the page asks for, checked: every word is one that its registry knows, or
 /// a number. So a page names no program, no plug-in and no path.
