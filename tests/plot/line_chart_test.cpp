@@ -33,6 +33,13 @@ TEST(LineChart, NamesAxesLinesAndTicks) {
   }
 }
 
+TEST(LineChart, BeginsBelowZeroWhereValuesAreNegative) {
+  const std::string svg = draw({"Turns", "s", "rad/s", {{"turn", {{0, -1}, {10, 3}}}}, {}});
+
+  EXPECT_NE(svg.find("M70 420L600 60"), std::string::npos) << svg;
+  EXPECT_NE(svg.find(">-1<"), std::string::npos);
+}
+
 TEST(LineChart, DrawsAChartWithoutValues) {
   const std::string svg = draw({"Nothing", "x", "y", {{"none", {{0, 0}}}}, {}});
 

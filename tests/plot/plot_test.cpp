@@ -103,6 +103,64 @@ TEST_F(Plot, RendersPngs) {
   EXPECT_EQ(read_bytes(output).substr(0, 8), "\x89PNG\r\n\x1A\n");
 }
 
+/// A robot's world as a fleet has it: in a room, another robot jumps about.
+std::string robot_world(const std::string& start, const std::string& target,
+                        const std::string& other) {
+  return "format: clew-world/1\nname: hall\nabout: \"A hall.\"\nbounds: [0, 0, 10, 8]\n"
+         "walls: [[5, 3, 5, 8]]\nstart: [" +
+         start + ", 0]\ntarget: [" + target + "]\ntarget_radius: 0.3\nmoving: [{circle: [" + other +
+         ", 0.2], path: [[0, " + other + "], [1, " + other + "]], jumps: true}]\n";
+}
+
+TEST_F(Plot, DrawsTheRobotsOfAFleetInOneRoom) {
+  const std::string west = scratch_.file("west.mcap");
+  const std::string east = scratch_.file("east.mcap");
+  SmallRun robot;
+  robot.description.bundle["world.yaml"] = robot_world("1, 2", "9, 2", "8, 1");
+  robot.write(west);
+  robot.description.bundle["world.yaml"] = robot_world("8, 1", "2, 1", "1, 2");
+  robot.write(east);
+
+  const std::string svg = svg_of({west, east});
+
+  EXPECT_TRUE(contains(svg, ">hall: 2 robots</text>"));
+  EXPECT_FALSE(contains(svg, "moving obstacle"));
+  // The targets, (9, 2) and (2, 1), and the starts, (1, 2) and (8, 1).
+  for (const char* centre : {"cx=\"672\" cy=\"512\"", "cx=\"168\" cy=\"584\"",
+                             "cx=\"96\" cy=\"512\"", "cx=\"600\" cy=\"584\""}) {
+    EXPECT_TRUE(contains(svg, centre)) << centre;
+  }
+  // Alone, the other is what moves about.
+  EXPECT_TRUE(contains(svg_of({west}), ">moving obstacle at the end</text>"));
+}
+
+TEST_F(Plot, RefusesRobotsOfOtherRooms) {
+  const std::string one = scratch_.file("one.mcap");
+  const std::string other = scratch_.file("other.mcap");
+  SmallRun robot;
+  robot.description.bundle["world.yaml"] = robot_world("1, 2", "9, 2", "8, 1");
+  robot.write(one);
+  robot.description.bundle["world.yaml"] = robot_world("8, 1", "2, 1", "1, 2");
+  robot.description.bundle["world.yaml"].replace(
+      robot.description.bundle["world.yaml"].find("5, 3, 5, 8"), 10, "5, 4, 5, 8");
+  robot.write(other);
+
+  EXPECT_FALSE(plot_recordings({one, other}, scratch_.file("out.svg")));
+}
+
+TEST_F(Plot, NumbersTheWayPointsOfAGraphBeforeThoseOfItsWorld) {
+  const std::string file = scratch_.file("mission.mcap");
+  SmallRun run;
+  run.description.bundle["graph.yaml"] = "format: clew-graph/1\nmission: [[4, 4, 0.5], [6, 6]]\n";
+  run.write(file);
+
+  const std::string svg = svg_of({file});
+
+  EXPECT_TRUE(contains(svg, "cx=\"312\" cy=\"368\" r=\"36\""));
+  EXPECT_TRUE(contains(svg, ">1</text>"));
+  EXPECT_TRUE(contains(svg, ">2</text>"));
+}
+
 TEST_F(Plot, RefusesRunsInDifferentWorlds) {
   const std::string other = scratch_.file("other.mcap");
   SmallRun elsewhere;

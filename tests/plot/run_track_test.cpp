@@ -50,9 +50,9 @@ TEST(RunTrack, HoldsVirtualObstaclesAndTheControllersVirtualTargetsOnceEach) {
 
   ASSERT_TRUE(track) << track.error().text();
   // Odometry is 1 m behind in x, and 1.5 m in y at tick 5 and 1.8 m at tick 2.
-  ASSERT_EQ(track->virtual_boxes.size(), 1U);
-  expect_near(track->virtual_boxes[0][0], {3.5, 2.5});
-  expect_near(track->virtual_boxes[0][2], {4.5, 3.0});
+  ASSERT_EQ(track->virtual_obstacles.size(), 1U);
+  expect_near(track->virtual_obstacles[0][0], {3.5, 2.5});
+  expect_near(track->virtual_obstacles[0][2], {4.5, 3.0});
   ASSERT_EQ(track->controller_targets.size(), 1U);
   expect_near(track->controller_targets[0], {5.0, 2.0});
 }
@@ -70,7 +70,12 @@ TEST(RunTrack, TakesPlacesFromADriftedOdometryToThePath) {
   ASSERT_TRUE(track->traps[0].earlier);
   expect_near(*track->traps[0].earlier, {1.5, 2.0});  // and at tick 1, 0.3 m of drift before
   ASSERT_EQ(track->virtual_targets.size(), 1U);
-  expect_near(track->virtual_targets[0], {6.0, 2.0});  // 2 m ahead of tick 6
+  expect_near(track->virtual_targets[0].position, {6.0, 2.0});  // 2 m ahead of tick 6
+  expect_near(track->virtual_targets[0].from, {4.0, 2.0});
+  // It believes to be 0.1 m farther to the left with each tick.
+  ASSERT_EQ(track->believed.size(), 10U);
+  expect_near(track->believed[5], {3.5, 2.5});
+  EXPECT_TRUE(track->virtual_obstacles.empty());
   ASSERT_EQ(track->marks.size(), 2U);
   EXPECT_EQ(track->marks[1].kind, domain::EventKind::kEscapeEnded);
   expect_near(track->marks[1].position, {4.5, 2.0});

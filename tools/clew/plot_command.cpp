@@ -4,6 +4,7 @@
 #include "clew/command_line.hpp"
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
+#include "clew/field_chart.hpp"
 #include "clew/json_line.hpp"
 #include "clew/plugin_options.hpp"
 #include "insides/explanation.hpp"
@@ -20,6 +21,7 @@ struct PlotOptions {
   std::vector<std::string> plugins;
   bool json = false;
   std::optional<std::uint64_t> tick;  ///< what components show of it, instead of the whole run
+  std::vector<std::string> fields;    ///< over time, instead of the map
 };
 
 using core::Error;
@@ -58,8 +60,13 @@ Result<void> plot_inside(const PlotOptions& options) {
 }
 
 int plot_command(const PlotOptions& options) {
+  if (options.tick && !options.fields.empty()) {
+    return complain({"--tick and --field are two pictures: leave out one", {}, 0, 0});
+  }
   const auto plotted = options.tick ? plot_inside(options)
-                                    : plot::plot_recordings(options.recordings, options.output);
+                       : options.fields.empty()
+                           ? plot::plot_recordings(options.recordings, options.output)
+                           : plot_fields(options.recordings, options.fields, options.output);
   if (!plotted.ok()) return complain(plotted.error());
   if (options.json) {
     nlohmann::ordered_json json = {{"picture", options.output}, {"recordings", options.recordings}};
@@ -82,6 +89,9 @@ void add_plot(CLI::App& main, int& status) {
   app->add_option("--tick", options->tick,
                   "draw what the components show of this tick, from one recording")
       ->check(whole_number());
+  app->add_option("--field", options->fields,
+                  "draw TOPIC.FIELD over time, as state.speed_mps; may be repeated")
+      ->allow_extra_args(false);
   app->add_flag("--json", options->json, "tell what was drawn, as one JSON object");
   app->callback([options, &status] { status = plot_command(*options); });
 }

@@ -46,11 +46,12 @@ class ChartPainter {
       for (const Point& point : line.points) {
         most_.x = std::max(most_.x, point.x);
         most_.y = std::max(most_.y, point.y);
+        least_y_ = std::min(least_y_, point.y);
       }
     }
     for (const ChartLevel& level : chart.levels) most_.y = std::max(most_.y, level.y);
     if (most_.x <= 0.0) most_.x = 1.0;
-    if (most_.y <= 0.0) most_.y = 1.0;
+    if (most_.y <= least_y_) most_.y = least_y_ + 1.0;
   }
 
   std::string draw() && {
@@ -64,7 +65,9 @@ class ChartPainter {
 
  private:
   double x_px(double x) const { return kLeftPx + x / most_.x * (kRightPx - kLeftPx); }
-  double y_px(double y) const { return kBottomPx - y / most_.y * (kBottomPx - kTopPx); }
+  double y_px(double y) const {
+    return kBottomPx - (y - least_y_) / (most_.y - least_y_) * (kBottomPx - kTopPx);
+  }
 
   void draw_axes() {
     const double x_step = tick_step(most_.x);
@@ -73,8 +76,8 @@ class ChartPainter {
       svg_.line({x, kTopPx}, {x, kBottomPx}, {"none", kGridGrey});
       svg_.text({x, kBottomPx + 18}, tick_text(i * x_step, x_step), {12, Anchor::kMiddle});
     }
-    const double y_step = tick_step(most_.y);
-    for (double i = 0.0; i * y_step <= most_.y; ++i) {
+    const double y_step = tick_step(most_.y - least_y_);
+    for (double i = std::ceil(least_y_ / y_step); i * y_step <= most_.y; ++i) {
       const double y = y_px(i * y_step);
       svg_.line({kLeftPx, y}, {kRightPx, y}, {"none", kGridGrey});
       svg_.text({kLeftPx - 8, y + 4}, tick_text(i * y_step, y_step), {12, Anchor::kEnd});
@@ -108,6 +111,7 @@ class ChartPainter {
   const LineChart& chart_;
   SvgWriter svg_;
   Point most_;
+  double least_y_ = 0.0;
 };
 
 }  // namespace

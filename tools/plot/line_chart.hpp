@@ -20,7 +20,8 @@ struct ChartLevel {
   double y = 0.0;
 };
 
-/// Lines over a common x axis; both axes begin at 0.
+/// Lines over a common x axis. Both axes begin at 0, the upright one below it where values are
+/// negative.
 struct LineChart {
   std::string title;
   std::string x_label;

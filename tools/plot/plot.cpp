@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/plot.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/check.hpp"
@@ -31,6 +32,31 @@ core::Result<void> render_to(std::string picture, const std::string& output) {
   return files::write_file(output, picture);
 }
 
+template <typename List, typename Same>
+bool same_lists(const List& a, const List& b, const Same& same) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+/// Whether two worlds are those of two robots of one fleet: the room is the same, and others are
+/// about in each.
+bool of_one_fleet(const world::World& a, const world::World& b) {
+  const auto has_others = [](const world::World& world) {
+    return std::any_of(world.moving().begin(), world.moving().end(),
+                       [](const auto& obstacle) { return obstacle.jumps; });
+  };
+  return has_others(a) && has_others(b) && a.bounds_min() == b.bounds_min() &&
+         a.bounds_max() == b.bounds_max() && a.polygons() == b.polygons() &&
+         same_lists(a.walls(), b.walls(),
+                    [](const auto& x, const auto& y) { return x.a == y.a && x.b == y.b; }) &&
+         same_lists(a.circles(), b.circles(), [](const auto& x, const auto& y) {
+           return x.centre == y.centre && x.radius_m == y.radius_m;
+         });
+}
+
+core::Result<world::World> world_of(const RunTrack& track) {
+  return world::World::parse(track.world, track.path + ":world.yaml");
+}
+
 }  // namespace
 
 core::Result<void> plot_recordings(const std::vector<std::string>& recordings,
@@ -41,13 +67,17 @@ core::Result<void> plot_recordings(const std::vector<std::string>& recordings,
   for (const std::string& recording : recordings) {
     auto track = read_run_track(recording);
     if (!track.ok()) return track.error();
-    if (!tracks.empty() && track->world != tracks.front().world) {
-      return core::Error{"was made in another world than " + tracks.front().path, recording};
-    }
     tracks.push_back(std::move(track).value());
   }
-  const auto world = world::World::parse(tracks.front().world, tracks.front().path + ":world.yaml");
+  const auto world = world_of(tracks.front());
   if (!world.ok()) return world.error();
+  for (const RunTrack& track : tracks) {
+    if (track.world == tracks.front().world) continue;
+    const auto other = world_of(track);
+    if (!other.ok()) return other.error();
+    if (of_one_fleet(*world, *other)) continue;
+    return core::Error{"was made in another world than " + tracks.front().path, track.path};
+  }
   return render_to(draw_runs(*world, tracks), output);
 }
 
@@ -59,7 +89,7 @@ core::Result<void> plot_tick(const std::string& recording, const InsideView& ins
   if (track->frames.count(inside.tick) == 0) {
     return core::Error{"has no pose of tick " + std::to_string(inside.tick), recording};
   }
-  const auto world = world::World::parse(track->world, track->path + ":world.yaml");
+  const auto world = world_of(*track);
   if (!world.ok()) return world.error();
   return render_to(draw_tick(*world, *track, inside), output);
 }

@@ -101,10 +101,43 @@ class Legend {
   Point at_;
 };
 
+/// What lies under a path, as the legend has it.
+struct UnderEntry {
+  Paint paint;
+  bool is_line;
+  std::string_view text;
+};
+
+std::vector<UnderEntry> under_entries(const std::vector<RunTrack>& tracks) {
+  std::vector<UnderEntry> entries;
+  const auto any = [&](const auto& list) {
+    return std::any_of(tracks.begin(), tracks.end(),
+                       [&](const RunTrack& track) { return !(track.*list).empty(); });
+  };
+  if (any(&RunTrack::virtual_obstacles)) {
+    entries.push_back({kVirtualObstaclePaint, false, "virtual obstacle"});
+  }
+  if (any(&RunTrack::believed)) entries.push_back({kBelievedPaint, true, "believed path"});
+  if (any(&RunTrack::subgoals)) entries.push_back({kSubgoalPaint, false, "subgoal of the plan"});
+  return entries;
+}
+
 std::set<Symbol> symbols_of_all(const std::vector<RunTrack>& tracks) {
   std::set<Symbol> symbols;
   for (const RunTrack& track : tracks) symbols.merge(symbols_of(track));
   return symbols;
+}
+
+/// Of several robots in one world each has a world of its own, which the others move in.
+bool are_robots(const std::vector<RunTrack>& tracks) {
+  return std::any_of(tracks.begin(), tracks.end(),
+                     [&](const RunTrack& track) { return track.world != tracks.front().world; });
+}
+
+bool shows_moving(const world::World& world, const std::vector<RunTrack>& tracks) {
+  const bool robots = are_robots(tracks);
+  return std::any_of(world.moving().begin(), world.moving().end(),
+                     [&](const auto& obstacle) { return !(robots && obstacle.jumps); });
 }
 
 bool any_recovers(const std::vector<RunTrack>& tracks) {
@@ -137,9 +170,16 @@ void draw_legend(SvgWriter& svg, const Point& upper_left, const world::World& wo
       legend.path(paint.recover, "path under recovery");
     }
   }
+  for (const UnderEntry& entry : under_entries(tracks)) {
+    if (entry.is_line) {
+      legend.path(entry.paint, entry.text);
+    } else {
+      legend.disc(entry.paint, false, entry.text);
+    }
+  }
   legend.disc({kWhite, kBlack, 1.6}, true, "robot at the start");
   legend.disc({"#CDEBE1", kGreen, 2.0}, false, "target");
-  if (!world.moving().empty()) {
+  if (shows_moving(world, tracks)) {
     legend.disc({"none", kMovingGrey, 1.2, "3 3"}, false, "moving obstacle at the start");
     legend.disc({kObstacleGrey, kMovingGrey, 1.5}, false, "moving obstacle at the end");
   }
@@ -149,8 +189,8 @@ void draw_legend(SvgWriter& svg, const Point& upper_left, const world::World& wo
 
 double legend_height_px(const world::World& world, const std::vector<RunTrack>& tracks) {
   const std::size_t runs = tracks.size() == 1 ? 1 : 4 * tracks.size();
-  const std::size_t lines =
-      runs + 3 + (world.moving().empty() ? 0 : 2) + symbols_of_all(tracks).size();
+  const std::size_t lines = runs + 3 + under_entries(tracks).size() +
+                            (shows_moving(world, tracks) ? 2 : 0) + symbols_of_all(tracks).size();
   return static_cast<double>(lines) * kLegendLinePx;
 }
 
@@ -158,11 +198,30 @@ void draw_title(SvgWriter& svg, const world::World& world, const std::vector<Run
   const bool alone = tracks.size() == 1;
   const std::string title =
       world.name() + ": " +
-      (alone ? outcome_text(tracks[0]) : std::to_string(tracks.size()) + " runs");
+      (alone ? outcome_text(tracks[0])
+             : std::to_string(tracks.size()) + (are_robots(tracks) ? " robots" : " runs"));
   std::string details = world.about();
   if (alone) details = details_text(world, tracks[0]);
   svg.text({kMarginPx, kMarginPx + 14.0}, title, {18.0, Anchor::kStart, kBlack, true});
   svg.text({kMarginPx, kMarginPx + 36.0}, details, {12.5, Anchor::kStart, "#555555"});
+}
+
+/// Those that were given, each once.
+Ways ways_of(const std::vector<RunTrack>& tracks) {
+  Ways ways;
+  const auto same = [](const world::Waypoint& a, const world::Waypoint& b) {
+    return a.place == b.place && a.radius_m == b.radius_m;
+  };
+  for (const RunTrack& track : tracks) {
+    for (const bridge::GivenMission& mission : track.missions) {
+      const bool known = std::any_of(ways.begin(), ways.end(), [&](const auto& way) {
+        return std::equal(way.begin(), way.end(), mission.waypoints.begin(),
+                          mission.waypoints.end(), same);
+      });
+      if (!known) ways.push_back(mission.waypoints);
+    }
+  }
+  return ways;
 }
 
 double end_time_s(const std::vector<RunTrack>& tracks) {
@@ -182,12 +241,16 @@ std::string draw_runs(const world::World& world, const std::vector<RunTrack>& tr
                 view.top() + std::max(map_height_px, legend_bottom_px));
 
   draw_title(svg, world, tracks);
-  draw_world(svg, view, world, end_time_s(tracks));
+  draw_world(svg, view, world, ways_of(tracks), end_time_s(tracks),
+             are_robots(tracks) ? Moving::kNoRobots : Moving::kAll);
   for (const RunTrack& track : tracks) draw_under_track(svg, view, track);
   for (std::size_t run = 0; run < tracks.size(); ++run) {
     draw_track(svg, view, tracks[run], TrackPaint::of(run, tracks.size()));
   }
-  draw_start(svg, view, world.start(), tracks[0].robot_radius_m);
+  for (const RunTrack& track : tracks) {
+    if (&track != &tracks.front() && track.start == tracks.front().start) continue;
+    draw_start(svg, view, track.start, track.robot_radius_m);
+  }
   for (std::size_t run = 0; run < tracks.size(); ++run) {
     draw_over_track(svg, view, tracks[run], TrackPaint::of(run, tracks.size()));
   }

@@ -10,6 +10,7 @@
 #include "recording/run_recording.hpp"
 #include "runtime/run_plan.hpp"
 #include "wire/codec.hpp"
+#include "world/world.hpp"
 
 namespace clew::plot {
 namespace {
@@ -33,6 +34,8 @@ class TrackReader {
         return decode(sample, commands_, command_);
       case Topic::kLandmark:
         return decode(sample, landmarks_, landmark_);
+      case Topic::kTarget:
+        return decode(sample, targets_, target_);
       case Topic::kEvent:
         return decode(sample, events_, event_);
       default:
@@ -50,6 +53,8 @@ class TrackReader {
       if (guidance_) enter_guidance(frames, track);
       if (command_) enter_command(frames, track);
       if (event_) enter_event(frames, track);
+      if (target_) enter_target(frames, track);
+      enter_belief(frames, track);
     }
     if (state_ && landmark_) enter_landmark(track);
     state_.reset();
@@ -58,6 +63,7 @@ class TrackReader {
     command_.reset();
     landmark_.reset();
     event_.reset();
+    target_.reset();
   }
 
  private:
@@ -87,16 +93,15 @@ class TrackReader {
     std::optional<Vec2> target;
     if (guidance_->target_is_virtual) target = Vec2(guidance_->target_x_m, guidance_->target_y_m);
     if (target && target != virtual_target_) {
-      track.virtual_targets.push_back(frames.to_world(*target));
+      track.virtual_targets.push_back({frames.to_world(*target), frames.world_robot.position()});
     }
     virtual_target_ = target;
     for (const domain::VirtualObstacle& box : guidance_->virtual_obstacles) {
-      const std::array corners = {box.x_min_m, box.y_min_m, box.x_max_m, box.y_max_m};
-      if (!boxes_.insert(corners).second) continue;
-      track.virtual_boxes.push_back({frames.to_world({box.x_min_m, box.y_min_m}),
-                                     frames.to_world({box.x_max_m, box.y_min_m}),
-                                     frames.to_world({box.x_max_m, box.y_max_m}),
-                                     frames.to_world({box.x_min_m, box.y_max_m})});
+      if (!boxes_.insert({box.x_min_m, box.y_min_m, box.x_max_m, box.y_max_m}).second) continue;
+      track.virtual_obstacles.push_back({frames.to_world({box.x_min_m, box.y_min_m}),
+                                         frames.to_world({box.x_max_m, box.y_min_m}),
+                                         frames.to_world({box.x_max_m, box.y_max_m}),
+                                         frames.to_world({box.x_min_m, box.y_max_m})});
     }
   }
 
@@ -106,6 +111,17 @@ class TrackReader {
       if (!controller_targets_.insert(place).second) continue;
       track.controller_targets.push_back(frames.to_world({target.x_m, target.y_m}));
     }
+  }
+
+  /// What a plan says in place of the mission's way-points.
+  void enter_target(const FramePair& frames, RunTrack& track) {
+    if (!subgoals_.insert({target_->x_m, target_->y_m}).second) return;
+    track.subgoals.push_back(frames.to_world({target_->x_m, target_->y_m}));
+  }
+
+  void enter_belief(const FramePair& frames, RunTrack& track) {
+    if (!first_frames_) first_frames_ = frames;
+    track.believed.push_back(first_frames_->to_world(frames.odom_robot.position()));
   }
 
   void enter_landmark(RunTrack& track) {
@@ -145,22 +161,42 @@ class TrackReader {
   bridge::Codec<domain::Command> commands_;
   bridge::Codec<domain::Landmark> landmarks_;
   bridge::Codec<domain::Event> events_;
+  bridge::Codec<domain::Target> targets_;
   std::optional<domain::State> state_;
   std::optional<domain::Odometry> odometry_;
   std::optional<domain::Guidance> guidance_;
   std::optional<domain::Command> command_;
   std::optional<domain::Landmark> landmark_;
   std::optional<domain::Event> event_;
-  std::optional<Vec2> virtual_target_;  ///< of the tick before, odometry's frame
-  // Those that are drawn already, odometry's frame.
-  std::set<std::array<double, 4>> boxes_;
-  std::set<std::pair<double, double>> controller_targets_;
+  std::optional<domain::Target> target_;
+  std::optional<Vec2> virtual_target_;     ///< of the tick before, odometry's frame
+  std::set<std::array<double, 4>> boxes_;  ///< that are entered
+  std::set<std::pair<double, double>> subgoals_;
+  std::optional<FramePair> first_frames_;
+  std::set<std::pair<double, double>> controller_targets_;  ///< that are entered
 };
+
+/// A belief that is true is no other path.
+constexpr double kLeastDrift_m = 0.02;
+
+void keep_what_differs(const bridge::RunDescription& description, RunTrack& track) {
+  bool drifts = false;
+  for (std::size_t i = 0; i < track.believed.size() && i < track.poses.size(); ++i) {
+    drifts = drifts || (track.believed[i] - track.poses[i].position()).norm() > kLeastDrift_m;
+  }
+  if (!drifts) track.believed.clear();
+  const auto graph = description.bundle.find("graph.yaml");
+  const auto root = graph == description.bundle.end()
+                        ? core::Result<core::YamlNode>(core::Error{"none"})
+                        : core::YamlNode::parse(graph->second, "graph.yaml");
+  if (!root.ok() || !root->find("plan")) track.subgoals.clear();
+}
 
 core::Result<void> read_samples(const bridge::RunRecording& recording, RunTrack& track) {
   TrackReader reader;
   auto samples = recording.samples({{Topic::kState, Topic::kOdometry, Topic::kGuidance,
-                                     Topic::kCommand, Topic::kLandmark, Topic::kEvent}});
+                                     Topic::kCommand, Topic::kLandmark, Topic::kEvent,
+                                     Topic::kTarget}});
   std::optional<std::uint64_t> tick;
   for (;;) {
     const auto sample = samples.next();
@@ -217,6 +253,9 @@ core::Result<void> read_configuration(const bridge::RunDescription& description,
   const auto body = runtime::read_robot({"robot.yaml", robot->second}, "robot");
   if (!body.ok()) return body.error();
   track.robot_radius_m = body->radius_m;
+  const auto place = world::World::parse(track.world, "world.yaml");
+  if (!place.ok()) return place.error();
+  track.start = place->start();
   return {};
 }
 
@@ -240,9 +279,13 @@ core::Result<RunTrack> read_run_track(const std::string& path) {
   if (const auto read = read_configuration(recording->description(), track); !read.ok()) {
     return refused(read.error().text());
   }
+  auto missions = bridge::missions_of(recording->description().bundle, recording->interventions());
+  if (!missions.ok()) return refused(missions.error().text());
+  track.missions = std::move(missions).value();
   if (const auto read = read_samples(*recording, track); !read.ok()) {
     return refused(read.error().message);
   }
+  keep_what_differs(recording->description(), track);
   if (track.poses.empty()) return refused("holds no sample of the topic state");
   return track;
 }

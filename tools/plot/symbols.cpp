@@ -66,8 +66,6 @@ std::string_view symbol_name(Symbol symbol) {
       return "virtual target";
     case Symbol::kControllerTarget:
       return "the controller's own virtual target";
-    case Symbol::kVirtualBox:
-      return "virtual obstacle";
     case Symbol::kReflex:
       return "immediate memory acted";
     case Symbol::kSafetyStop:
@@ -116,9 +114,6 @@ void draw_symbol(SvgWriter& svg, Symbol symbol, const Point& centre, std::string
       return;
     case Symbol::kControllerTarget:
       svg.circle(centre, 2.0, {kGreen, kWhite, 0.5, "", 0.8});
-      return;
-    case Symbol::kVirtualBox:
-      svg.rectangle({centre.x - 7.0, centre.y - 5.0}, 14.0, 10.0, kVirtualBoxPaint);
       return;
     case Symbol::kReflex:
       svg.circle(centre, 2.6, {kPurple, kWhite, 0.8});

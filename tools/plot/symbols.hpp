@@ -20,7 +20,6 @@ enum class Symbol {
   kEscapeFailed,
   kVirtualTarget,
   kControllerTarget,
-  kVirtualBox,
   kReflex,
   kSafetyStop,
   kCollision,
@@ -28,9 +27,6 @@ enum class Symbol {
   kUnreachable,
   kEnd
 };
-
-/// Of a virtual obstacle: boxes lie over each other and over landmarks.
-inline constexpr Paint kVirtualBoxPaint = {kPurple, kPurple, 1.2, "4 2", 0.25};
 
 /// What the legend calls it.
 std::string_view symbol_name(Symbol symbol);

@@ -147,6 +147,15 @@ void draw_way(SvgWriter& svg, const MapView& view, const RunTrack& track, std::u
   svg.polyline(way, {"none", kBlue, 2.0});
 }
 
+/// Where the robot goes at a tick.
+std::vector<world::Waypoint> way_at(const RunTrack& track, std::uint64_t tick) {
+  std::vector<world::Waypoint> way;
+  for (const bridge::GivenMission& mission : track.missions) {
+    if (mission.tick <= tick) way = mission.waypoints;
+  }
+  return way;
+}
+
 }  // namespace
 
 std::string draw_tick(const world::World& world, const RunTrack& track, const InsideView& inside) {
@@ -169,7 +178,7 @@ std::string draw_tick(const world::World& world, const RunTrack& track, const In
       world.name() + ": tick " + std::to_string(inside.tick) + " (" + short_number(time_s) + " s)",
       {18.0, Anchor::kStart, kBlack, true});
   svg.text({kMarginPx, kMarginPx + 36.0}, world.about(), {12.5, Anchor::kStart, "#555555"});
-  draw_world(svg, view, world, time_s);
+  draw_world(svg, view, world, {way_at(track, inside.tick)}, time_s);
   Point at{view.right() + kMarginPx, view.top() + 10.0};
   std::map<PictureLayer::Kind, std::size_t> orders;
   for (const domain::Picture& picture : inside.pictures) {

@@ -81,11 +81,14 @@ void draw_trap(SvgWriter& svg, const MapView& view, const TrapMark& trap,
 void draw_virtual_targets(SvgWriter& svg, const MapView& view, const RunTrack& track,
                           std::string_view outline) {
   constexpr std::size_t kMostStars = 24;
-  for (const auto& target : track.virtual_targets) {
-    if (track.virtual_targets.size() <= kMostStars) {
-      draw_symbol(svg, Symbol::kVirtualTarget, view.at(target), outline);
+  const bool few = track.virtual_targets.size() <= kMostStars;
+  for (const VirtualTargetMark& target : track.virtual_targets) {
+    const Point at = view.at(target.position);
+    if (few) svg.line(view.at(target.from), at, {"none", kPurple, 0.8, "", 0.7});
+    if (few) {
+      draw_symbol(svg, Symbol::kVirtualTarget, at, outline);
     } else {
-      svg.circle(view.at(target), 2.0, {kPurple, outline, 0.5, "", 0.8});
+      svg.circle(at, 2.0, {kPurple, outline, 0.5, "", 0.8});
     }
   }
 }
@@ -130,9 +133,18 @@ TrackPaint TrackPaint::of(std::size_t run, std::size_t runs) {
 }
 
 void draw_under_track(SvgWriter& svg, const MapView& view, const RunTrack& track) {
-  for (const VirtualBox& box : track.virtual_boxes) {
-    svg.polygon({view.at(box[0]), view.at(box[1]), view.at(box[2]), view.at(box[3])},
-                kVirtualBoxPaint);
+  for (const auto& box : track.virtual_obstacles) {
+    std::vector<Point> corners;
+    for (const core::Vec2& corner : box) corners.push_back(view.at(corner));
+    svg.polygon(corners, kVirtualObstaclePaint);
+  }
+  if (!track.believed.empty()) {
+    std::vector<Point> line;
+    for (const core::Vec2& place : track.believed) line.push_back(view.at(place));
+    svg.polyline(line, kBelievedPaint);
+  }
+  for (const core::Vec2& subgoal : track.subgoals) {
+    svg.circle(view.at(subgoal), kSubgoalPx, kSubgoalPaint);
   }
   // Diamonds are larger than squares: where both networks know a place, both can be seen.
   for (const auto network : {domain::Network::kFuzzyArt, domain::Network::kSom}) {
@@ -192,7 +204,6 @@ std::set<Symbol> symbols_of(const RunTrack& track) {
   }
   if (!track.virtual_targets.empty()) symbols.insert(Symbol::kVirtualTarget);
   if (!track.controller_targets.empty()) symbols.insert(Symbol::kControllerTarget);
-  if (!track.virtual_boxes.empty()) symbols.insert(Symbol::kVirtualBox);
   if (!track.safety_stops.empty()) symbols.insert(Symbol::kSafetyStop);
   if (!track.collisions.empty()) symbols.insert(Symbol::kCollision);
   if (!track.hits.empty()) symbols.insert(Symbol::kHitBy);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plot/map_view.hpp"
+#include "plot/palette.hpp"
 #include "plot/run_track.hpp"
 #include "plot/svg_writer.hpp"
 #include "plot/symbols.hpp"
@@ -24,7 +25,13 @@ struct TrackPaint {
   static TrackPaint of(std::size_t run, std::size_t runs);
 };
 
-/// What lies under the paths: landmarks, and the lines from traps to the visits that prove them.
+inline constexpr Paint kVirtualObstaclePaint{"#F6D9C8", kVermilion, 1.2, "5 3", 0.6};
+inline constexpr Paint kBelievedPaint{"none", kMovingGrey, 1.2, "2 3"};
+inline constexpr Paint kSubgoalPaint{kSkyBlue, "none", 0.0, "", 0.7};
+inline constexpr double kSubgoalPx = 1.8;
+
+/// What lies under the paths: virtual obstacles, the believed path, subgoals, landmarks, and the
+/// lines from traps to the visits that prove them.
 void draw_under_track(SvgWriter& svg, const MapView& view, const RunTrack& track);
 void draw_track(SvgWriter& svg, const MapView& view, const RunTrack& track,
                 const TrackPaint& paint);

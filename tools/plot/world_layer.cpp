@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "plot/palette.hpp"
@@ -82,28 +83,32 @@ void draw_moving(SvgWriter& svg, const MapView& view, const world::MovingObstacl
              {kObstacleGrey, kMovingGrey, 1.5, "", 0.8});
 }
 
-/// The way-points before the target, joined to it in their order.
-void draw_waypoints(SvgWriter& svg, const MapView& view, const world::World& world) {
-  if (world.waypoints().size() < 2) return;
-  std::vector<Point> way;
-  for (const world::Waypoint& waypoint : world.waypoints()) {
-    way.push_back(view.at(waypoint.place));
-    svg.circle(way.back(), view.px(waypoint.radius_m), {"none", kGreen, 1.5});
-  }
-  svg.polyline(way, {"none", kGreen, 1.0, "3 4"});
-}
-
-void draw_target(SvgWriter& svg, const MapView& view, const world::World& world) {
-  draw_waypoints(svg, view, world);
-  const Point centre = view.at(world.target());
-  const double radius_px = view.px(world.target_radius_m());
+void draw_target(SvgWriter& svg, const MapView& view, const world::Waypoint& target) {
+  const Point centre = view.at(target.place);
   const double arm_px = 5.0;
-  svg.circle(centre, radius_px, {"#CDEBE1", kGreen, 2.0});
+  svg.circle(centre, view.px(target.radius_m), {"#CDEBE1", kGreen, 2.0});
   svg.segments({{centre.x - arm_px, centre.y},
                 {centre.x + arm_px, centre.y},
                 {centre.x, centre.y - arm_px},
                 {centre.x, centre.y + arm_px}},
                {"none", kGreen, 2.0});
+}
+
+/// Way-points in their order, joined and numbered; the last one is the target.
+void draw_way(SvgWriter& svg, const MapView& view, const std::vector<world::Waypoint>& way) {
+  if (way.empty()) return;
+  draw_target(svg, view, way.back());
+  if (way.size() == 1) return;
+  std::vector<Point> line;
+  for (const world::Waypoint& waypoint : way) {
+    const Point at = view.at(waypoint.place);
+    const double radius_px = view.px(waypoint.radius_m);
+    line.push_back(at);
+    if (&waypoint != &way.back()) svg.circle(at, radius_px, {"none", kGreen, 1.5});
+    svg.text({at.x + 0.75 * radius_px + 3.0, at.y - 0.75 * radius_px - 3.0},
+             std::to_string(line.size()), {11.0, Anchor::kStart, kGreen, true});
+  }
+  svg.polyline(line, {"none", kGreen, 1.0, "3 4"});
 }
 
 }  // namespace
@@ -117,12 +122,16 @@ double round_length_m(double extent_m) {
   return step_m;
 }
 
-void draw_world(SvgWriter& svg, const MapView& view, const world::World& world, double end_time_s) {
+void draw_world(SvgWriter& svg, const MapView& view, const world::World& world, const Ways& ways,
+                double end_time_s, Moving moving) {
   svg.begin_group("world");
   draw_grid(svg, view, world);
-  draw_target(svg, view, world);
+  for (const auto& way : ways) draw_way(svg, view, way);
   draw_obstacles(svg, view, world);
-  for (const auto& obstacle : world.moving()) draw_moving(svg, view, obstacle, end_time_s);
+  for (const auto& obstacle : world.moving()) {
+    if (moving == Moving::kNoRobots && obstacle.jumps) continue;
+    draw_moving(svg, view, obstacle, end_time_s);
+  }
   svg.rectangle({view.left(), view.top()}, view.width(), view.height(), {"none", kWallGrey, 3.0});
   draw_axes(svg, view, world);
   svg.end_group();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "plot/map_view.hpp"
 #include "plot/svg_writer.hpp"
 #include "world/world.hpp"
@@ -11,9 +13,17 @@ namespace clew::plot {
 /// power of ten, at most a fifth of it.
 double round_length_m(double extent_m);
 
-/// Draws grid and its metres, obstacles, boundary and target. Moving obstacles are drawn where they
-/// stand at time 0 (dashed) and at `end_time_s`, with their whole way.
-void draw_world(SvgWriter& svg, const MapView& view, const world::World& world, double end_time_s);
+/// Where robots go: each from way-point to way-point.
+using Ways = std::vector<std::vector<world::Waypoint>>;
+
+/// Which moving obstacles are drawn: all, or those that are no other robots.
+enum class Moving { kAll, kNoRobots };
+
+/// Draws grid and its metres, obstacles, boundary, and each way with its way-points. Moving
+/// obstacles are drawn where they stand at time 0 (dashed) and at `end_time_s`, with their whole
+/// way.
+void draw_world(SvgWriter& svg, const MapView& view, const world::World& world, const Ways& ways,
+                double end_time_s, Moving moving = Moving::kAll);
 
 /// Draws the robot's body as it stands at the start.
 void draw_start(SvgWriter& svg, const MapView& view, const core::Pose2& start, double radius_m);

@@ -29,7 +29,7 @@ std::string draw_empty_world(const world::World& world, double robot_radius_m,
   SvgWriter svg(std::max(view.right(), kMapPx) + kMarginPx, view.bottom() + kFooterPx);
   svg.text({kMarginPx, kMarginPx + 14.0}, world.name(), {18.0, Anchor::kStart, kBlack, true});
   svg.text({kMarginPx, kMarginPx + 36.0}, world.about(), {10.5, Anchor::kStart, "#555555"});
-  draw_world(svg, view, world, last_time_s(world));
+  draw_world(svg, view, world, {world.waypoints()}, last_time_s(world));
   draw_start(svg, view, world.start(), robot_radius_m);
   for (const core::Vec2& trap : traps) draw_symbol(svg, Symbol::kTrap, view.at(trap), kBlack);
   draw_scale_bar(svg, view, world);
