@@ -32,12 +32,19 @@ double clearance(const MovingObstacle& moving, const Vec2& point) {
 }
 
 template <typename Shape>
+std::size_t entry_of(const Shape&, std::size_t index) {
+  return index;
+}
+std::size_t entry_of(const MovingObstacle& moving, std::size_t) { return moving.entry; }
+
+template <typename Shape>
 void take_nearer(const std::vector<Shape>& shapes, const char* key, const Vec2& point,
                  NearestObstacle& nearest) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const double clearance_m = clearance(shapes[i], point);
     if (clearance_m < nearest.clearance_m) {
-      nearest = {std::string(key) + '[' + std::to_string(i) + ']', clearance_m};
+      nearest = {std::string(key) + '[' + std::to_string(entry_of(shapes[i], i)) + ']',
+                 clearance_m};
     }
   }
 }

@@ -30,6 +30,7 @@ struct MovingObstacle {
   /// Stands at each point until after the time of the next: at that time itself it is not yet
   /// there. So other robots are known, a tick at a time; see bridge/fleet.
   bool jumps = false;
+  std::uint32_t entry = 0;  ///< of the file's list; a shape of several discs is one
 
   Vec2 position_at(double time_s) const;
 };

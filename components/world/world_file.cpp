@@ -8,8 +8,9 @@
 
 #include "core/yaml_fields.hpp"
 #include "core/yaml_reader.hpp"
-#include "world/goal_reader.hpp"
+#include "world/moving_file.hpp"
 #include "world/nearest_obstacle.hpp"
+#include "world/world_values.hpp"
 
 namespace clew::world {
 namespace {
@@ -18,195 +19,6 @@ using core::Result;
 using core::YamlNode;
 
 constexpr const char* kFormat = "clew-world/1";
-// Beyond this the last bit of a double comes near the margins of the queries.
-constexpr double kLargest = 1e5;
-// Between the points of a moving obstacle's path; bounds the legs in one tick.
-constexpr double kLeastStep_s = 1e-3;
-
-// Numbers within what a world may span.
-Result<void> check_span(const YamlNode& node, const std::vector<double>& numbers,
-                        const char* allowed) {
-  for (const double number : numbers) {
-    if (std::fabs(number) <= kLargest) continue;
-    return node.error(fmt::format("{} in {} is beyond +-{}, the largest number allowed", number,
-                                  allowed, kLargest));
-  }
-  return {};
-}
-
-// A list of exactly `count` numbers within what a world may span.
-Result<std::vector<double>> read_numbers(const YamlNode& node, std::size_t count,
-                                         const char* allowed) {
-  auto numbers = node.numbers(count, allowed);
-  if (!numbers.ok()) return numbers;
-  CLEW_RETURN_IF_ERROR(check_span(node, *numbers, allowed));
-  return numbers;
-}
-
-Result<void> read(const YamlNode& node, double& positive) {
-  const auto number = node.number();
-  if (!number.ok()) return number.error();
-  if (!(*number > 0.0 && *number <= kLargest)) {
-    return node.error(
-        fmt::format("found {}, expected a number above 0, at most {}", node.found(), kLargest));
-  }
-  positive = *number;
-  return {};
-}
-
-Result<void> read(const YamlNode& node, bool& value) {
-  const auto boolean = node.boolean();
-  if (!boolean.ok()) return boolean.error();
-  value = *boolean;
-  return {};
-}
-
-Result<void> read(const YamlNode& node, std::string& text) {
-  const auto string = node.string();
-  if (!string.ok()) return string.error();
-  text = *string;
-  return {};
-}
-
-Result<void> read(const YamlNode& node, Vec2& point) {
-  const auto numbers = read_numbers(node, 2, "[x, y]");
-  if (!numbers.ok()) return numbers.error();
-  point = {(*numbers)[0], (*numbers)[1]};
-  return {};
-}
-
-/// A radius that is not given is left as it is.
-Result<void> read(const YamlNode& node, Waypoint& waypoint) {
-  const auto goal = read_goal(node);
-  if (!goal.ok()) return goal.error();
-  CLEW_RETURN_IF_ERROR(check_span(node, {goal->place.x(), goal->place.y()}, kGoalForms));
-  waypoint.place = goal->place;
-  waypoint.heading = goal->heading;
-  if (!goal->radius_m) return {};
-  waypoint.radius_m = *goal->radius_m;
-  if (waypoint.radius_m > 0.0 && waypoint.radius_m <= kLargest) return {};
-  return node.error(fmt::format("the radius is {}; it must be above 0 and at most {}",
-                                waypoint.radius_m, kLargest));
-}
-
-/// `heading` or `[heading, tolerance]`.
-Result<void> read(const YamlNode& node, GoalHeading& heading) {
-  if (node.kind() != core::YamlKind::kList) {
-    const auto number = node.number();
-    if (!number.ok()) return number.error();
-    return set_heading(node, {*number}, heading);
-  }
-  const auto numbers = node.numbers(2, "heading or [heading, tolerance]");
-  if (!numbers.ok()) return numbers.error();
-  return set_heading(node, *numbers, heading);
-}
-
-Result<void> read(const YamlNode& node, Pose2& pose) {
-  const auto numbers = read_numbers(node, 3, "[x, y, heading]");
-  if (!numbers.ok()) return numbers.error();
-  pose = {(*numbers)[0], (*numbers)[1], core::wrap_angle_rad((*numbers)[2])};
-  return {};
-}
-
-Result<void> read(const YamlNode& node, World::Segment& wall) {
-  const auto numbers = read_numbers(node, 4, "[x1, y1, x2, y2]");
-  if (!numbers.ok()) return numbers.error();
-  wall = {{(*numbers)[0], (*numbers)[1]}, {(*numbers)[2], (*numbers)[3]}};
-  return {};
-}
-
-Result<void> read(const YamlNode& node, World::Circle& circle) {
-  const auto numbers = read_numbers(node, 3, "[x, y, radius]");
-  if (!numbers.ok()) return numbers.error();
-  circle = {{(*numbers)[0], (*numbers)[1]}, (*numbers)[2]};
-  if (circle.radius_m > 0.0) return {};
-  return node.error(fmt::format("the radius is {}; it must be above 0", circle.radius_m));
-}
-
-Result<void> read(const YamlNode& node, Polygon& polygon) {
-  const auto items = node.items();
-  if (!items.ok() || items->size() < 3) {
-    return node.error("found " + node.found() + ", expected at least three points [[x, y], ...]");
-  }
-  for (const YamlNode& item : *items) CLEW_RETURN_IF_ERROR(read(item, polygon.emplace_back()));
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    if (polygon[i] != polygon[(i + 1) % polygon.size()]) continue;
-    return (*items)[i].error(
-        "the next point of the polygon is the same; each is given once, and "
-        "the last is joined to the first");
-  }
-  if (const auto crossing = find_crossing(polygon)) {
-    const auto [first, second] = std::minmax(crossing->first, crossing->second);
-    return (*items)[second].error(fmt::format(
-        "the polygon crosses or touches itself: the side that begins here, {}, meets side {} (side "
-        "0 begins at the first point)",
-        second, first));
-  }
-  return {};
-}
-
-Result<void> read(const YamlNode& node, std::vector<MovingObstacle::Waypoint>& path) {
-  const auto items = node.items();
-  if (!items.ok() || items->empty()) {
-    return node.error("found " + node.found() + ", expected at least one point [[t, x, y], ...]");
-  }
-  for (const YamlNode& item : *items) {
-    const auto numbers = read_numbers(item, 3, "[t, x, y]");
-    if (!numbers.ok()) return numbers.error();
-    const double time_s = (*numbers)[0];
-    if (path.empty() && time_s != 0.0) {
-      return item.error(fmt::format("the path begins at {} s; it must begin at 0", time_s));
-    }
-    if (!path.empty() && time_s < path.back().time_s + kLeastStep_s) {
-      return item.error(fmt::format("the time {} s follows {} s; times must rise, by {} s at least",
-                                    time_s, path.back().time_s, kLeastStep_s));
-    }
-    path.push_back({time_s, {(*numbers)[1], (*numbers)[2]}});
-  }
-  return {};
-}
-
-template <typename T>
-Result<void> read_required(const YamlNode& map, const char* key, T& value) {
-  const auto node = map.at(key);
-  if (!node.ok()) return node.error();
-  return read(*node, value);
-}
-
-template <typename T>
-Result<void> read_optional(const YamlNode& map, const char* key, T& value) {
-  const auto node = map.find(key);
-  return node ? read(*node, value) : Result<void>();
-}
-
-Result<void> read(const YamlNode& node, MovingObstacle& moving) {
-  CLEW_RETURN_IF_ERROR(node.check_keys({"circle", "path", "loop", "jumps"}));
-  World::Circle circle;
-  CLEW_RETURN_IF_ERROR(read_required(node, "circle", circle));
-  CLEW_RETURN_IF_ERROR(read_required(node, "path", moving.path));
-  CLEW_RETURN_IF_ERROR(read_optional(node, "loop", moving.loop));
-  CLEW_RETURN_IF_ERROR(read_optional(node, "jumps", moving.jumps));
-  if (moving.loop && moving.jumps) {
-    return node.find("jumps")->error("an obstacle that jumps cannot loop; allowed: one of the two");
-  }
-  moving.radius_m = circle.radius_m;
-  const Vec2& first = moving.path.front().position;
-  if (circle.centre == first) return {};
-  return node.error(
-      fmt::format("the circle is at [{}, {}], but its path begins at [{}, {}]; they must agree",
-                  circle.centre.x(), circle.centre.y(), first.x(), first.y()));
-}
-
-template <typename T>
-Result<void> read_list(const YamlNode& map, const char* key, std::vector<T>& values) {
-  const auto node = map.find(key);
-  if (!node) return {};
-  const auto items = node->items();
-  if (!items.ok()) return items.error();
-  values.reserve(items->size());
-  for (const YamlNode& item : *items) CLEW_RETURN_IF_ERROR(read(item, values.emplace_back()));
-  return {};
-}
 
 Result<void> read_head(const YamlNode& root, WorldFile& world) {
   CLEW_RETURN_IF_ERROR(core::check_format(root, kFormat));
@@ -362,7 +174,7 @@ core::Result<WorldFile> read_world_file(std::string_view yaml, const std::string
   CLEW_RETURN_IF_ERROR(read_list(*root, "walls", world.walls));
   CLEW_RETURN_IF_ERROR(read_list(*root, "polygons", world.polygons));
   CLEW_RETURN_IF_ERROR(read_list(*root, "circles", world.circles));
-  CLEW_RETURN_IF_ERROR(read_list(*root, "moving", world.moving));
+  CLEW_RETURN_IF_ERROR(read_all_moving(*root, world.moving));
   CLEW_RETURN_IF_ERROR(read_places(*root, world));
   CLEW_RETURN_IF_ERROR(read_claims(*root, world));
   return world;
