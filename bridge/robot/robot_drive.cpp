@@ -40,7 +40,8 @@ void RobotDrive::step(const runtime::TickInputs& inputs, runtime::TickOutputs& o
                       std::fabs(view.odometry.turn_rate_radps) < kStandingTurnRate_radps;
   state.speed_mps = stands ? 0.0 : view.odometry.speed_mps;
   state.turn_rate_radps = stands ? 0.0 : view.odometry.turn_rate_radps;
-  state.outcome = referee_.judge(inputs.tick(), state.pose_world_robot, 0, motion);
+  state.outcome =
+      referee_.judge(inputs.tick(), {state.pose_world_robot, state.pose_world_robot}, 0, motion);
 
   const bool is_under_way = state.outcome == domain::Outcome::kRunning && !referee_.waits();
   const bool goes_on = is_heard(view) && is_under_way;

@@ -78,9 +78,9 @@ void DeadReckoning::count(const Tick& tick, const core::Random& random) {
   // the tick's error of heading has come up on its middle.
   core::Pose2& pose = state_.pose_odom_robot;
   const core::Vec2 way = tick.to.position() - tick.from.position();
-  const core::Vec2 frame =
-      core::direction(pose.heading_rad - tick.from.heading_rad + 0.5 * error_rad);
-  const double scale = s_m > 0.0 ? counted_m / s_m : 0.0;
+  const core::Vec2 frame = core::direction(pose.heading_rad - tick.from.heading_rad +
+                                           0.5 * (error_rad + tick.slipped_rad));
+  const double scale = s_m > 0.0 ? counted_m / (s_m * tick.way_share) : 0.0;
   const core::Vec2 way_odom(scale * (frame.x() * way.x() - frame.y() * way.y()),
                             scale * (frame.y() * way.x() + frame.x() * way.y()));
   pose.x_m += way_odom.x();

@@ -43,7 +43,8 @@ void visit_parameters(Visitor& visit, DriftParameters& p) {
 /// Where the robot believes it is: what its wheels count, summed from the start, where belief and
 /// truth are one.
 ///
-/// Of a tick in which the robot truly went s metres and turned by theta, it counts
+/// Of a tick in which its wheels made s metres and a turn of theta, which is the truth unless they
+/// slip, it counts
 ///
 ///     s'     = s (1 + m_per_m) + m_per_sqrt_m sqrt(s) N_0
 ///     theta' = theta (1 + rad_per_rad) + rad_per_m s + rad_per_sqrt_m sqrt(s) N_1
@@ -89,14 +90,16 @@ class DeadReckoning {
     /// Whether it is one that counting leads to, and not a stranger's.
     bool is_sound() const;
   };
-  /// What truly happened in a tick, in the world's frame.
+  /// What happened in a tick: poses in the world's frame, in truth.
   struct Tick {
     core::Pose2 from;
     core::Pose2 to;
-    double path_length_m = 0.0;
-    double turn_rad = 0.0;
+    double path_length_m = 0.0;  ///< that the wheels made
+    double turn_rad = 0.0;       ///< that the wheels made
     bool backwards = false;
     double duration_s = 0.0;
+    double way_share = 1.0;    ///< of the wheels' way that the robot truly went
+    double slipped_rad = 0.0;  ///< of the wheels' turn that was none
   };
 
   DeadReckoning(const core::Pose2& start, const DriftParameters& drift);

@@ -29,15 +29,16 @@ std::vector<runtime::PortInfo> DriveComponent::ports() {
 }
 
 DriveComponent::DriveComponent(std::unique_ptr<DriveModel> model, const SafetyParameters& safety,
-                               const DriftParameters& drift, const ArrivalParameters& arrival,
-                               const runtime::RunSetup& setup)
+                               const DriftParameters& drift, const ActuatorParameters& actuators,
+                               const ArrivalParameters& arrival, const runtime::RunSetup& setup)
     : model_(std::move(model)),
       world_(setup.world),
       seed_(setup.seed),
       robot_index_(setup.robot_index),
-      drifts_(drift.any()),
+      counts_(drift.any() || actuators.slips()),
       referee_(mission_of(setup, arrival)),
       body_(world_->start(), setup.behaviour.robot.radius_m, safety),
+      actuators_(actuators),
       reckoning_(world_->start(), drift) {}
 
 void DriveComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
@@ -51,26 +52,45 @@ void DriveComponent::step(const runtime::TickInputs& inputs, runtime::TickOutput
   auto& state = outputs.get<domain::State>();
   write_state(state);
   state.command_late = late;
-  state.outcome = referee_.judge(inputs.tick(), state.pose_world_robot, state.collisions, motion);
   auto& odometry = outputs.get<domain::Odometry>();
   write_odometry(odometry);
+  state.outcome = referee_.judge(inputs.tick(), {state.pose_world_robot, odometry.pose_odom_robot},
+                                 state.collisions, motion);
   if (auto* target = outputs.find<domain::Target>()) {
     referee_.announce(odometry.pose_odom_robot, *target);
   }
 }
 
+namespace {
+
+/// The emergency stop: whatever the drive's accelerations, and its actuators' lag.
+bool brakes(const domain::Motion& motion) {
+  return motion.kind == domain::CommandKind::kStop || motion.kind == domain::CommandKind::kGiveUp;
+}
+
+}  // namespace
+
 /// Applies the motion during `tick`.
 void DriveComponent::move(const domain::Motion& motion, std::uint64_t tick) {
   const Body::State before = body_.state();
   // The safety layer has brought it to rest.
-  before_ = {before.blocked ? 0.0 : before.speed_mps, before.turn_rate_radps};
-  body_.move(*world_, model_->legs(motion, before_), static_cast<double>(tick) * model_->tick_s());
-  if (!drifts_) return;
+  if (before.blocked) actuators_.come_to_rest();
+  before_ = actuators_.any()
+                ? actuators_.wheels()
+                : Velocities{before.blocked ? 0.0 : before.speed_mps, before.turn_rate_radps};
+  const core::Random random({seed_, robot_index_, kRandomComponent, tick});
+  Legs legs = model_->legs(motion, before_);
+  if (actuators_.any()) legs = actuators_.act(legs, brakes(motion), random);
+  body_.move(*world_, legs, static_cast<double>(tick) * model_->tick_s());
+  if (!counts_) return;
   const Body::State& after = body_.state();
-  reckoning_.count(
-      {before.pose_world_robot, after.pose_world_robot, after.path_length_m - before.path_length_m,
-       after.turn_rate_radps * model_->tick_s(), after.speed_mps < 0.0, model_->tick_s()},
-      core::Random({seed_, robot_index_, kRandomComponent, tick}));
+  const Actuators::Slip& slip = actuators_.slip();
+  const double turn_rad = after.turn_rate_radps * model_->tick_s();
+  const double wheels_rad = (turn_rad - slip.error_rad) / slip.turn_share;
+  reckoning_.count({before.pose_world_robot, after.pose_world_robot,
+                    (after.path_length_m - before.path_length_m) / slip.way_share, wheels_rad,
+                    after.speed_mps < 0.0, model_->tick_s(), slip.way_share, wheels_rad - turn_rad},
+                   random);
 }
 
 void DriveComponent::write_state(domain::State& state) const {
@@ -88,7 +108,7 @@ void DriveComponent::write_odometry(domain::Odometry& odometry) const {
   const Body::State& body = body_.state();
   odometry.blocked = body.blocked;
   odometry.contact_bearings_rad = body.contact_bearings_rad;
-  if (drifts_) {
+  if (counts_) {
     const DeadReckoning::State& belief = reckoning_.state();
     odometry.pose_odom_robot = belief.pose_odom_robot;
     odometry.covariance = reckoning_.covariance();
@@ -105,6 +125,7 @@ void DriveComponent::write_odometry(domain::Odometry& odometry) const {
 
 void DriveComponent::save(core::StateWriter& writer) const {
   writer(body_.state(), reckoning_.state());
+  if (actuators_.any()) writer(actuators_.state());
   referee_.save(writer);
 }
 
@@ -113,6 +134,7 @@ void DriveComponent::load(core::StateReader& reader) {
   if (!reader.check(reckoning_.state().is_sound(), "a covariance of the odometry is none")) {
     reckoning_.state() = {};
   }
+  if (actuators_.any()) reader(actuators_.state());
   referee_.load(reader);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/parameters.hpp"
+#include "drive/actuators.hpp"
 #include "drive/body.hpp"
 #include "drive/dead_reckoning.hpp"
 #include "drive/drive_model.hpp"
@@ -32,8 +33,8 @@ class DriveComponent final : public runtime::Component {
   static std::vector<runtime::PortInfo> ports();
 
   DriveComponent(std::unique_ptr<DriveModel> model, const SafetyParameters& safety,
-                 const DriftParameters& drift, const ArrivalParameters& arrival,
-                 const runtime::RunSetup& setup);
+                 const DriftParameters& drift, const ActuatorParameters& actuators,
+                 const ArrivalParameters& arrival, const runtime::RunSetup& setup);
 
   void step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) override;
   void save(core::StateWriter& writer) const override;
@@ -52,10 +53,11 @@ class DriveComponent final : public runtime::Component {
   std::shared_ptr<const world::World> world_;
   std::uint64_t seed_;
   std::uint32_t robot_index_;
-  bool drifts_;
+  bool counts_;  ///< what the wheels made, which is not the truth
   Referee referee_;
   Body body_;
-  DeadReckoning reckoning_;  // in use if it drifts
+  Actuators actuators_;      // in use if they lag or slip
+  DeadReckoning reckoning_;  // in use if it counts
   Velocities before_;        // scratch: how it moved when the last motion began
 };
 

@@ -80,12 +80,19 @@ void DriveComponent::tell_motion(const domain::Motion& motion, domain::Inside& i
   group.number("turn_rate", body.turn_rate_radps, "radps");
   group.flag("blocked", body.blocked);
   group.flag("struck", body.struck);
+  if (actuators_.any()) {
+    const Velocities wheels = actuators_.wheels();
+    group.number("wheels_speed", wheels.speed_mps, "mps");
+    group.number("wheels_turn_rate", wheels.turn_rate_radps, "radps");
+    group.number("way_share", actuators_.slip().way_share);
+    inside.say("Its actuators lag or slip: it moved otherwise than its drive had it.");
+  }
   if (body.blocked) inside.say("Something was in the way and cut the motion short.");
   if (body.struck) inside.say("A moving obstacle ran into it.");
 }
 
 void DriveComponent::tell_belief(domain::Inside& inside) const {
-  if (!drifts_) return;
+  if (!counts_) return;
   const core::Pose2& truth = body_.state().pose_world_robot;
   const core::Pose2& belief = reckoning_.state().pose_odom_robot;
   const double off_m = core::length(belief.position() - truth.position());

@@ -5,11 +5,11 @@ namespace clew::drive {
 
 using domain::Outcome;
 
-Outcome Referee::judge(std::uint64_t tick, const core::Pose2& pose_world_robot,
-                       std::uint32_t collisions, const domain::Motion& commanded) {
+Outcome Referee::judge(std::uint64_t tick, const Place& place, std::uint32_t collisions,
+                       const domain::Motion& commanded) {
   if (collisions > 0) return Outcome::kCollided;
-  route_.pass(pose_world_robot);
-  if (route_.ends_at(pose_world_robot)) return Outcome::kReached;
+  route_.pass(place.pose_odom_robot);
+  if (route_.ends_at(place.pose_world_robot)) return Outcome::kReached;
   if (commanded.kind == domain::CommandKind::kGiveUp && !waits()) return Outcome::kUnreachable;
   return tick >= max_ticks_ ? Outcome::kTimeout : Outcome::kRunning;
 }

@@ -37,10 +37,18 @@ class Referee {
   /// Whether the robot has nowhere to go: what it is commanded does not count then.
   bool waits() const { return route_.empty(); }
 
+  /// Where a robot is, in truth, and by what it knows itself.
+  struct Place {
+    core::Pose2 pose_world_robot;
+    core::Pose2 pose_odom_robot;
+  };
+
   /// The outcome at the beginning of `tick`. The first that holds of: a collision, arrival at the
-  /// last way-point, the robot's giving up, the last tick. Way-points before it are passed.
-  domain::Outcome judge(std::uint64_t tick, const core::Pose2& pose_world_robot,
-                        std::uint32_t collisions, const domain::Motion& commanded);
+  /// last way-point, the robot's giving up, the last tick. Arrival is a matter of the truth. The
+  /// way-points before are the robot's own affair: it passes one where it believes to be there, as
+  /// *plan* does, and any robot that is not simulated.
+  domain::Outcome judge(std::uint64_t tick, const Place& place, std::uint32_t collisions,
+                        const domain::Motion& commanded);
 
   /// Writes where the mission wants the robot: at the next way-point, or where it believes it is.
   void announce(const core::Pose2& pose_odom_robot, domain::Target& target) const;

@@ -17,11 +17,14 @@ domain::MotionLimits limits(const runtime::StageConfig& config) {
   return drive_models().make(config.part("behaviour"), {}).value()->limits();
 }
 
-/// The parameters of the stage itself: those of the safety layer, of odometry and of arrival.
+/// The parameters of the stage itself: those of the safety layer, of odometry, of the actuators
+/// and of arrival.
 std::vector<core::ParameterInfo> parameters() {
   auto infos = core::describe_parameters<SafetyParameters>();
   const auto drift = core::describe_parameters<DriftParameters>();
   infos.insert(infos.end(), drift.begin(), drift.end());
+  const auto actuators = core::describe_parameters<ActuatorParameters>();
+  infos.insert(infos.end(), actuators.begin(), actuators.end());
   const auto arrival = core::describe_parameters<ArrivalParameters>();
   infos.insert(infos.end(), arrival.begin(), arrival.end());
   return infos;
@@ -34,6 +37,7 @@ core::Result<std::unique_ptr<runtime::Component>> make(const runtime::StageConfi
   return std::unique_ptr<runtime::Component>(std::make_unique<DriveComponent>(
       std::move(model).value(), core::read_parameters<SafetyParameters>(config.parameters),
       core::read_parameters<DriftParameters>(config.parameters),
+      core::read_parameters<ActuatorParameters>(config.parameters),
       core::read_parameters<ArrivalParameters>(config.parameters), setup));
 }
 

@@ -18,6 +18,9 @@ const core::Pose2 kFar{0.0, 0.0, 0.0};
 // From here 0.5 m: just arrived.
 const core::Pose2 kArrived{3.0, 3.5, 1.0};
 
+/// A robot that knows where it is.
+Referee::Place at(const core::Pose2& pose) { return {pose, pose}; }
+
 domain::Motion commanded(CommandKind kind = CommandKind::kTurnAndStep) {
   domain::Motion motion;
   motion.kind = kind;
@@ -25,42 +28,43 @@ domain::Motion commanded(CommandKind kind = CommandKind::kTurnAndStep) {
 }
 
 TEST(Referee, LetsARobotGoOnThatIsOnItsWay) {
-  EXPECT_EQ(Referee(kMission).judge(5, kFar, 0, commanded()), Outcome::kRunning);
+  EXPECT_EQ(Referee(kMission).judge(5, at(kFar), 0, commanded()), Outcome::kRunning);
 }
 
 TEST(Referee, CallsTheTargetReachedFromItsRadiusOn) {
   const core::Pose2 short_of_it{3.0, 3.499, 1.0};
 
-  EXPECT_EQ(Referee(kMission).judge(5, kArrived, 0, commanded()), Outcome::kReached);
-  EXPECT_EQ(Referee(kMission).judge(5, short_of_it, 0, commanded()), Outcome::kRunning);
+  EXPECT_EQ(Referee(kMission).judge(5, at(kArrived), 0, commanded()), Outcome::kReached);
+  EXPECT_EQ(Referee(kMission).judge(5, at(short_of_it), 0, commanded()), Outcome::kRunning);
 }
 
 TEST(Referee, EndsTheRunAtItsLastTick) {
-  EXPECT_EQ(Referee(kMission).judge(kMaxTicks - 1, kFar, 0, commanded()), Outcome::kRunning);
-  EXPECT_EQ(Referee(kMission).judge(kMaxTicks, kFar, 0, commanded()), Outcome::kTimeout);
+  EXPECT_EQ(Referee(kMission).judge(kMaxTicks - 1, at(kFar), 0, commanded()), Outcome::kRunning);
+  EXPECT_EQ(Referee(kMission).judge(kMaxTicks, at(kFar), 0, commanded()), Outcome::kTimeout);
 }
 
 TEST(Referee, TakesTheRobotsWordThatTheTargetIsUnreachable) {
-  EXPECT_EQ(Referee(kMission).judge(5, kFar, 0, commanded(CommandKind::kGiveUp)),
+  EXPECT_EQ(Referee(kMission).judge(5, at(kFar), 0, commanded(CommandKind::kGiveUp)),
             Outcome::kUnreachable);
 }
 
 TEST(Referee, LetsARobotRestThatIsLateOrStops) {
-  EXPECT_EQ(Referee(kMission).judge(5, kFar, 0, commanded(CommandKind::kStop)), Outcome::kRunning);
+  EXPECT_EQ(Referee(kMission).judge(5, at(kFar), 0, commanded(CommandKind::kStop)),
+            Outcome::kRunning);
 }
 
 TEST(Referee, JudgesACollisionBeforeAnythingElse) {
-  EXPECT_EQ(Referee(kMission).judge(kMaxTicks, kArrived, 1, commanded(CommandKind::kGiveUp)),
+  EXPECT_EQ(Referee(kMission).judge(kMaxTicks, at(kArrived), 1, commanded(CommandKind::kGiveUp)),
             Outcome::kCollided);
 }
 
 TEST(Referee, JudgesArrivalBeforeGivingUpAndTheLastTick) {
-  EXPECT_EQ(Referee(kMission).judge(kMaxTicks, kArrived, 0, commanded(CommandKind::kGiveUp)),
+  EXPECT_EQ(Referee(kMission).judge(kMaxTicks, at(kArrived), 0, commanded(CommandKind::kGiveUp)),
             Outcome::kReached);
 }
 
 TEST(Referee, JudgesGivingUpBeforeTheLastTick) {
-  EXPECT_EQ(Referee(kMission).judge(kMaxTicks, kFar, 0, commanded(CommandKind::kGiveUp)),
+  EXPECT_EQ(Referee(kMission).judge(kMaxTicks, at(kFar), 0, commanded(CommandKind::kGiveUp)),
             Outcome::kUnreachable);
 }
 
@@ -78,29 +82,29 @@ TEST(Referee, LeadsToOneWaypointAfterTheOther) {
   Referee referee(kTour);
   domain::Target target;
 
-  EXPECT_EQ(referee.judge(5, {0.8, 0.0, 0.0}, 0, commanded()), Outcome::kRunning);
+  EXPECT_EQ(referee.judge(5, at({0.8, 0.0, 0.0}), 0, commanded()), Outcome::kRunning);
   referee.announce(kFar, target);
   EXPECT_EQ(target.position(), core::Vec2(2.0, 0.0));
   EXPECT_EQ(target.radius_m, 0.5);
 
-  EXPECT_EQ(referee.judge(6, {2.0, 0.5, 0.0}, 0, commanded()), Outcome::kRunning);
+  EXPECT_EQ(referee.judge(6, at({2.0, 0.5, 0.0}), 0, commanded()), Outcome::kRunning);
   referee.announce(kFar, target);
   EXPECT_EQ(target.position(), core::Vec2(3.0, 4.0));
 
-  EXPECT_EQ(referee.judge(7, kArrived, 0, commanded()), Outcome::kReached);
+  EXPECT_EQ(referee.judge(7, at(kArrived), 0, commanded()), Outcome::kReached);
 }
 
 TEST(Referee, DoesNotEndATourAtItsLastPointBeforeTheOthers) {
   Referee referee(kTour);
 
-  EXPECT_EQ(referee.judge(5, kArrived, 0, commanded()), Outcome::kRunning);
+  EXPECT_EQ(referee.judge(5, at(kArrived), 0, commanded()), Outcome::kRunning);
   EXPECT_EQ(referee.route().passed(), 0u);
 }
 
 TEST(Referee, PassesSeveralWaypointsAtOnceThatLieInOnePlace) {
   Referee referee({{{{1.0, 0.0}, 0.2}, {{1.0, 0.1}, 0.2}, {{1.1, 0.0}, 0.2}}, kMaxTicks});
 
-  EXPECT_EQ(referee.judge(5, {1.0, 0.0, 0.0}, 0, commanded()), Outcome::kReached);
+  EXPECT_EQ(referee.judge(5, at({1.0, 0.0, 0.0}), 0, commanded()), Outcome::kReached);
 }
 
 TEST(Referee, LetsARobotWithoutAMissionWaitWhateverItSays) {
@@ -109,8 +113,8 @@ TEST(Referee, LetsARobotWithoutAMissionWaitWhateverItSays) {
   referee.announce({7.0, 8.0, 1.0}, target);
 
   EXPECT_TRUE(referee.waits());
-  EXPECT_EQ(referee.judge(5, kFar, 0, commanded(CommandKind::kGiveUp)), Outcome::kRunning);
-  EXPECT_EQ(referee.judge(kMaxTicks, kFar, 0, commanded()), Outcome::kTimeout);
+  EXPECT_EQ(referee.judge(5, at(kFar), 0, commanded(CommandKind::kGiveUp)), Outcome::kRunning);
+  EXPECT_EQ(referee.judge(kMaxTicks, at(kFar), 0, commanded()), Outcome::kTimeout);
   EXPECT_EQ(target.position(), core::Vec2(7.0, 8.0));
 }
 

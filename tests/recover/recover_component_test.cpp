@@ -102,6 +102,23 @@ TEST_F(RecoverComponentTest, ForgetsTheGoalBeforeWhileTheRobotWaits) {
   EXPECT_EQ(with_a_new_goal, GuidanceMode::kSeek);
 }
 
+TEST_F(RecoverComponentTest, StartsDetectorsAfreshAtAWaypoint) {
+  target_radius_m_ = 0.2;
+  step(Scene().at(0, 0, 0).target(1, 0));
+  step(Scene().at(0.5, 0, 0).target(1, 0));
+  EXPECT_EQ(detector_->ends, 0);
+
+  step(Scene().at(0.9, 0, 0).target(5, 5));
+  EXPECT_EQ(detector_->ends, 1);
+  EXPECT_EQ(shadow_->ends, 1);
+
+  step(Scene().at(1.0, 0, 0).target(5, 5));
+  EXPECT_EQ(detector_->ends, 1);
+  // A target that was changed before the robot was there is none that it has reached.
+  step(Scene().at(1.1, 0, 0).target(7, 7));
+  EXPECT_EQ(detector_->ends, 1);
+}
+
 TEST_F(RecoverComponentTest, LogsAShadowAndDoesNothingElse) {
   shadow_->trap = true;
 

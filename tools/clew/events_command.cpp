@@ -160,7 +160,7 @@ class EventPrinter {
   bool has_waypoints() const { return marks_.any(); }
 
   Result<void> print(const bridge::SampleView& sample) {
-    if (sample.topic == domain::Topic::kState) return print_waypoints(sample);
+    if (sample.topic != domain::Topic::kEvent) return print_waypoints(sample);
     domain::Event event;
     CLEW_RETURN_IF_ERROR(events_.decode_unvalidated(sample.cdr, event));
     for (const domain::EventEntry& entry : event.entries) {
@@ -171,6 +171,12 @@ class EventPrinter {
 
  private:
   Result<void> print_waypoints(const bridge::SampleView& sample) {
+    if (sample.topic == domain::Topic::kOdometry) {
+      domain::Odometry odometry;
+      CLEW_RETURN_IF_ERROR(odometries_.decode_unvalidated(sample.cdr, odometry));
+      marks_.hear(odometry);
+      return {};
+    }
     domain::State state;
     CLEW_RETURN_IF_ERROR(states_.decode_unvalidated(sample.cdr, state));
     for (const WaypointMark& mark : marks_.see(state)) {
@@ -191,6 +197,7 @@ class EventPrinter {
   const std::string judge_ = writer_of(domain::Topic::kState);
   bridge::Codec<domain::Event> events_;
   bridge::Codec<domain::State> states_;
+  bridge::Codec<domain::Odometry> odometries_;
   std::size_t count_ = 0;
 };
 
@@ -204,7 +211,9 @@ Result<std::size_t> print_events(const bridge::RunRecording& recording, bool jso
   std::size_t count = 0;
   EventPrinter printer(marks.ok() ? std::move(marks).value() : WaypointMarks(), json);
   std::set<domain::Topic> topics = {domain::Topic::kEvent};
-  if (printer.has_waypoints()) topics.insert(domain::Topic::kState);
+  if (printer.has_waypoints()) {
+    topics.insert({domain::Topic::kOdometry, domain::Topic::kState});
+  }
   auto samples = recording.samples({topics});
   while (true) {
     const auto sample = samples.next();

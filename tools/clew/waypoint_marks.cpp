@@ -44,7 +44,7 @@ std::vector<WaypointMark> WaypointMarks::see(const domain::State& state) {
   world::Route& route = missions_.front().route;
   if (route.size() < 2) return marks;
   const std::size_t before = route.passed();
-  route.pass(state.pose_world_robot);
+  route.pass(believed_.value_or(state.pose_world_robot));
   // The last one is the outcome's, whose radius may be the drive's.
   const bool ends = state.outcome == domain::Outcome::kReached;
   const std::size_t reached = ends ? route.size() : route.passed();
@@ -60,17 +60,26 @@ Result<std::vector<WaypointMark>> waypoint_marks(const bridge::RunRecording& rec
   if (!watch.ok()) return watch.error();
   std::vector<WaypointMark> all;
   if (!watch->any()) return all;
-  auto samples = recording.samples({{domain::Topic::kState}});
+  // In a tick, odometry comes first: topics are in the order of their names.
+  auto samples = recording.samples({{domain::Topic::kOdometry, domain::Topic::kState}});
   bridge::Codec<domain::State> codec;
+  bridge::Codec<domain::Odometry> odometry_codec;
   domain::State state;
+  domain::Odometry odometry;
   while (true) {
     const auto sample = samples.next();
     if (!sample.ok()) return sample.error();
     if (!*sample) return all;
-    const auto decoded = codec.decode_unvalidated((*sample)->cdr, state);
+    const bool believed = (*sample)->topic == domain::Topic::kOdometry;
+    const auto decoded = believed ? odometry_codec.decode_unvalidated((*sample)->cdr, odometry)
+                                  : codec.decode_unvalidated((*sample)->cdr, state);
     if (!decoded.ok()) {
       return core::Error{fmt::format("tick {}: {}", (*sample)->tick, decoded.error().message),
                          recording.path()};
+    }
+    if (believed) {
+      watch->hear(odometry);
+      continue;
     }
     const auto marks = watch->see(state);
     all.insert(all.end(), marks.begin(), marks.end());

@@ -17,15 +17,15 @@ namespace clew::tools {
 struct WaypointMark {
   std::uint64_t tick = 0;
   double time_s = 0.0;
-  core::Vec2 place = core::Vec2::Zero();  ///< of the robot, then
+  core::Vec2 place = core::Vec2::Zero();  ///< of the robot then, in truth
   std::size_t number = 0;                 ///< from 1
   std::size_t of = 0;                     ///< way-points of the mission
 };
 
-/// Judges again, from the states of a recording, which way-points were reached: each mission of the
-/// run from the tick at which it was given. A mission of one place has no marks: the outcome says
-/// all of it. What was reached before a black box begins is not known, so a mission that goes on
-/// there has none either.
+/// Judges again, from what a recording holds, which way-points were reached, as drive's referee did
+/// by odometry: each mission of the run from the tick at which it was given. A mission of one place
+/// has no marks: the outcome says all of it. What was reached before a black box begins is not
+/// known, so a mission that goes on there has none either.
 class WaypointMarks {
  public:
   /// Refused: a recording whose world, graph or goals cannot be read.
@@ -33,7 +33,10 @@ class WaypointMarks {
 
   /// Whether there is a mission of several way-points.
   bool any() const;
-  /// Those that were reached at the state's tick; states in their order.
+  /// Where the robot believes to be, in the tick of the next state.
+  void hear(const domain::Odometry& odometry) { believed_ = odometry.pose_odom_robot; }
+  /// Those that were reached at the state's tick; states in their order. Without odometry, by the
+  /// truth.
   std::vector<WaypointMark> see(const domain::State& state);
 
  private:
@@ -42,6 +45,7 @@ class WaypointMarks {
     world::Route route;
   };
 
+  std::optional<core::Pose2> believed_;
   std::deque<Mission> missions_;  ///< by tick, the one in force first
 };
 

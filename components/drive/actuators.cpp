@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drive/actuators.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math.hpp"
+
+namespace clew::drive {
+namespace {
+
+// However bad the ground, the wheels move the robot a little, and not arbitrarily far.
+constexpr double kLeastShare = 0.05;
+constexpr double kGreatestShare = 2.0;
+
+Actuators::State sum_of(const Legs& legs) {
+  Actuators::State sum;
+  for (const Leg& leg : legs) {
+    sum.turn_rad += leg.turn_rad;
+    sum.step_m += leg.step_m;
+    sum.bend_rad += leg.bend_rad;
+    sum.duration_s += leg.duration_s;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Legs Actuators::act(const Legs& legs, bool brakes, const core::Random& random) {
+  const State asked = sum_of(legs);
+  Legs wheels = legs;
+  if (parameters_.lag_s > 0.0 && !brakes) {
+    const double share = 1.0 - core::exp(-asked.duration_s / parameters_.lag_s);
+    const auto follow = [share](double before, double now) {
+      return before + share * (now - before);
+    };
+    wheels.clear();
+    wheels.push_back({follow(state_.turn_rad, asked.turn_rad), follow(state_.step_m, asked.step_m),
+                      asked.duration_s, follow(state_.bend_rad, asked.bend_rad)});
+  }
+  state_ = sum_of(wheels);
+  if (!slips()) return wheels;
+  const double way_m = std::fabs(state_.step_m);
+  slip_ = {1.0 - parameters_.slip_m_per_m, 1.0 - parameters_.slip_rad_per_rad, 0.0};
+  if (way_m > 0.0 && parameters_.slip_m_per_sqrt_m > 0.0) {
+    slip_.way_share += parameters_.slip_m_per_sqrt_m * random.normal(3) / std::sqrt(way_m);
+    slip_.way_share = std::clamp(slip_.way_share, kLeastShare, kGreatestShare);
+  }
+  if (way_m > 0.0 && parameters_.slip_rad_per_sqrt_m > 0.0) {
+    slip_.error_rad = parameters_.slip_rad_per_sqrt_m * std::sqrt(way_m) * random.normal(4);
+  }
+  for (Leg& leg : wheels) {
+    const double part = way_m > 0.0 ? std::fabs(leg.step_m) / way_m : 0.0;
+    leg.turn_rad *= slip_.turn_share;
+    leg.step_m *= slip_.way_share;
+    leg.bend_rad = leg.bend_rad * slip_.turn_share + part * slip_.error_rad;
+  }
+  return wheels;
+}
+
+void Actuators::come_to_rest() { state_.step_m = 0.0; }
+
+Velocities Actuators::wheels() const {
+  if (!(state_.duration_s > 0.0)) return {};
+  return {state_.step_m / state_.duration_s,
+          (state_.turn_rad + state_.bend_rad) / state_.duration_s};
+}
+
+}  // namespace clew::drive
