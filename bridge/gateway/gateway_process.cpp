@@ -114,7 +114,7 @@ void take(const Frame& frame, const GatewayPage& page, LiveStream& stream, std::
     stream.describe(description, name, page.count_stages(description));
   } else if (frame.type == FrameType::kRecordingEnd) {
     run.clear();  // Another run may be called so by now.
-    stream.end(frame.as<Text>().value_or(Text{}).text);
+    stream.end(frame.as<RecordingEnd>().value_or(RecordingEnd{}).aborted);
   }
 }
 

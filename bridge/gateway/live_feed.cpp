@@ -109,7 +109,7 @@ void LiveFeed::send() {
 void LiveFeed::end(const std::string& how) {
   const auto deadline = Clock::now() + kGatewayEndPatience;
   while (!waiting_.empty() && link_->flush_until(deadline) && Clock::now() < deadline) send();
-  link_->post(FrameType::kRecordingEnd, Text{how});
+  link_->post(FrameType::kRecordingEnd, RecordingEnd{how, {}});
   // Until viewers have what they are still to get: with this process the gateway ends.
   const auto last = Clock::now() + kGatewayMostEndPatience;
   for (;;) {

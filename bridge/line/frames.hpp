@@ -211,6 +211,17 @@ struct Slow {
   bool slowly = false;
 };
 
+/// To a recorder: all samples were sent.
+struct RecordingEnd {
+  std::string aborted;                    ///< why the run has no outcome; empty if it has one
+  std::optional<core::Hash128> run_hash;  ///< of all its topics, where it was hashed
+};
+
+template <typename V>
+void visit_fields(V& v, RecordingEnd& e) {
+  v(e.aborted, e.run_hash);
+}
+
 /// How far a recorder is.
 struct Kept {
   std::uint64_t ticks = 0;          ///< below this one nobody needs to wait for it

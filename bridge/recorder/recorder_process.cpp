@@ -42,8 +42,8 @@ class Recorder {
       while (auto frame = link_.next()) {
         if (frame->type == FrameType::kSamples) record(frame->payload);
         if (frame->type == FrameType::kRecordingEnd && failure_.empty()) {
-          const auto why = frame->as<Text>().value_or(Text{});
-          return tell(sink_.close({why.text, true}));
+          const auto end = frame->as<RecordingEnd>().value_or(RecordingEnd{});
+          return tell(sink_.close({end.aborted, true, end.run_hash}));
         }
       }
       if (sink_.kept().ticks >= reported_ + kRecorderReportTicks) report(now);

@@ -47,8 +47,8 @@ core::Result<std::unique_ptr<RecordingSink>> RecordingSink::go_on(const Recordin
 
 RecordingAccount RecordingSink::close(const RunEnding& ending) {
   RecordingAccount account;
-  const auto closed =
-      ending.sealed ? recorder_.seal(ending.aborted) : recorder_.finish(ending.aborted);
+  const auto closed = ending.sealed ? recorder_.seal(ending.aborted, ending.run_hash)
+                                    : recorder_.finish(ending.aborted, ending.run_hash);
   if (!closed.ok()) account.failure = closed.error().text();
   account.losses = recorder_.losses().texts();
   account.lost_samples = recorder_.losses().samples();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/result.hpp"
@@ -39,6 +40,7 @@ struct RunEnding {
   std::string aborted;  ///< why it has no outcome; empty if it has one
   /// The recording's file keeps its temporary name: giving it its own is someone else's.
   bool sealed = false;
+  std::optional<core::Hash128> run_hash = {};  ///< of all its topics; none: it was not hashed
 };
 
 /// A recording in the making.

@@ -56,6 +56,8 @@ class McapWriter {
   core::Result<void> write_ahead();
   /// Chunks closed so far.
   std::uint64_t chunk_count() const { return statistics_.chunk_count; }
+  /// Of the file so far, with what is in the open chunk, not compressed.
+  std::uint64_t size_bytes() const { return file_.position() + chunk_.size_bytes(); }
   /// OutputFile::keep.
   void keep(bool keep) { file_.keep(keep); }
   /// Writes what the file held back. OutputFile::hold().

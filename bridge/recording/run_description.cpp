@@ -3,9 +3,11 @@
 
 #include <charconv>
 #include <cmath>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
+#include "recording/piece_files.hpp"
 #include "recording/recorded_intervention.hpp"
 
 namespace clew::bridge {
@@ -15,6 +17,13 @@ constexpr std::string_view kFormat = "clew-recording/1";
 constexpr std::string_view kVersionPrefix = "version.";
 constexpr std::string_view kPlannedPrefix = "planned.";
 constexpr const char* kDigestKey = "digest";
+constexpr const char* kLeftOutKey = "left_out";
+constexpr const char* kSplitBytesKey = "split_bytes";
+constexpr const char* kSplitSecondsKey = "split_s";
+constexpr const char* kPieceKey = "piece";
+constexpr const char* kHashBeforeKey = "hash_before";
+constexpr const char* kRunHashKey = "run_hash";
+constexpr const char* kContinuesKey = "continues";
 
 /// The shortest digits that read back as the same number.
 std::string text_of(double value) {
@@ -79,6 +88,49 @@ std::string_view entry(const mcap::Metadata& metadata, const std::string& key) {
   return found == metadata.entries.end() ? std::string_view() : found->second;
 }
 
+/// What is of the file, and not of the run: only of files that are not as they are by default.
+void add_file_entries(const RunDescription& description, mcap::StringMap& entries) {
+  std::string names;
+  for (const domain::Topic topic : description.left_out) {
+    names += (names.empty() ? "" : " ") + std::string(domain::topic_name(topic));
+  }
+  if (!names.empty()) entries[kLeftOutKey] = names;
+  if (description.split.bytes > 0)
+    entries[kSplitBytesKey] = std::to_string(description.split.bytes);
+  if (description.split.seconds > 0) entries[kSplitSecondsKey] = text_of(description.split.seconds);
+  if (!description.split.any()) return;
+  entries[kPieceKey] = std::to_string(description.piece);
+  entries[kHashBeforeKey] = description.hash_before.hex();
+}
+
+core::Result<void> read_split(const mcap::Metadata& metadata, RunDescription& description) {
+  const bool by_bytes = metadata.entries.count(kSplitBytesKey) > 0;
+  const bool by_seconds = metadata.entries.count(kSplitSecondsKey) > 0;
+  if (!by_bytes && !by_seconds) return {};
+  const auto bytes = number_from<std::uint64_t>(entry(metadata, kSplitBytesKey), 10);
+  const auto seconds = tick_s_from(entry(metadata, kSplitSecondsKey));
+  if (by_bytes && !bytes) return refused(metadata, "has no number 'split_bytes'");
+  if (by_seconds && !seconds) return refused(metadata, "has no number 'split_s'");
+  description.split = {bytes.value_or(0), seconds.value_or(0.0)};
+  const auto piece = number_from<std::uint64_t>(entry(metadata, kPieceKey), 10);
+  const auto before = hash_from(entry(metadata, kHashBeforeKey));
+  if (!piece || *piece >= kMaxPieces) return refused(metadata, "has no number 'piece' below 500");
+  if (!before) return refused(metadata, "has no 'hash_before' of 32 hexadecimal digits");
+  description.piece = *piece;
+  description.hash_before = *before;
+  return {};
+}
+
+core::Result<void> read_file_entries(const mcap::Metadata& metadata, RunDescription& description) {
+  std::istringstream names{std::string(entry(metadata, kLeftOutKey))};
+  for (std::string name; names >> name;) {
+    const auto topic = domain::topic_from_name(name);
+    if (!topic) return refused(metadata, "leaves out '" + name + "', which is no topic");
+    description.left_out.insert(*topic);
+  }
+  return read_split(metadata, description);
+}
+
 }  // namespace
 
 mcap::Metadata to_metadata(const RunDescription& description) {
@@ -91,6 +143,7 @@ mcap::Metadata to_metadata(const RunDescription& description) {
   if (description.compression != mcap::Compression::kNone) {
     metadata.entries["compression"] = mcap::compression_name(description.compression);
   }
+  add_file_entries(description, metadata.entries);
   if (const auto& box = description.black_box) {
     metadata.entries["black_box_tick"] = std::to_string(box->tick);
     metadata.entries["black_box_why"] = box->why;
@@ -115,6 +168,8 @@ mcap::Metadata to_metadata(const RunEnd& end) {
   metadata.entries["hash"] = end.hash.hex();
   if (end.lost_samples > 0) metadata.entries["lost_samples"] = std::to_string(end.lost_samples);
   if (!end.aborted.empty()) metadata.entries["aborted"] = end.aborted;
+  if (end.run_hash) metadata.entries[kRunHashKey] = end.run_hash->hex();
+  if (end.continues) metadata.entries[kContinuesKey] = "true";
   metadata.entries[kDigestKey] = digest(metadata.entries);
   return metadata;
 }
@@ -137,6 +192,7 @@ core::Result<RunDescription> description_from_metadata(const mcap::Metadata& met
   description.seed = *seed;
   description.compression = *compression;
   description.idl_fingerprint = entry(metadata, "idl_fingerprint");
+  CLEW_RETURN_IF_ERROR(read_file_entries(metadata, description));
   if (metadata.entries.count("black_box_tick") > 0) {
     const auto tick = number_from<std::uint64_t>(entry(metadata, "black_box_tick"), 10);
     if (!tick) return refused(metadata, "has no number 'black_box_tick'");
@@ -164,7 +220,13 @@ core::Result<RunEnd> end_from_metadata(const mcap::Metadata& metadata) {
   const std::string_view lost = entry(metadata, "lost_samples");
   const auto lost_samples = number_from<std::uint64_t>(lost.empty() ? "0" : lost, 10);
   if (!lost_samples) return refused(metadata, "has no number 'lost_samples'");
-  return RunEnd{*ticks, *hash, *lost_samples, std::string(entry(metadata, "aborted"))};
+  const auto run_hash = hash_from(entry(metadata, kRunHashKey));
+  if (!run_hash && metadata.entries.count(kRunHashKey) > 0) {
+    return refused(metadata, "has no 'run_hash' of 32 hexadecimal digits");
+  }
+  return RunEnd{*ticks,        *hash,
+                *lost_samples, std::string(entry(metadata, "aborted")),
+                run_hash,      metadata.entries.count(kContinuesKey) > 0};
 }
 
 std::uint64_t tick_to_ns(std::uint64_t tick, double tick_s) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,19 @@ void visit_fields(V& v, BlackBoxStart& s) {
   v(s.tick, s.why, s.states);
 }
 
+/// When a recording goes on in another file. Zero: never for this reason.
+struct RecordingSplit {
+  std::uint64_t bytes = 0;  ///< a file that is so large takes no further tick
+  double seconds = 0.0;     ///< of simulated time: a file holds the ticks of one such interval
+
+  bool any() const { return bytes > 0 || seconds > 0.0; }
+};
+
+template <typename V>
+void visit_fields(V& v, RecordingSplit& s) {
+  v(s.bytes, s.seconds);
+}
+
 /// What a run is a function of, and nothing else: no wall clock, host, process, layout or
 /// middleware. The same run has the same description wherever it goes.
 struct RunDescription {
@@ -39,9 +53,15 @@ struct RunDescription {
   std::string idl_fingerprint;
   /// The texts that the run was made of, by name: `graph.yaml`, `world.yaml`, `robot.yaml`, ...
   std::map<std::string, std::string> bundle;
-  std::map<domain::Topic, std::string> schemas;  ///< IDL text by topic: every topic of the run
-  /// How this file's chunks are packed; the one thing here that is of the file and not of the run.
+  /// IDL text by topic: every topic of the run that is recorded.
+  std::map<domain::Topic, std::string> schemas;
+  /// Of the file and not of the run, as what follows: how its chunks are packed.
   mcap::Compression compression = mcap::Compression::kNone;
+  /// Topics of the run that the user left out of its recording.
+  std::set<domain::Topic> left_out;
+  RecordingSplit split;
+  std::uint64_t piece = 0;    ///< which file of a recording that is split, from 0
+  core::Hash128 hash_before;  ///< of the samples in the files before it
   /// Only of what a black box wrote.
   std::optional<BlackBoxStart> black_box;
   /// What was to be changed at set ticks, whether the run got there or not; with files that are in
@@ -51,18 +71,21 @@ struct RunDescription {
 
 template <typename V>
 void visit_fields(V& v, RunDescription& d) {
-  v(d.tick_s, d.seed, d.versions, d.idl_fingerprint, d.bundle, d.schemas, d.compression,
-    d.black_box, d.planned);
+  v(d.tick_s, d.seed, d.versions, d.idl_fingerprint, d.bundle, d.schemas, d.compression, d.left_out,
+    d.split, d.piece, d.hash_before, d.black_box, d.planned);
 }
 
 /// How a recording ended: written by its recorder after the last sample.
 struct RunEnd {
   std::uint64_t ticks = 0;         ///< for which every topic has a sample
-  core::Hash128 hash;              ///< run_hash of all topics
+  core::Hash128 hash;              ///< run_hash of all topics that are recorded
   std::uint64_t lost_samples = 0;  ///< that writers should have written and the recording lacks
   /// Why the run has no outcome; empty if it has one. Topics of a run that was aborted may have
   /// samples of later ticks than `ticks`, each up to another one.
   std::string aborted;
+  /// Of the whole run, where the recording lacks topics and the run was hashed.
+  std::optional<core::Hash128> run_hash = {};
+  bool continues = false;  ///< in a next file: the counts and the hash are those up to there
 };
 
 /// The metadata records that carry them (bundle and schemas have records of their own). Metadata

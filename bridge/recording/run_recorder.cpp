@@ -2,10 +2,12 @@
 #include "recording/run_recorder.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <limits>
 #include <tuple>
 #include <utility>
 
+#include "recording/piece_files.hpp"
 #include "recording/run_hash.hpp"
 #include "recording/run_recording.hpp"
 
@@ -13,6 +15,19 @@ namespace clew::bridge {
 namespace {
 
 constexpr std::uint64_t kChunkSpan_ns = 1'000'000'000;
+
+// In the place of a topic among those that are written.
+constexpr int kOfNoRun = -1;
+constexpr int kLeftOut = -2;
+
+/// As rosbag2 tells of a writer's QoS. Every writer of a run offers this, on either vendor; the
+/// history is as deep as processes have it.
+constexpr const char* kOfferedQos =
+    "- history: keep_last\n  depth: 512\n  reliability: reliable\n  durability: transient_local\n"
+    "  deadline: {sec: 9223372036, nsec: 854775807}\n"
+    "  lifespan: {sec: 9223372036, nsec: 854775807}\n  liveliness: automatic\n"
+    "  liveliness_lease_duration: {sec: 9223372036, nsec: 854775807}\n"
+    "  avoid_ros_namespace_conventions: true\n";
 
 core::Error refused(domain::Topic topic, const std::string& why) {
   return {"topic " + std::string(domain::topic_name(topic)) + ": " + why};
@@ -75,6 +90,16 @@ core::Result<RunRecorder> RunRecorder::go_on(const std::string& path,
 
 core::Result<RunRecorder> RunRecorder::start(mcap::OutputFile file,
                                              const RunDescription& description) {
+  const std::string path = file.path();
+  auto writer = begin_file(std::move(file), description);
+  if (!writer.ok()) return writer.error();
+  RunRecorder recorder(std::move(writer).value(), path, description);
+  recorder.declare_topics();
+  return recorder;
+}
+
+core::Result<mcap::McapWriter> RunRecorder::begin_file(mcap::OutputFile file,
+                                                       const RunDescription& description) {
   mcap::WriterOptions writer_options;
   writer_options.library = library_of(description);
   writer_options.compression = description.compression;
@@ -94,9 +119,7 @@ core::Result<RunRecorder> RunRecorder::start(mcap::OutputFile file,
     }
   }
   CLEW_RETURN_IF_ERROR(writer->release());
-  RunRecorder recorder(std::move(writer).value(), description.tick_s);
-  recorder.declare_topics(description.schemas);
-  return recorder;
+  return writer;
 }
 
 // What is there is written once more, by a writer that only compares: so all its state is that of
@@ -104,6 +127,7 @@ core::Result<RunRecorder> RunRecorder::start(mcap::OutputFile file,
 core::Result<void> RunRecorder::keep(const std::string& file) {
   const auto recording = RunRecording::open(file);
   if (!recording.ok()) return recording.error();
+  keeps_ = true;
   for (const domain::Intervention& found : recording->interventions()) add_intervention(found);
   for (const domain::Incident& found : recording->incidents()) add_incident(found);
   SampleStream stream = recording->raw_samples();
@@ -114,31 +138,89 @@ core::Result<void> RunRecorder::keep(const std::string& file) {
     const SampleView& found = **sample;
     CLEW_RETURN_IF_ERROR(add(found.topic, found.tick, found.sequence, found.cdr));
   }
+  keeps_ = false;
   writer_.keep(false);
   return {};
 }
 
-RunRecorder::RunRecorder(mcap::McapWriter writer, double tick_s)
-    : writer_(std::move(writer)), tick_s_(tick_s) {}
-
-void RunRecorder::declare_topics(const std::map<domain::Topic, std::string>& schemas) {
-  places_.fill(-1);
-  // domain::Topic is in the order of the names.
-  for (const auto& [topic, idl] : schemas) {
-    RecordedTopic recorded;
-    recorded.topic = topic;
-    const auto schema = writer_.add_schema(std::string(domain::type_name(topic)), "omgidl", idl);
-    recorded.channel_id =
-        writer_.add_channel(schema, "/" + std::string(domain::topic_name(topic)), "cdr");
+RunRecorder::RunRecorder(mcap::McapWriter writer, std::string path,
+                         const RunDescription& description)
+    : writer_(std::move(writer)),
+      path_(std::move(path)),
+      description_(description),
+      tick_s_(description.tick_s) {
+  places_.fill(kOfNoRun);
+  for (const domain::Topic topic : description.left_out) places_[index_of(topic)] = kLeftOut;
+  for (const auto& [topic, idl] : description.schemas) {
     places_[index_of(topic)] = static_cast<int>(topics_.size());
-    topics_.push_back(std::move(recorded));
+    topics_.emplace_back();
+    topics_.back().topic = topic;
   }
+}
+
+void RunRecorder::declare_topics() {
+  // domain::Topic is in the order of the names.
+  for (RecordedTopic& recorded : topics_) {
+    const auto schema = writer_.add_schema(std::string(domain::type_name(recorded.topic)), "omgidl",
+                                           description_.schemas.at(recorded.topic));
+    recorded.channel_id =
+        writer_.add_channel(schema, "/" + std::string(domain::topic_name(recorded.topic)), "cdr",
+                            {{"offered_qos_profiles", kOfferedQos}});
+  }
+}
+
+bool RunRecorder::piece_is_full(std::uint64_t next_tick) const {
+  const RecordingSplit& split = description_.split;
+  if (!split.any() || !piece_tick_ || next_tick <= *piece_tick_) return false;
+  if (description_.piece + 1 >= kMaxPieces) return false;
+  if (split.bytes > 0 && writer_.size_bytes() >= split.bytes) return true;
+  if (!(split.seconds > 0.0)) return false;
+  const auto interval = [&](std::uint64_t tick) {
+    return tick_to_ns(tick, tick_s_) / tick_to_ns(1, split.seconds);
+  };
+  return interval(next_tick) > interval(*piece_tick_);
+}
+
+// The first file's name says that all of the recording is there.
+core::Result<void> RunRecorder::close_piece() {
+  RunEnd end{complete_ticks_, run_hash(chains()), losses_.samples(), {}};
+  end.continues = true;
+  description_.hash_before = end.hash;
+  CLEW_RETURN_IF_ERROR(writer_.write(to_metadata(end)));
+  return description_.piece == 0 ? writer_.seal() : writer_.finish();
+}
+
+core::Result<void> RunRecorder::open_next_piece(std::uint64_t first_tick) {
+  ++description_.piece;
+  const std::string path = piece_path(path_, description_.piece);
+  const std::string there = existing_piece(path_, description_.piece);
+  if (keeps_ && there == path) {
+    // Compared under the name under which it grew, which it had had before.
+    const std::string growing = mcap::OutputFile::temporary_name(path);
+    if (std::rename(there.c_str(), growing.c_str()) != 0) {
+      return core::Error{"cannot be renamed to " + growing, there};
+    }
+  }
+  auto file = keeps_ ? mcap::OutputFile::go_on(path) : mcap::OutputFile::create(path, true);
+  if (!file.ok()) return file.error();
+  if (keeps_) file->keep(true);
+  auto writer = begin_file(std::move(file).value(), description_);
+  if (!writer.ok()) return writer.error();
+  writer_ = std::move(writer).value();
+  declare_topics();
+  interventions_.begin_file();
+  incidents_.begin_file();
+  piece_tick_ = first_tick;
+  // What the files before this one hold outlives this process.
+  durable_ticks_ = first_tick;
+  return {};
 }
 
 core::Result<void> RunRecorder::add(domain::Topic topic, std::uint64_t tick, std::uint64_t sequence,
                                     std::string_view cdr) {
   const int place = places_[index_of(topic)];
-  if (place < 0) return refused(topic, "is not part of this recording");
+  if (place == kLeftOut) return {};
+  if (place == kOfNoRun) return refused(topic, "is not part of this recording");
   RecordedTopic& recorded = topics_[static_cast<std::size_t>(place)];
   if (tick < recorded.next_tick || (next_tick_ && tick < *next_tick_)) return {};
   if (sequence > std::numeric_limits<std::uint32_t>::max()) {
@@ -179,6 +261,11 @@ core::Result<void> RunRecorder::write_tick(bool topics_may_end) {
   for (const RecordedTopic& topic : topics_) {
     if (!topic.waiting.empty()) tick = std::min(tick, topic.waiting.front().tick);
   }
+  if (piece_is_full(tick)) {
+    CLEW_RETURN_IF_ERROR(close_piece());
+    CLEW_RETURN_IF_ERROR(open_next_piece(tick));
+  }
+  if (!piece_tick_) piece_tick_ = tick;
   CLEW_RETURN_IF_ERROR(write_side_channels(tick));
   const std::uint64_t first = next_tick_.value_or(tick);
   std::size_t written = 0;
@@ -257,23 +344,29 @@ std::map<std::string, core::Hash128> RunRecorder::chains() const {
   return chains;
 }
 
-core::Result<void> RunRecorder::write_ending(const std::string& aborted) {
+core::Result<void> RunRecorder::write_ending(const std::string& aborted,
+                                             const std::optional<core::Hash128>& run_hash_of_all) {
   while (any_topic_waits()) CLEW_RETURN_IF_ERROR(write_tick(!aborted.empty()));
   // What was told since the last tick; its time is that of the tick that did not come.
   incidents_.move_unwritten_to(next_tick_.value_or(0));
   CLEW_RETURN_IF_ERROR(incidents_.write_until(next_tick_.value_or(0), tick_s_, writer_));
-  return writer_.write(
-      to_metadata(RunEnd{complete_ticks_, run_hash(chains()), losses_.samples(), aborted}));
+  RunEnd end{complete_ticks_, run_hash(chains()), losses_.samples(), aborted};
+  if (!description_.left_out.empty()) end.run_hash = run_hash_of_all;
+  return writer_.write(to_metadata(end));
 }
 
-core::Result<void> RunRecorder::seal(const std::string& aborted) {
-  CLEW_RETURN_IF_ERROR(write_ending(aborted));
-  return writer_.seal();
+core::Result<void> RunRecorder::seal(const std::string& aborted,
+                                     const std::optional<core::Hash128>& run_hash) {
+  CLEW_RETURN_IF_ERROR(write_ending(aborted, run_hash));
+  // Of a recording that is split, only the first file's name is someone else's to give.
+  return description_.piece == 0 ? writer_.seal() : writer_.finish();
 }
 
-core::Result<void> RunRecorder::finish(const std::string& aborted) {
-  CLEW_RETURN_IF_ERROR(write_ending(aborted));
-  return writer_.finish();
+core::Result<void> RunRecorder::finish(const std::string& aborted,
+                                       const std::optional<core::Hash128>& run_hash) {
+  CLEW_RETURN_IF_ERROR(write_ending(aborted, run_hash));
+  CLEW_RETURN_IF_ERROR(writer_.finish());
+  return description_.piece == 0 ? core::Result<void>() : mcap::OutputFile::give_name(path_);
 }
 
 }  // namespace clew::bridge

@@ -28,6 +28,10 @@ namespace clew::bridge {
 /// Writes the recording of a run: an MCAP file with the run's description in front, then its
 /// samples in canonical order (tick, topic, sequence), whatever the order in which the topics
 /// deliver them. A chunk holds one second of simulated time. The same run gives the same bytes.
+///
+/// A recording that is split (RunDescription::split) goes on in further files, between two ticks.
+/// The first file keeps its temporary name until all is there; each of the others gets its name
+/// when it is full.
 class RunRecorder {
  public:
   /// Errors are those of the file: see mcap::OutputFile.
@@ -76,10 +80,12 @@ class RunRecorder {
   /// Writes what is still waiting (of a run that was cut off), the run's end and the index, and
   /// closes the file, which keeps its temporary name. Nothing may follow. `aborted` says why the
   /// run has no outcome: its topics end where their writers were, and what others have beyond that
-  /// is not lost.
-  core::Result<void> seal(const std::string& aborted = {});
+  /// is not lost. `run_hash` is written where the recording lacks topics of the run.
+  core::Result<void> seal(const std::string& aborted = {},
+                          const std::optional<core::Hash128>& run_hash = {});
   /// The same, and gives the file its name.
-  core::Result<void> finish(const std::string& aborted = {});
+  core::Result<void> finish(const std::string& aborted = {},
+                            const std::optional<core::Hash128>& run_hash = {});
 
   /// By topic, of what was written so far; topics without a sample are left out.
   std::map<std::string, core::Hash128> chains() const;
@@ -97,22 +103,32 @@ class RunRecorder {
     core::HashChain chain;
   };
 
-  RunRecorder(mcap::McapWriter writer, double tick_s);
+  RunRecorder(mcap::McapWriter writer, std::string path, const RunDescription& description);
+  static core::Result<mcap::McapWriter> begin_file(mcap::OutputFile file,
+                                                   const RunDescription& description);
   static core::Result<RunRecorder> start(mcap::OutputFile file, const RunDescription& description);
   core::Result<void> keep(const std::string& file);
-  void declare_topics(const std::map<domain::Topic, std::string>& schemas);
+  void declare_topics();
+  bool piece_is_full(std::uint64_t next_tick) const;
+  core::Result<void> close_piece();
+  core::Result<void> open_next_piece(std::uint64_t first_tick);
   void note_sequence(RecordedTopic& recorded, std::uint64_t tick, std::uint64_t sequence);
   bool every_topic_waits() const;
   bool any_topic_waits() const;
   core::Result<void> write_tick(bool topics_may_end = false);
   core::Result<void> write_front(RecordedTopic& topic);
   core::Result<void> write_side_channels(std::uint64_t tick);
-  core::Result<void> write_ending(const std::string& aborted);
+  core::Result<void> write_ending(const std::string& aborted,
+                                  const std::optional<core::Hash128>& run_hash);
 
   mcap::McapWriter writer_;
+  std::string path_;  ///< of the first file
+  RunDescription description_;
   double tick_s_;
+  std::optional<std::uint64_t> piece_tick_;        ///< the first one of this file
+  bool keeps_ = false;                             ///< what it writes stands there already
   std::vector<RecordedTopic> topics_;              ///< in the order of their names
-  std::array<int, domain::kTopicCount> places_{};  ///< in topics_, by domain::Topic; -1: none
+  std::array<int, domain::kTopicCount> places_{};  ///< in topics_, by domain::Topic; < 0: none
   std::optional<std::uint64_t> next_tick_;         ///< to be written; none: the first that comes
   std::uint64_t complete_ticks_ = 0;
   std::uint64_t durable_ticks_ = 0;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recording/run_recording.hpp"
 
+#include <iterator>
+
+#include "recording/piece_files.hpp"
 #include "recording/recorded_incident.hpp"
 #include "recording/recorded_intervention.hpp"
 #include "recording/run_hash.hpp"
@@ -26,13 +29,20 @@ bool add(RunSurvey::TopicSurvey& topic, const SampleView& sample) {
 }  // namespace
 
 core::Result<std::optional<SampleView>> SampleStream::next() {
-  const auto message = messages_.next();
-  if (!message.ok()) return message.error();
-  if (!*message) return std::optional<SampleView>();
-  const mcap::Message& found = **message;
-  SampleView sample{topics_.at(found.channel_id), ns_to_tick(found.log_time_ns, tick_s_),
-                    found.sequence, found.data};
-  if (!older_) return std::optional(sample);
+  for (; part_ < parts_.size(); ++part_) {
+    const auto message = parts_[part_].messages.next();
+    if (!message.ok()) return message.error();
+    if (!*message) continue;
+    const mcap::Message& found = **message;
+    SampleView sample{parts_[part_].topics.at(found.channel_id),
+                      ns_to_tick(found.log_time_ns, tick_s_), found.sequence, found.data};
+    if (older_) CLEW_RETURN_IF_ERROR(bring_up_to_date(sample));
+    return std::optional(sample);
+  }
+  return std::optional<SampleView>();
+}
+
+core::Result<void> SampleStream::bring_up_to_date(SampleView& sample) {
   const auto cdr = in_todays_type(sample.topic, sample.cdr);
   if (!cdr.ok()) {
     return core::Error{"tick " + std::to_string(sample.tick) + " of " +
@@ -40,7 +50,7 @@ core::Result<std::optional<SampleView>> SampleStream::next() {
                        ", by the type that the recording gives: " + cdr.error().message};
   }
   sample.cdr = *cdr;
-  return std::optional(sample);
+  return {};
 }
 
 core::Result<std::string_view> SampleStream::in_todays_type(domain::Topic topic,
@@ -52,6 +62,55 @@ core::Result<std::string_view> SampleStream::in_todays_type(domain::Topic topic,
 }
 
 core::Result<RunRecording> RunRecording::open(const std::string& path) {
+  auto recording = open_file(path);
+  if (!recording.ok() || !recording->description_.split.any()) return recording;
+  if (const std::uint64_t piece = recording->description_.piece; piece > 0) {
+    return recording->error("is file " + std::to_string(piece + 1) +
+                            " of a recording that is split: name its first file");
+  }
+  CLEW_RETURN_IF_ERROR(recording->open_later_files());
+  return recording;
+}
+
+core::Result<void> RunRecording::open_later_files() {
+  while (last_file().end_ && last_file().end_->continues) {
+    const std::string next = existing_piece(path_, pieces());
+    if (next.empty()) break;
+    auto file = open_file(next);
+    // One that is reserved only says nothing yet.
+    const bool growing = next != piece_path(path_, pieces());
+    if (!file.ok() && growing) break;
+    if (!file.ok()) return file.error();
+    CLEW_RETURN_IF_ERROR(file->check_follows(last_file()));
+    const auto append = [](auto& all, auto& more) {
+      all.insert(all.end(), std::make_move_iterator(more.begin()),
+                 std::make_move_iterator(more.end()));
+    };
+    append(interventions_, file->interventions_);
+    append(incidents_, file->incidents_);
+    later_.push_back(std::move(file).value());
+  }
+  const std::optional<RunEnd>& end = last_file().end_;
+  end_ = end && !end->continues ? end : std::nullopt;
+  return {};
+}
+
+core::Result<void> RunRecording::check_follows(const RunRecording& before) const {
+  const std::uint64_t piece = before.description_.piece + 1;
+  const bool follows = description_.split.any() && description_.piece == piece &&
+                       description_.hash_before == before.end_->hash &&
+                       description_.seed == before.description_.seed &&
+                       description_.bundle == before.description_.bundle;
+  if (follows) return {};
+  return error("does not follow " + before.path_ + ": it is of another recording");
+}
+
+std::string RunRecording::missing_piece() const {
+  const std::optional<RunEnd>& end = last_file().end_;
+  return end && end->continues ? piece_path(path_, pieces()) : std::string();
+}
+
+core::Result<RunRecording> RunRecording::open_file(const std::string& path) {
   auto reader = mcap::McapReader::open(path);
   if (!reader.ok()) return reader.error();
   RunRecording recording(path, std::move(reader).value());
@@ -185,6 +244,9 @@ bool RunRecording::has_field(domain::Topic topic, std::string_view path) const {
 }
 
 std::string RunRecording::cut_off() const {
+  if (const std::string missing = missing_piece(); !missing.empty()) {
+    return "lacks its next file, " + missing;
+  }
   if (!complete()) return "was cut off";
   if (end_->aborted.empty()) return {};
   return "is of a run that was aborted (" + end_->aborted + ')';
@@ -196,15 +258,18 @@ RunDescription RunRecording::description_of_samples() const {
   return description;
 }
 
+SampleStream::Part RunRecording::part(const std::set<domain::Topic>& wanted,
+                                      mcap::MessageFilter filter) const {
+  filter.channels.emplace();
+  for (const auto& [channel_id, topic] : topics_) {
+    if (wanted.empty() || wanted.count(topic) != 0) filter.channels->insert(channel_id);
+  }
+  return {reader_.messages(mcap::Order::kFile, filter), topics_};
+}
+
 SampleStream RunRecording::stream(const SampleFilter& filter,
                                   std::shared_ptr<const OlderTypes> older) const {
   mcap::MessageFilter messages;
-  messages.channels.emplace();
-  for (const auto& [channel_id, topic] : topics_) {
-    if (filter.topics.empty() || filter.topics.count(topic) != 0) {
-      messages.channels->insert(channel_id);
-    }
-  }
   // Ticks beyond what a time in nanoseconds can tell are those up to the end.
   constexpr double kLast_ns = 9.2e18;
   const double tick_ns = description_.tick_s * 1e9;
@@ -214,8 +279,10 @@ SampleStream RunRecording::stream(const SampleFilter& filter,
   if (static_cast<double>(filter.last_tick) * tick_ns < kLast_ns) {
     messages.last_ns = tick_to_ns(filter.last_tick, description_.tick_s);
   }
-  return {reader_.messages(mcap::Order::kFile, messages), topics_, description_.tick_s,
-          std::move(older)};
+  std::vector<SampleStream::Part> parts;
+  parts.push_back(part(filter.topics, messages));
+  for (const RunRecording& file : later_) parts.push_back(file.part(filter.topics, messages));
+  return {std::move(parts), description_.tick_s, std::move(older)};
 }
 
 core::Result<RunSurvey> RunRecording::survey_samples() const {

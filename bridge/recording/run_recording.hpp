@@ -36,22 +36,26 @@ using OlderTypes = std::map<domain::Topic, core::Result<OlderType>>;
 /// Reads the samples of a recording in canonical order: tick, topic, sequence.
 class SampleStream {
  public:
-  SampleStream(mcap::MessageStream messages, std::map<std::uint16_t, domain::Topic> topics,
-               double tick_s, std::shared_ptr<const OlderTypes> older)
-      : messages_(std::move(messages)),
-        topics_(std::move(topics)),
-        tick_s_(tick_s),
-        older_(std::move(older)) {}
+  /// The messages of one file, and its topics by channel.
+  struct Part {
+    mcap::MessageStream messages;
+    std::map<std::uint16_t, domain::Topic> topics;
+  };
+
+  /// The files one after another.
+  SampleStream(std::vector<Part> parts, double tick_s, std::shared_ptr<const OlderTypes> older)
+      : parts_(std::move(parts)), tick_s_(tick_s), older_(std::move(older)) {}
 
   /// The next sample, valid until the next call; nothing at the end. An error, a changed byte, a
   /// failing disk, or a sample that is not of its recorded type, ends the stream.
   core::Result<std::optional<SampleView>> next();
 
  private:
+  core::Result<void> bring_up_to_date(SampleView& sample);
   core::Result<std::string_view> in_todays_type(domain::Topic topic, std::string_view cdr);
 
-  mcap::MessageStream messages_;
-  std::map<std::uint16_t, domain::Topic> topics_;  ///< by channel
+  std::vector<Part> parts_;
+  std::size_t part_ = 0;  ///< that is read
   double tick_s_;
   std::shared_ptr<const OlderTypes> older_;  ///< null: samples are given as they are
   std::vector<char> buffer_;                 ///< of a sample in today's type
@@ -70,7 +74,8 @@ struct RunSurvey {
   core::Hash128 hash;                           ///< run_hash of them
 };
 
-/// The recording of a run, opened for reading. A file that was cut off opens up to the tear.
+/// The recording of a run, opened for reading. A file that was cut off opens up to the tear. One
+/// that is split is named by its first file, and read as one.
 class RunRecording {
  public:
   /// Refused: what mcap::McapReader refuses, files that are no recording of a run, and one whose
@@ -85,7 +90,11 @@ class RunRecording {
   const std::vector<domain::Incident>& incidents() const { return incidents_; }
   /// Nothing in a recording that was cut off.
   const std::optional<RunEnd>& end() const { return end_; }
-  const std::optional<mcap::Tear>& tear() const { return reader_.tear(); }
+  const std::optional<mcap::Tear>& tear() const { return last_file().reader_.tear(); }
+  /// How many files it is in.
+  std::size_t pieces() const { return 1 + later_.size(); }
+  /// The file in which it should go on, and that is not there; empty if nothing says so.
+  std::string missing_piece() const;
   /// Whether its recorder finished it, and all of it is there.
   bool complete() const { return end_.has_value() && !tear(); }
   /// Why it need not hold its run to the end, nor all topics up to the same tick: `was cut off`, or
@@ -111,6 +120,12 @@ class RunRecording {
 
  private:
   RunRecording(std::string path, mcap::McapReader reader);
+  static core::Result<RunRecording> open_file(const std::string& path);
+  core::Result<void> open_later_files();
+  core::Result<void> check_follows(const RunRecording& before) const;
+  const RunRecording& last_file() const { return later_.empty() ? *this : later_.back(); }
+  /// The messages of this file; the filter's channels follow from `wanted`, empty: all.
+  SampleStream::Part part(const std::set<domain::Topic>& wanted, mcap::MessageFilter filter) const;
   core::Result<void> read_description();
   core::Result<void> read_attachments();
   core::Result<void> read_topics();
@@ -133,6 +148,7 @@ class RunRecording {
   std::map<std::string, std::string> intervention_files_;  ///< by tick, a slash and the name
   std::map<std::uint16_t, domain::Topic> topics_;          ///< by channel
   std::shared_ptr<const OlderTypes> older_;
+  std::vector<RunRecording> later_;  ///< the other files of one that is split
 };
 
 }  // namespace clew::bridge

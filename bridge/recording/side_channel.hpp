@@ -33,6 +33,9 @@ class SideChannel {
     entries_.insert(later, std::move(entry));
   }
 
+  /// What is written from here on goes into another file.
+  void begin_file() { channel_.reset(); }
+
   /// What is not written yet gets this tick.
   void move_unwritten_to(std::uint64_t tick) {
     for (std::size_t i = written_; i < entries_.size(); ++i) entries_[i].tick = tick;

@@ -34,10 +34,10 @@ Audience::Audience()
                   wake_.ring();
                 }}) {}
 
-void Audience::expect_readers(const runtime::TopicSet& topics) {
+void Audience::expect_readers(const runtime::TopicSet& topics, const TopicNames& names) {
   for (domain::Topic topic : domain::kAllTopics) {
     if (!topics[index_of(topic)]) continue;
-    barrier_.expect({{std::string(domain::topic_name(topic)), false, {}, false}});
+    barrier_.expect({{published_name(topic, names), false, {}, false}});
   }
 }
 

@@ -10,6 +10,7 @@
 #include "component/start_barrier.hpp"
 #include "line/wake_up.hpp"
 #include "replay/fed_component.hpp"
+#include "replay/topic_publisher.hpp"
 #include "runtime/component.hpp"
 #include "vendors/third_party_environment.hpp"
 
@@ -26,7 +27,7 @@ class Audience {
   const WakeUp& wake() const { return wake_; }
 
   /// Expects a reader of each topic, whoever it belongs to; before its writer is created.
-  void expect_readers(const runtime::TopicSet& topics);
+  void expect_readers(const runtime::TopicSet& topics, const TopicNames& names = {});
   /// Starts programs that read: command lines of a shell, which are told what a run's components
   /// are. An error says which one cannot be started.
   core::Result<void> start_readers(const std::vector<std::string>& commands,

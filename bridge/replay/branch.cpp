@@ -22,6 +22,7 @@ Result<void> check(const RunRecording& recording, const runtime::RunPlan& plan,
   const auto refuse = [&](std::string what) {
     return core::Error{std::move(what), recording.path()};
   };
+  CLEW_RETURN_IF_ERROR(refuse_left_out(recording, "no run can be gone on with"));
   const double recorded_s = recording.description().tick_s;
   if (plan.graph.tick_s != recorded_s) {
     return refuse(fmt::format("has ticks of {} s; a branch cannot go on with ticks of {} s",

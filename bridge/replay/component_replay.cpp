@@ -122,11 +122,24 @@ Result<void> check_recorded(const RunRecording& recording, const std::string& st
   for (Topic topic : domain::kAllTopics) {
     if (!topics[index_of(topic)]) continue;
     if (recording.description().schemas.count(topic) != 0) continue;
-    return core::Error{fmt::format("has no topic '{}', without which {} cannot be replayed",
-                                   domain::topic_name(topic), stage),
+    const bool left_out = recording.description().left_out.count(topic) > 0;
+    return core::Error{fmt::format("has no topic '{}'{}, without which {} cannot be replayed",
+                                   domain::topic_name(topic),
+                                   left_out ? " (--record-topics left it out)" : "", stage),
                        recording.path()};
   }
   return {};
+}
+
+Result<void> refuse_left_out(const RunRecording& recording, const std::string& so) {
+  std::vector<std::string> names;
+  for (const Topic topic : recording.description().left_out) {
+    names.push_back(fmt::format("'{}'", domain::topic_name(topic)));
+  }
+  if (names.empty()) return {};
+  return core::Error{
+      fmt::format("lacks {}, which --record-topics left out: {}", fmt::join(names, ", "), so),
+      recording.path()};
 }
 
 Result<void> check_range(const ReplayRange& range) {

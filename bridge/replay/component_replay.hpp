@@ -49,6 +49,10 @@ core::Result<const runtime::GraphStage*> find_stage(const runtime::RunPlan& plan
 core::Result<void> check_recorded(const RunRecording& recording, const std::string& stage,
                                   const runtime::TopicSet& topics);
 
+/// Refused: a recording that lacks topics of its run, since the user left them out; `so` says what
+/// cannot be done.
+core::Result<void> refuse_left_out(const RunRecording& recording, const std::string& so);
+
 /// Refused: a range without a tick.
 core::Result<void> check_range(const ReplayRange& range);
 

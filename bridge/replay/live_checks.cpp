@@ -89,8 +89,15 @@ Result<void> check_live(const RunRecording& recording, const runtime::RunPlan& p
     if (options.topics.any()) return {};
     return Error{"nothing to publish: name topics, or a stage with --component"};
   }
+  if (options.loops) return Error{"a component's ticks only go on: leave out --loop"};
   const auto stage = find_stage(plan, options.component);
   if (!stage.ok()) return stage.error();
+  for (const auto& [topic, name] : options.names) {
+    if (!(*stage)->ports.all_inputs()[index_of(topic)]) continue;
+    return Error{fmt::format("{} reads '{}' under its own name: leave out --remap {}",
+                             options.component, domain::topic_name(topic),
+                             domain::topic_name(topic))};
+  }
   CLEW_RETURN_IF_ERROR(refuse_black_box(
       recording, "a live component begins at tick 0; replay it without --publish"));
   return check_fed(recording, **stage, options.topics | (*stage)->ports.all_inputs(),

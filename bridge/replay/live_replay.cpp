@@ -20,6 +20,13 @@ using core::Error;
 using core::Result;
 using domain::Topic;
 
+namespace {
+
+/// What a key skips, of simulated time.
+constexpr double kSkip_s = 10.0;
+
+}  // namespace
+
 LiveReplay::LiveReplay(const RunRecording& recording, const runtime::RunPlan& recorded,
                        const runtime::RunPlan& plan, const LiveReplayOptions& options,
                        PlaybackConsole& console, DomainLock hold, Now now)
@@ -59,8 +66,9 @@ Result<void> LiveReplay::open() {
     CLEW_RETURN_IF_ERROR(adopt(stage));
     topics |= stage.ports.all_inputs();
   }
-  audience_.expect_readers(options_.topics);
-  auto publisher = TopicPublisher::create(*participant_, recorded_.graph, topics, kHistoryDepth);
+  audience_.expect_readers(options_.topics, options_.names);
+  auto publisher =
+      TopicPublisher::create(*participant_, recorded_.graph, topics, kHistoryDepth, options_.names);
   if (!publisher.ok()) return publisher.error();
   publisher_.emplace(std::move(publisher).value());
   if (component_) {
@@ -105,7 +113,8 @@ void LiveReplay::welcome(std::unique_ptr<Link> link, const Hello& hello) {
   const auto stage = find_stage(plan_, hello.stage);
   Result<void> admitted = stage.ok() ? Result<void>() : stage.error();
   if (admitted.ok() && !component_) {
-    admitted = phase_ == Phase::kWaiting
+    admitted = options_.loops ? Error{"the replay loops"}
+               : phase_ == Phase::kWaiting
                    ? check_fed(recording_, **stage, publisher_->topics(), options_.range.last_tick)
                    : Error{"the replay has begun"};
     if (admitted.ok()) admitted = adopt(**stage);
@@ -158,6 +167,7 @@ void LiveReplay::take_signals() {
 void LiveReplay::take_requests() {
   for (const PlaybackRequest& request : console_.take()) {
     playback_.apply(request, now_());
+    take_seek(request);
     if (request.kind == PlaybackRequest::Kind::kEnd && phase_ == Phase::kWaiting) {
       phase_ = Phase::kOver;
     } else if (request.kind == PlaybackRequest::Kind::kEnd) {
@@ -165,6 +175,35 @@ void LiveReplay::take_requests() {
     }
     show(true);
   }
+}
+
+void LiveReplay::take_seek(const PlaybackRequest& request) {
+  using Kind = PlaybackRequest::Kind;
+  const std::uint64_t here = next_tick();
+  if (request.kind == Kind::kSeek) seek(request.ticks);
+  if (request.kind == Kind::kSkipOn) seek(here + skip_ticks());
+  if (request.kind == Kind::kSkipBack) seek(here - std::min(here, skip_ticks()));
+}
+
+std::uint64_t LiveReplay::skip_ticks() const {
+  return static_cast<std::uint64_t>(std::max(1.0, kSkip_s / recorded_.graph.tick_s));
+}
+
+// Ticks that a component has had are its state: only other readers can be shown them again.
+void LiveReplay::seek(std::uint64_t tick) {
+  if (component_) return console_.log(component_->stage() + " is fed tick by tick: no seeking");
+  if (phase_ == Phase::kWaiting)
+    return console_.log("not yet: nothing is published before readers are there");
+  if (phase_ == Phase::kOver) return;
+  const std::uint64_t first = std::clamp(tick, options_.range.first_tick, options_.range.last_tick);
+  publisher_->leave_tick();
+  reader_.emplace(recording_, publisher_->topics(), options_.range.last_tick, first);
+  next_ = nullptr;
+  begun_ = held_up_ = false;
+  last_tick_ = first > 0 ? std::optional<std::uint64_t>(first - 1) : std::nullopt;
+  moved_at_ = now_();
+  playback_.start(moved_at_);
+  phase_ = Phase::kFeeding;
 }
 
 void LiveReplay::advance() {
@@ -261,6 +300,8 @@ bool LiveReplay::take_next() {
     next_ = *next;
   } else if (report_.ticks == 0) {
     stop(no_tick_from(recording_, options_.range.first_tick).text());
+  } else if (options_.loops) {
+    seek(options_.range.first_tick);
   } else {
     drain();
   }

@@ -11,6 +11,7 @@
 #include "recording/run_recording.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/playback.hpp"
+#include "replay/topic_publisher.hpp"
 #include "runtime/run_plan.hpp"
 
 namespace clew::bridge {
@@ -27,6 +28,8 @@ struct LiveReplayOptions {
   std::vector<std::string> readers;  ///< programs to start beside, command lines of a shell
   ReplayRange range;                 ///< a component is fed from tick 0 in any case, at once
   bool paused = false;               ///< before the first tick of the range
+  bool loops = false;                ///< from the end of the range back to its beginning
+  TopicNames names;                  ///< under which topics are published, other than their own
   std::optional<double> wait_s;      ///< for readers; none: as long as the graph waits for a start
   std::string program;               ///< the clew command
   std::string middleware = "cyclonedds";
@@ -73,10 +76,11 @@ struct LiveReplayReport {
 /// Ends when every live reader has acknowledged everything and every output is compared. `recorded`
 /// is the recording's own plan, `plan` what a component is given.
 ///
-/// Refused: a topic that is not recorded, that the component writes itself or that nobody reads in
-/// it, a stage that is not in the graph, nothing to publish, a domain that is taken; a recording
-/// that lacks a sample of the component's, and as drive's, one with late commands or that branched
-/// off another.
+/// Refused: to loop, or to rename an input, beside a component, which is in step with the run;
+/// a topic that is not recorded, that the component writes itself or that nobody reads in it, a
+/// stage that is not in the graph, nothing to publish, a domain that is taken; a recording that
+/// lacks a sample of the component's, and as drive's, one with late commands or that branched off
+/// another.
 core::Result<LiveReplayReport> replay_live(const RunRecording& recording,
                                            const runtime::RunPlan& recorded,
                                            const runtime::RunPlan& plan,

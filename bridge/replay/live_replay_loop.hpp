@@ -48,6 +48,9 @@ class LiveReplay {
   Time::duration patience() const;
   void take_signals();
   void take_requests();
+  void take_seek(const PlaybackRequest& request);
+  std::uint64_t skip_ticks() const;
+  void seek(std::uint64_t tick);
   void advance();
   double wait_s() const;
   bool everybody_ready() const;

@@ -42,6 +42,9 @@ void Playback::apply(const PlaybackRequest& request, Time now) {
       // From as fast as it goes, the next slower one is real time.
       set_rate(rate_ > 0.0 ? rate_ / 2.0 : 1.0, now);
       break;
+    case Kind::kSeek:
+    case Kind::kSkipBack:
+    case Kind::kSkipOn:
     case Kind::kEnd:
       break;
   }

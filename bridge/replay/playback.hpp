@@ -9,9 +9,21 @@ namespace clew::bridge {
 
 /// What a person or a script asks of a replay on the wire.
 struct PlaybackRequest {
-  enum class Kind : std::uint8_t { kPause, kResume, kToggle, kStep, kRate, kFaster, kSlower, kEnd };
+  enum class Kind : std::uint8_t {
+    kPause,
+    kResume,
+    kToggle,
+    kStep,
+    kRate,
+    kFaster,
+    kSlower,
+    kSeek,
+    kSkipBack,
+    kSkipOn,
+    kEnd
+  };
   Kind kind = Kind::kToggle;
-  std::uint64_t ticks = 1;  ///< with kStep
+  std::uint64_t ticks = 1;  ///< with kStep; with kSeek the next one
   double rate = 0.0;        ///< with kRate, as Playback::rate()
 };
 
@@ -35,7 +47,8 @@ class Playback {
 
   /// The first tick is due now.
   void start(Time now) { due_ = now; }
-  /// Everything but kEnd, which is the caller's. A step pauses; ticks not yet begun add up.
+  /// Everything but where to go on and kEnd, which are the caller's. A step pauses; ticks not yet
+  /// begun add up.
   void apply(const PlaybackRequest& request, Time now);
 
   /// Whether a tick may begin.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "replay/black_box_past.hpp"
+#include "replay/component_replay.hpp"
 #include "replay/process_past.hpp"
 #include "replay/recorded_past.hpp"
 #include "replay/recorded_plan.hpp"
@@ -100,6 +101,7 @@ Result<Resumption> resume(const RunRecording& recording, const runtime::RunPlan&
     return Error{error.text(), recording.path()};
   };
   CLEW_RETURN_IF_ERROR(refuse_black_box(recording, "it cannot be continued"));
+  CLEW_RETURN_IF_ERROR(refuse_left_out(recording, "it cannot be continued"));
   const auto branch = branch_of(recording);
   if (!branch.ok()) return branch.error();
   const std::uint64_t branched_at = *branch ? (*branch)->tick : 0;

@@ -12,10 +12,15 @@ namespace clew::bridge {
 
 using domain::Topic;
 
+std::string published_name(Topic topic, const TopicNames& names) {
+  const auto found = names.find(topic);
+  return found == names.end() ? std::string(domain::topic_name(topic)) : found->second;
+}
+
 core::Result<TopicPublisher> TopicPublisher::create(Participant& participant,
                                                     const runtime::Graph& graph,
                                                     const runtime::TopicSet& topics,
-                                                    int history_depth) {
+                                                    int history_depth, const TopicNames& names) {
   TopicPublisher publisher;
   publisher.topics_ = topics;
   for (Topic topic : domain::kAllTopics) {
@@ -26,7 +31,7 @@ core::Result<TopicPublisher> TopicPublisher::create(Participant& participant,
     UserData user_data{std::string(idl_fingerprint()), stage->info->name};
     // Third-party components do not tell their stage.
     if (!stage->deployment.exec.empty()) user_data.stage.clear();
-    auto writer = participant.create_writer({std::string(domain::topic_name(topic)),
+    auto writer = participant.create_writer({published_name(topic, names),
                                              std::string(domain::type_name(topic)),
                                              user_data.to_text(), history_depth});
     if (!writer.ok()) return writer.error();

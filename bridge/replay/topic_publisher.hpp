@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <string>
 
 #include "core/result.hpp"
 #include "dds/participant.hpp"
@@ -13,6 +14,12 @@
 
 namespace clew::bridge {
 
+/// Topics that are published under another name than their own.
+using TopicNames = std::map<domain::Topic, std::string>;
+
+/// The name under which a topic is published.
+std::string published_name(domain::Topic topic, const TopicNames& names);
+
 /// Puts recorded samples on the wire as the components would that wrote them: their topic, type
 /// and QoS, and in USER_DATA their stage and the IDL's fingerprint.
 class TopicPublisher {
@@ -20,13 +27,17 @@ class TopicPublisher {
   /// Creates a writer for each of `topics`, all of which `graph` writes. `participant` must outlive
   /// the publisher.
   static core::Result<TopicPublisher> create(Participant& participant, const runtime::Graph& graph,
-                                             const runtime::TopicSet& topics, int history_depth);
+                                             const runtime::TopicSet& topics, int history_depth,
+                                             const TopicNames& names = {});
 
   const runtime::TopicSet& topics() const { return topics_; }
 
   /// Writes the samples of a tick, or goes on where it was held up. False: a slow reader holds it
   /// up; ask again with the same tick.
   core::Result<bool> write(const RecordedTick& recorded);
+
+  /// Leaves the tick that is being written: another one follows.
+  void leave_tick() { written_.reset(); }
 
   /// Whether every live reader has all that was written.
   bool acknowledged() const;

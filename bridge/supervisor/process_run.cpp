@@ -93,8 +93,8 @@ core::Result<RunReport> run_processes(const runtime::RunPlan& plan, const Proces
   if (!security.ok()) return security.error();
   Doors doors{Acceptor(listening), {}};
   EndSignals signals;  // before any thread of a vendor's
-  const auto say = [&doors](const std::string& line) {
-    logs::warning("{}", line);
+  const auto say = [&doors](logs::Level level, const std::string& line) {
+    logs::tell(level, line);
     doors.watchers.tell(line);
   };
   Supervisor supervisor(plan, layout, lock->domain(), recording, start,

@@ -41,10 +41,10 @@ void RecorderClient::add(std::string spool, std::uint64_t end_tick) {
   kept_.push_back({std::move(spool), end_tick});
 }
 
-void RecorderClient::end(const std::string& aborted) {
+void RecorderClient::end(const RecordingEnd& end) {
   core::StateWriter writer;
-  Text text{aborted};
-  writer(text);
+  RecordingEnd copy = end;
+  writer(copy);
   ending_ = writer.take();
   ended_ = true;
 }

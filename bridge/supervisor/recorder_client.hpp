@@ -38,7 +38,7 @@ class RecorderClient {
   void add(std::string spool, std::uint64_t end_tick);
   /// No more will be added: the recorder shall finish the file. `aborted`: why the run has no
   /// outcome; empty if it has one.
-  void end(const std::string& aborted);
+  void end(const RecordingEnd& end);
   /// Receives, sends what the line takes, and brings the recorder back if it has died or does not
   /// report.
   void serve(Time now);

@@ -44,7 +44,7 @@ class RunRecordingControl {
   std::vector<std::string> take_lines() { return std::exchange(lines_, {}); }
 
   /// Nothing will be added any more.
-  void end(const std::string& aborted) { client_.end(aborted); }
+  void end(const RecordingEnd& end) { client_.end(end); }
   bool ended() const { return client_.account().has_value(); }
   std::uint32_t restarts() const { return client_.restarts(); }
   /// How the recording went; gives the file its name.

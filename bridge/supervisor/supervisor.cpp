@@ -73,8 +73,8 @@ void Supervisor::abort(const std::string& why) {
   if (report_.aborted.empty()) report_.aborted = why;
 }
 
-void Supervisor::log(const std::vector<std::string>& lines) const {
-  for (const std::string& line : lines) outside_.log(line);
+void Supervisor::log(const std::vector<std::string>& lines, logs::Level level) const {
+  for (const std::string& line : lines) outside_.log(level, line);
 }
 
 // ---- start ----
@@ -86,7 +86,7 @@ void Supervisor::start() {
   }
   for (Member& member : members_) {
     if (member.external) {
-      log({launcher_.how_to_start(member)});
+      log({launcher_.how_to_start(member)}, logs::Level::kInfo);
     } else {
       start_child(member);
     }
@@ -116,7 +116,9 @@ void Supervisor::tell(domain::Incident incident) {
 
 void Supervisor::record(domain::Incident incident) {
   incident.tick = started_ticks(members_);
-  log({incident.text});
+  // A reader for whom nothing waits does no harm.
+  log({incident.text},
+      incident.kind == domain::kForeignReader ? logs::Level::kInfo : logs::Level::kWarning);
   if (page() != nullptr) page()->add(spooled(incident));
   if (recording_) recording_->add(spooled(incident), incident.tick + 1);
 }
@@ -357,13 +359,20 @@ void Supervisor::end_members() {
   if (observer_) observe(Clock::now());
   for (domain::Incident& incident : incidents_.take_left_out()) record(std::move(incident));
   end_processes(members_, all_finished_);
-  if (recording_) recording_->end(report_.aborted);
+  if (recording_) recording_->end({report_.aborted, hash()});
 }
 
 RunStatistics Supervisor::statistics() const {
   RunStatistics total = total_statistics(members_);
   if (observer_) total.merge(observer_->statistics());
   return total;
+}
+
+std::optional<core::Hash128> Supervisor::hash() const {
+  if (!layout_.hash || !report_.aborted.empty()) return std::nullopt;
+  auto chains = all_chains(members_);
+  if (observer_) chains.merge(observer_->chains());
+  return run_hash(chains);
 }
 
 RunReport Supervisor::finish(Time now) {
@@ -376,14 +385,12 @@ RunReport Supervisor::finish(Time now) {
       report_.statistics.truth && live_control_.goal_changed_by(report_.statistics.truth->tick);
   report_.ticks_per_s = rate_.per_s();
   report_.wall_s = std::chrono::duration<double>(now - started_at_).count();
-  auto chains = all_chains(members_);
   report_.refused_samples = total_refused_samples(members_);
   if (observer_) {
     // What it refuses its readers do, too, but the run may be over before they have said so.
     report_.refused_samples = std::max(report_.refused_samples, observer_->refused_samples());
-    if (report_.aborted.empty()) chains.merge(observer_->chains());
   }
-  if (layout_.hash && report_.aborted.empty()) report_.hash = run_hash(chains);
+  report_.hash = hash();
   return report_;
 }
 

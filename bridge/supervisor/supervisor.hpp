@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "log/log.hpp"
 #include "recorder/recording_sink.hpp"
 #include "run/run_report.hpp"
 #include "run/tick_rate.hpp"
@@ -34,7 +35,7 @@ namespace clew::bridge {
 class Supervisor {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  using Log = std::function<void(const std::string&)>;
+  using Log = std::function<void(logs::Level, const std::string&)>;
 
   struct Outside {
     Log log;                                   ///< a line for people
@@ -82,7 +83,7 @@ class Supervisor {
   void end_at_rest(const std::string& why, Time now);
   void watch_rest(Time now);
   double speed_mps() const;
-  void log(const std::vector<std::string>& lines) const;
+  void log(const std::vector<std::string>& lines, logs::Level level = logs::Level::kWarning) const;
   void start_child(Member& member);
   void refuse(Link& link, const std::string& why);
   void note_incident(domain::Incident incident, Time now);
@@ -120,6 +121,8 @@ class Supervisor {
   void go(Time now);
   void give_credit();
   RunStatistics statistics() const;
+  /// Of all topics; nothing of a run that was aborted.
+  std::optional<core::Hash128> hash() const;
 
   const runtime::RunPlan& plan_;
   const ProcessLayout& layout_;

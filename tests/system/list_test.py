@@ -28,6 +28,43 @@ class Loading(unittest.TestCase):
             self.assertNotIn(graphics, libraries)
 
 
+class MachineConfigs(unittest.TestCase):
+    WORLD = """format: clew-world/1
+name: shed
+about: "{about}"
+bounds: [0, 0, 4, 4]
+start: [1, 1, 0]
+target: [3, 3]
+target_radius: 0.2
+"""
+    # A namespace of its own, in which /etc is a copy with a folder more.
+    SCRIPT = """cp -a /etc/. "$1"/etc 2> /dev/null
+mkdir -p "$1"/etc/clew/worlds && cp "$1"/machine.yaml "$1"/etc/clew/worlds/shed.yaml
+mount --bind "$1"/etc /etc && shift && exec "$@"
+"""
+
+    def test_are_found_in_etc_behind_the_users_own(self):
+        with tempfile.TemporaryDirectory(prefix="clew-etc-") as directory:
+            folder = pathlib.Path(directory)
+            (folder / "etc").mkdir()
+            (folder / "machine.yaml").write_text(self.WORLD.format(about="of the machine"))
+            own = folder / "own" / "clew" / "worlds"
+            own.mkdir(parents=True)
+
+            def about(*, home):
+                done = subprocess.run(
+                    ["unshare", "--map-root-user", "--mount", "sh", "-c", self.SCRIPT, "sh",
+                     directory, CLEW, "list", "worlds", "shed"], capture_output=True, text=True,
+                    check=False, env={**os.environ, "XDG_CONFIG_HOME": str(home)})
+                self.assertEqual(done.returncode, 0, done.stderr)
+                return done.stdout
+
+            self.assertIn("of the machine", about(home=folder / "own"))
+            (own / "shed.yaml").write_text(self.WORLD.format(about="of the user"))
+            self.assertIn("of the user", about(home=folder / "own"))
+            self.assertEqual(Run(["list", "worlds", "shed"]).status, 2)
+
+
 class ListForPrograms(unittest.TestCase):
     def test_names_and_json_tell_of_the_same(self):
         for what in ("graphs", "worlds", "suites", "robots", "maps", "rulebases", "training",

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """What commands tell beside their results: on standard error, and in files."""
+import os
 import pathlib
 import re
+import signal
 import tempfile
 import unittest
 
-from clew_command import Run
+from clew_command import Run, components_of, start, wait_until
 
 RUN = ["run", "krishna_kalra", "--world", "open-field", "--json"]
 LINE = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z (debug|info|warning|error) clew.*\[\d+\]: .+")
@@ -59,6 +61,40 @@ class Log(unittest.TestCase):
         self.assertEqual(Run([*box, self.directory / "d.mcap", "-q", "--log", log]).err, "")
         self.assertRegex(log.read_text(), LINE)
         self.assertIn(note, log.read_text())
+
+    def test_a_seed_that_changes_nothing_is_told(self):
+        run = [*RUN[:-1], "--layout", "composed"]
+        note = "seed 7 gives the run of every seed"
+        hashes = set()
+        for seed in ("7", "8"):
+            done = Run([*run, "--seed", seed, "--json"])
+            hashes.add(done.report["hash"])
+            self.assertTrue(any(f"seed {seed} gives" in text for text in done.report["notes"]))
+        self.assertEqual(len(hashes), 1)
+        self.assertIn(note, Run([*run, "--seed", "7"]).err)
+        self.assertNotIn("every seed", Run(run).err)
+        for chance in ("sense.noise_stddev_m=0.01", "drive.drift_rad_per_sqrt_m=0.01",
+                       "drive.slip_m_per_sqrt_m=0.01"):
+            self.assertNotIn("every seed", Run([*run, "--seed", "7", "--set", chance]).err)
+        self.assertIn(note, Run([*run, "--seed", "7", "--set", "drive.slip_m_per_m=0.1"]).err)
+
+    def test_lines_of_the_supervisor_have_the_level_that_they_ask_for(self):
+        log = self.directory / "run.log"
+        run = start([*RUN, "--pace", "1x", "--external", "recover", "--log", log],
+                    start_new_session=True)
+        self.assertTrue(wait_until(lambda: log.exists() and "start it with" in log.read_text()))
+        domain = re.search(r"--domain (\d+)", log.read_text()).group(1)
+        other = start(["component", "krishna_kalra", "recover", "--domain", domain])
+        self.assertTrue(wait_until(lambda: "sense" in components_of(run.pid)))
+        os.kill(components_of(run.pid)["sense"], signal.SIGKILL)
+        self.assertTrue(wait_until(lambda: "restarting it" in log.read_text()))
+        run.send_signal(signal.SIGINT)
+        run.wait(30)
+        other.wait(30)
+
+        levels = {what: re.search(rf"Z (\w+) clew.*{what}", log.read_text()).group(1)
+                  for what in ("start it with", "restarting it")}
+        self.assertEqual(levels, {"start it with": "info", "restarting it": "warning"})
 
     def test_errors_of_the_user_keep_their_form_and_are_never_hidden(self):
         plain = Run(["run", "no-such-graph"])

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Recordings on the wire: live components are fed, compared, stepped, lost and stopped."""
+import json
 import os
 import pathlib
 import shutil
@@ -75,6 +76,82 @@ class Published(unittest.TestCase):
         run = self.replayed(arguments, 2)
         self.assertEqual(run.out, "")
         self.assertIn(text, run.err)
+
+
+class Topics(Published):
+    def ticks_of(self, samples):
+        """The ticks of what byte_reader wrote: each sample's first field, behind four bytes of
+        length and four of encapsulation."""
+        data = samples.read_bytes()
+        ticks = []
+        while data:
+            length = int.from_bytes(data[:4], "little")
+            ticks.append(int.from_bytes(data[8:16], "little"))
+            data = data[4 + length:]
+        return ticks
+
+    def test_are_played_again_from_any_tick(self):
+        read = self.directory / "seek.samples"
+        replay = Replay(self.comb, "--publish", "scan", "--reader",
+                        f"{THIRD_PARTY}/byte_reader scan {read}", "--start-paused", "--json")
+        replay.wait_for("paused before tick 0")
+        replay.say("step 10")
+        replay.wait_for("paused before tick 10")
+        replay.say("seek 3")
+        replay.wait_for("paused before tick 3")
+        replay.say("step 2")
+        replay.wait_for("paused before tick 5")
+        replay.say("seek 149")
+        replay.wait_for("paused before tick 149")
+        replay.say("seek -1")
+        replay.wait_for("unknown command 'seek -1'")
+        replay.say("resume")
+        report = json.loads(replay.end())
+
+        self.assertEqual(replay.status, 0, replay.err)
+        self.assertEqual(report["published_ticks"], 10 + 2 + 2)
+        self.assertEqual(self.ticks_of(read), [*range(10), 3, 4, 149, 150])
+
+    def test_are_looped_until_told_to_end(self):
+        read = self.directory / "loop.samples"
+        replay = Replay(self.comb, "--publish", "scan", "--reader",
+                        f"{THIRD_PARTY}/byte_reader scan {read}", "--loop",
+                        "--from", "100", "--to", "119", "--start-paused", "--json")
+        replay.wait_for("paused before tick 100")
+        replay.say("step 50")
+        replay.wait_for("paused before tick 110")
+        replay.say("end")
+        report = json.loads(replay.end())
+
+        self.assertEqual(replay.status, 0, replay.err)
+        self.assertEqual(report["published_ticks"], 50)
+        self.assertEqual(self.ticks_of(read), [*range(100, 120), *range(100, 120),
+                                               *range(100, 110)])
+
+    def test_are_published_under_other_names(self):
+        replay = Replay(self.comb, "--publish", "scan", "odometry", "--remap", "scan:=front/scan",
+                        "--reader", "sleep 30", "--start-paused")
+        replay.wait_for("publishes on domain ")
+        domain = replay.err.split("publishes on domain ")[1].split()[0]
+        topics = set()
+        self.assertTrue(wait_until(lambda: topics.update(
+            json.loads(line)["topic"] for line in
+            Run(["topic", "list", "--domain", domain, "--json"]).out.splitlines())
+            or len(topics) >= 2))
+        replay.process.send_signal(signal.SIGINT)
+        replay.end()
+
+        self.assertEqual(topics, {"front/scan", "odometry"})
+
+    def test_of_a_component_are_neither_looped_nor_renamed(self):
+        component = [self.comb, "--component", "control", "--publish"]
+        self.refused([*component, "--loop"], "a component's ticks only go on: leave out --loop")
+        self.refused([*component, "--remap", "scan:=front"], "control reads 'scan' under its own name")
+        self.refused([self.comb, "--publish", "scan", "--remap", "scan:=odometry"],
+                     "two topics would be called 'odometry'")
+        self.refused([self.comb, "--publish", "scan", "--remap", "scan=front"],
+                     "expected TOPIC:=NAME")
+        self.refused([self.comb, "--loop"], "need --publish")
 
 
 class Component(Published):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The Python module does what the command does, with the same bytes."""
+import json
 import os
 import pathlib
 import subprocess
@@ -38,6 +39,29 @@ class PythonTest(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertTrue((pathlib.Path(folder) / "tutorial.mcap").exists())
         self.assertIn("reached", done.stdout)
+
+    def test_every_cell_of_the_notebook_prints_what_stands_in_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run_python(SOURCE / "tools/python/run_notebook", SOURCE / "docs/python.ipynb",
+                              cwd=folder)
+
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("cells run, 0 different", done.stdout)
+
+    def test_a_notebook_that_prints_something_else_is_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            notebook = json.loads((SOURCE / "docs/python.ipynb").read_text(encoding="utf-8"))
+            first = next(cell for cell in notebook["cells"] if cell["cell_type"] == "code")
+            first["source"] = ["print(1 + 1)\n", "'a'"]
+            first["outputs"] = [{"name": "stdout", "output_type": "stream", "text": ["3\n"]}]
+            notebook["cells"] = [first]
+            path = pathlib.Path(folder) / "wrong.ipynb"
+            path.write_text(json.dumps(notebook), encoding="utf-8")
+            done = run_python(SOURCE / "tools/python/run_notebook", path, cwd=folder)
+
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("cell 1 prints something else", done.stdout)
+        self.assertIn("+2", done.stdout)
 
 
 if __name__ == "__main__":

@@ -50,6 +50,35 @@ class Dumb(unittest.TestCase):
         self.assertEqual(terminal.shown, b"")
 
 
+class Colour(unittest.TestCase):
+    def shown(self, *arguments, kind="xterm", no_colour=None):
+        terminal = Terminal(kind)
+        self.addCleanup(terminal.close)
+        prefix = ["env", f"NO_COLOR={no_colour}"] if no_colour is not None else []
+        run = terminal.start([*prefix, CLEW, *arguments])
+        while terminal.read(0.1) or run.poll() is None:
+            pass
+        return terminal.shown
+
+    def test_marks_an_outcome_unless_somebody_wants_none(self):
+        run = ["run", "krishna_kalra", "--world", "open-field", "--layout", "composed", "-q"]
+        late = [*run, "--max-ticks", "3"]
+
+        self.assertIn(b"\x1b[32mreached\x1b[0m in open-field", self.shown(*run))
+        self.assertIn(b"\x1b[33mtimeout\x1b[0m in open-field", self.shown(*late))
+        # An empty value is none, as https://no-color.org has it.
+        self.assertIn(b"\x1b[32mreached", self.shown(*run, no_colour=""))
+        for plain in (self.shown(*run, no_colour="1"), self.shown(*run, kind="dumb")):
+            self.assertIn(b"reached in open-field", plain)
+            self.assertNotIn(b"\x1b", plain)
+
+    def test_is_in_no_pipe(self):
+        done = subprocess.run([CLEW, "run", "krishna_kalra", "--world", "open-field", "--layout",
+                               "composed"], capture_output=True, check=True)
+
+        self.assertNotIn(b"\x1b", done.stdout + done.stderr)
+
+
 class Progress(OnATerminal):
     def test_is_shown_on_a_terminal(self):
         for layout in LAYOUTS:

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -60,6 +62,27 @@ CLI::Validator number_between(double low, double high) {
             const auto value = number_of<double>(text);
             if (value && *value >= low && *value <= high) return std::string();
             return wrong_number(text, fmt::format("{} to {}", low, high));
+          },
+          ""};
+}
+
+CLI::Validator size_in_bytes(std::uint64_t least) {
+  return {[least](std::string& text) {
+            const std::size_t digits = text.find_first_not_of("0123456789.");
+            const std::string unit = digits == std::string::npos ? "" : text.substr(digits);
+            const std::map<std::string, double> units = {
+                {"", 1.0}, {"B", 1.0}, {"kB", 1e3}, {"MB", 1e6}, {"GB", 1e9}};
+            const auto factor = units.find(unit);
+            const auto number = number_of<double>(text.substr(0, digits));
+            constexpr double kMost = 1e15;
+            const double bytes =
+                number && factor != units.end() ? std::floor(*number * factor->second) : -1.0;
+            if (!(bytes >= static_cast<double>(least) && bytes <= kMost)) {
+              return fmt::format("found '{}'; allowed: from {} on, in bytes, or with kB, MB or GB",
+                                 text, least);
+            }
+            text = std::to_string(static_cast<std::uint64_t>(bytes));
+            return std::string();
           },
           ""};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 
 #include "runtime/graph.hpp"
@@ -18,6 +19,9 @@ CLI::Validator whole_number();
 /// A number from `low` to `high`, and no NaN, which passes every comparison that is made to refuse
 /// it.
 CLI::Validator number_between(double low, double high);
+
+/// A size from `least` bytes on, which becomes that of bytes: `2000000`, `2MB`, `0.5GB`.
+CLI::Validator size_in_bytes(std::uint64_t least);
 
 /// A name that is not empty: of a file to write, of a run.
 CLI::Validator given_name();

@@ -7,6 +7,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/terminal.hpp"
 #include "clew/version.hpp"
 #include "doctor/doctor.hpp"
 
@@ -21,7 +22,9 @@ void print(const doctor::Finding& finding, bool json) {
                                   {"fix", finding.fix}}));
     return;
   }
-  fmt::print("{}  {:24}  {}\n", finding.ok ? "good" : "BAD ", finding.check, finding.found);
+  fmt::print("{}  {:24}  {}\n",
+             finding.ok ? in_colour("good", Tone::kGood) : in_colour("BAD ", Tone::kBad),
+             finding.check, finding.found);
   if (!finding.fix.empty()) fmt::print("      {:24}  what to do: {}\n", "", finding.fix);
 }
 

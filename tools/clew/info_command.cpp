@@ -117,6 +117,9 @@ std::string state_text(const RunRecording& recording, const RecordingFacts& fact
   if (recording.tear()) {
     return fmt::format("torn at byte {}: {}", recording.tear()->at_byte, recording.tear()->reason);
   }
+  if (const std::string missing = recording.missing_piece(); !missing.empty()) {
+    return fmt::format("cut off: its next file, {}, is not there", missing);
+  }
   if (!recording.complete()) return "cut off: its recorder did not finish it";
   if (!facts.no_plan.empty()) return "cannot be replayed: " + facts.no_plan;
   if (facts.missing_at_end > 0) {
@@ -132,6 +135,14 @@ std::string hash_text(const RunRecording& recording, const RecordingFacts& facts
   if (!recording.end()) return facts.hash.hex() + " (of what is there)";
   if (facts.hash_matches) return facts.hash.hex() + " (as recorded)";
   return fmt::format("{} (its recorder wrote {})", facts.hash.hex(), recording.end()->hash.hex());
+}
+
+/// When a recording goes on in another file, in words.
+std::string split_text(const bridge::RecordingSplit& split) {
+  std::vector<std::string> texts;
+  if (split.bytes > 0) texts.push_back(fmt::format("from {} bytes on", split.bytes));
+  if (split.seconds > 0) texts.push_back(fmt::format("every {} s", split.seconds));
+  return fmt::format("{}", fmt::join(texts, ", and "));
 }
 
 Result<runtime::Graph> graph_of(const RunRecording& recording) {
@@ -153,6 +164,25 @@ void print_configuration(const RunRecording& recording) {
   }
 }
 
+std::vector<std::string> left_out(const RunRecording& recording) {
+  std::vector<std::string> names;
+  for (const domain::Topic topic : recording.description().left_out) {
+    names.emplace_back(domain::topic_name(topic));
+  }
+  return names;
+}
+
+/// Of a recording that is not of all topics, or in several files.
+void print_files(const RunRecording& recording) {
+  if (recording.description().split.any()) {
+    print_text("files      {}: a new one {}\n", recording.pieces(),
+               split_text(recording.description().split));
+  }
+  if (const auto names = left_out(recording); !names.empty()) {
+    print_text("left out   {}\n", fmt::join(names, ", "));
+  }
+}
+
 void print(const RunRecording& recording, const RecordingFacts& facts) {
   const auto& description = recording.description();
   print_text("{}: {}\n", recording.path(), state_text(recording, facts));
@@ -162,6 +192,7 @@ void print(const RunRecording& recording, const RecordingFacts& facts) {
   } else {
     print_text("ticks      none\n");
   }
+  print_files(recording);
   if (const auto& box = description.black_box) {
     print_text("black box  {}; can be replayed from tick {} on\n", box->why, box->tick);
   }
@@ -183,7 +214,11 @@ void print(const RunRecording& recording, const RecordingFacts& facts) {
     print_text("branched   at tick {}; the ticks before are those of another run\n",
                *facts.branch_tick);
   }
-  print_text("hash       {}\nseed       {}\n", hash_text(recording, facts), description.seed);
+  print_text("hash       {}\n", hash_text(recording, facts));
+  if (recording.end() && recording.end()->run_hash) {
+    print_text("of the run {} (all topics, as the run had it)\n", recording.end()->run_hash->hex());
+  }
+  print_text("seed       {}\n", description.seed);
   if (const std::string text = facts.signature.text(); !text.empty()) {
     print_text("signature  {}\n", text);
   }
@@ -280,6 +315,11 @@ ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts)
   json["hash"] = facts.hash.hex();
   json["recorded_hash"] =
       recording.end() ? ordered_json(recording.end()->hash.hex()) : ordered_json(nullptr);
+  json["run_hash"] = recording.end() && recording.end()->run_hash
+                         ? ordered_json(recording.end()->run_hash->hex())
+                         : ordered_json(nullptr);
+  json["pieces"] = recording.pieces();
+  json["left_out"] = left_out(recording);
   facts.signature.add_to(json);
   json["seed"] = description.seed;
   json["versions"] = description.versions;

@@ -50,6 +50,10 @@ std::optional<PlaybackRequest> read_playback_key(char key) {
       return PlaybackRequest{Kind::kFaster};
     case '-':
       return PlaybackRequest{Kind::kSlower};
+    case '[':
+      return PlaybackRequest{Kind::kSkipBack};
+    case ']':
+      return PlaybackRequest{Kind::kSkipOn};
     case 'q':
       return PlaybackRequest{Kind::kEnd};
     default:
@@ -74,6 +78,11 @@ std::optional<PlaybackRequest> read_playback_command(const std::string& line) {
     const bool allowed = request.rate == 0.0 || (request.rate >= Playback::kLowestRate &&
                                                  request.rate <= Playback::kHighestRate);
     if (!number || !allowed) return std::nullopt;
+  } else if (verb == "seek") {
+    request.kind = Kind::kSeek;
+    std::int64_t tick = -1;
+    if (!(words >> tick) || tick < 0) return std::nullopt;
+    request.ticks = static_cast<std::uint64_t>(tick);
   } else if (verb == "step") {
     request.kind = Kind::kStep;
     words >> std::ws;
@@ -146,8 +155,8 @@ void PlaybackTerminal::take_line(const std::string& line, std::vector<PlaybackRe
     requests.push_back(*request);
   } else {
     log(
-        fmt::format("unknown command '{}'; allowed: pause, resume, step [N], rate 0 or {} to {}, "
-                    "end",
+        fmt::format("unknown command '{}'; allowed: pause, resume, step [N], seek TICK, rate 0 or "
+                    "{} to {}, end",
                     line, Playback::kLowestRate, Playback::kHighestRate));
   }
 }
@@ -161,7 +170,9 @@ void PlaybackTerminal::show(const bridge::LiveReplayStatus& status) {
     fmt::print(stderr, "\r\033[Ktick {}  {:.1f} s  {}{}{}", status.next_tick,
                static_cast<double>(status.next_tick) * status.tick_s,
                status.paused ? "paused" : rate_text(status.rate), comparison_text(status),
-               input_ == Input::kKeys ? "  [space] pause  [n] tick  [+ -] rate  [q] end" : "");
+               input_ == Input::kKeys
+                   ? "  [space] pause  [n] tick  [ ] back, on  [+ -] rate  [q] end"
+                   : "");
   }
   std::fflush(stderr);
 }

@@ -47,22 +47,37 @@ Result<void> check_options(const ReplayOptions& options) {
   if (!options.exec.empty() && !options.start && !options.branch_tick) {
     return Error{"needs --start or --branch", "--exec"};
   }
-  if (!options.publishes &&
-      (options.domain || options.start || !options.prefix.empty() || !options.readers.empty() ||
-       options.wait_s || options.start_paused || options.commands)) {
+  if (!options.publishes && (options.domain || options.start || !options.prefix.empty() ||
+                             !options.readers.empty() || options.wait_s || options.start_paused ||
+                             options.commands || options.loop || !options.remap.empty())) {
     return Error{
-        "--domain, --start, --prefix, --reader, --wait, --start-paused and --commands "
-        "need --publish"};
+        "--domain, --start, --prefix, --reader, --wait, --start-paused, --commands, --loop and "
+        "--remap need --publish"};
   }
   return {};
 }
 
+/// The topics of a stage that the user left out of the recording, in words.
+std::string left_out_of(const runtime::GraphStage& stage, const bridge::RunRecording& recording) {
+  std::string names;
+  for (const domain::Topic topic : recording.description().left_out) {
+    const bool needed = (stage.ports.all_inputs() | stage.ports.outputs)[index_of(topic)];
+    if (needed)
+      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", domain::topic_name(topic));
+  }
+  return names;
+}
+
 /// The stages to replay: the one asked for, or all that are ours.
-std::vector<std::string> stages_of(const ReplayOptions& options, const runtime::Graph& graph) {
+std::vector<std::string> stages_of(const ReplayOptions& options, const runtime::Graph& graph,
+                                   const bridge::RunRecording& recording) {
   if (!options.component.empty()) return {options.component};
   std::vector<std::string> names;
   for (const auto& stage : graph.stages) {
-    if (stage.deployment.is_ours()) {
+    const std::string lacking = left_out_of(stage, recording);
+    if (!lacking.empty()) {
+      logs::info("{} is left out: --record-topics left out {}", stage.info->name, lacking);
+    } else if (stage.deployment.is_ours()) {
       names.push_back(stage.info->name);
     } else {
       logs::info("{} is a {}, and is left out", stage.info->name,
@@ -117,7 +132,7 @@ Result<std::vector<ReplayReport>> replay_all(const bridge::RunRecording& recordi
   // At a rate they go on side by side, each on a thread of its own; else one after another.
   const auto policy = range.rate > 0.0 ? std::launch::async : std::launch::deferred;
   std::vector<std::future<Result<ReplayReport>>> replays;
-  for (const std::string& stage : stages_of(options, plan.graph)) {
+  for (const std::string& stage : stages_of(options, plan.graph, recording)) {
     replays.push_back(std::async(policy, [&recording, &plan, &range, stage] {
       return bridge::replay_component(recording, plan, stage, range);
     }));
@@ -127,6 +142,9 @@ Result<std::vector<ReplayReport>> replay_all(const bridge::RunRecording& recordi
     auto report = replay.get();
     if (!report.ok()) return report.error();
     reports.push_back(std::move(report).value());
+  }
+  if (reports.empty() && !recording.description().left_out.empty()) {
+    return Error{"holds too few topics of its run to replay a stage", recording.path()};
   }
   if (reports.empty()) return Error{"no component of this recording is ours"};
   return reports;
@@ -176,8 +194,12 @@ void add_publish(CLI::App& app, ReplayOptions& options) {
                  "seconds to wait for readers (10; 60 if started by hand)")
       ->check(number_between(0.1, 86400.0));
   app.add_flag("--start-paused", options.start_paused, "wait before the first tick");
+  app.add_flag("--loop", options.loop, "begin again after the last tick, until told to end");
+  app.add_option("--remap", options.remap,
+                 "TOPIC:=NAME: publish it under another name; may be repeated")
+      ->allow_extra_args(false);
   app.add_flag("--commands", options.commands,
-               "read pause, resume, step [N], rate N and end from stdin, a line each");
+               "read pause, resume, step [N], seek TICK, rate N and end from stdin, a line each");
 }
 
 }  // namespace

@@ -34,6 +34,8 @@ struct ReplayOptions {
   std::optional<double> wait_s;
   bool start_paused = false;
   bool commands = false;  ///< from stdin
+  bool loop = false;
+  std::vector<std::string> remap;  ///< `TOPIC:=NAME`
 };
 
 }  // namespace clew::tools

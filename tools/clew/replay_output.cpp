@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "clew/difference_output.hpp"
+#include "clew/terminal.hpp"
 
 namespace clew::tools {
 
@@ -42,8 +43,8 @@ void print_replay(const ReplayReport& report) {
                report.component);
   }
   if (report.identical()) {
-    fmt::print("{}: {} ticks identical, {:.0f} ticks/s\n", report.component, report.ticks,
-               report.ticks_per_s);
+    fmt::print("{}: {} ticks {}, {:.0f} ticks/s\n", report.component, report.ticks,
+               in_colour("identical", Tone::kGood), report.ticks_per_s);
     return;
   }
   fmt::print("{}: {} of {} ticks differ, {:.0f} ticks/s\n", report.component,

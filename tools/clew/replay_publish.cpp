@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
 
 #include "clew/exit_status.hpp"
 #include "clew/foreign_programs.hpp"
@@ -42,6 +46,33 @@ Result<void> read_prefix(const ReplayOptions& options, LiveReplayOptions& live) 
   return {};
 }
 
+Result<void> read_names(const ReplayOptions& options, const bridge::RunRecording& recording,
+                        LiveReplayOptions& live) {
+  std::set<std::string> taken;
+  for (const std::string& text : options.remap) {
+    const std::size_t sign = text.find(":=");
+    const std::string name = sign == std::string::npos ? "" : text.substr(sign + 2);
+    const bool is_name =
+        !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char letter) {
+          return std::isalnum(letter) != 0 || letter == '_' || letter == '/';
+        });
+    if (!is_name) {
+      return Error{
+          "expected TOPIC:=NAME with a name of letters, digits, _ and /, found '" + text + "'",
+          "--remap"};
+    }
+    const auto topic = bridge::recorded_topic(recording, text.substr(0, sign));
+    if (!topic.ok()) return topic.error();
+    live.names[*topic] = name;
+  }
+  for (const domain::Topic topic : domain::kAllTopics) {
+    const std::string name = bridge::published_name(topic, live.names);
+    if (taken.insert(name).second) continue;
+    return Error{"two topics would be called '" + name + "'", "--remap"};
+  }
+  return {};
+}
+
 Result<LiveReplayOptions> read_options(const ReplayOptions& options,
                                        const bridge::RunRecording& recording) {
   LiveReplayOptions live;
@@ -64,6 +95,8 @@ Result<LiveReplayOptions> read_options(const ReplayOptions& options,
   if (options.last_tick) live.range.last_tick = *options.last_tick;
   live.range.rate = options.rate;
   live.paused = options.start_paused;
+  live.loops = options.loop;
+  CLEW_RETURN_IF_ERROR(read_names(options, recording, live));
   live.wait_s = options.wait_s;
   live.program = own_program();
   live.middleware = options.middleware;

@@ -111,6 +111,10 @@ Result<ResumedRun> resume_run(const RunOptions& options) {
   order.description.bundle = recording->description().bundle;
   order.description.planned = recording->description().planned;
   order.description.compression = recording->description().compression;
+  order.description.split = recording->description().split;
+  if (order.description.split.any() && !options.record.empty()) {
+    return Error{"is split, and is gone on with where it is: leave out --record", file};
+  }
   return ResumedRun{std::move(plan).value(), std::move(order), std::move(resumption).value(), file};
 }
 

@@ -2,6 +2,7 @@
 #include "clew/run_arguments.hpp"
 
 #include "clew/command_line.hpp"
+#include "clew/recording_options.hpp"
 
 namespace clew::tools {
 namespace {
@@ -81,6 +82,16 @@ void add_recording(CLI::App& app, RunOptions& options) {
       "write a recording (MCAP); of a fleet: one a robot into this folder")
       ->check(given_name());
   app.add_flag("--force", options.force, "overwrite the recording")->group("Recording");
+  add("--record-topics", options.record_topics,
+      "NAME[,NAME...] or patterns such as 's*': only these topics (all); what lacks topics cannot "
+      "be gone on with, and replays the stages whose topics are all there")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add("--split-size", options.split_bytes,
+      "go on in another file, NAME_1.mcap, ..., when one is as large: bytes, or with kB, MB, GB")
+      ->transform(size_in_bytes(kLeastSplit));
+  add("--split-s", options.split_s, "the same after so much simulated time, in seconds")
+      ->check(number_between(0.001, 1e6));
   add("--record-on", options.record_on,
       "trap: a black box. If a trap is detected, a collision happens or the run ends badly, it "
       "writes what it kept and then records on");

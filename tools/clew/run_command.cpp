@@ -14,6 +14,7 @@
 #include "clew/fleet_run.hpp"
 #include "clew/foreign_programs.hpp"
 #include "clew/plugin_options.hpp"
+#include "clew/recording_options.hpp"
 #include "clew/resumed_run.hpp"
 #include "clew/run_arguments.hpp"
 #include "clew/run_hosts.hpp"
@@ -26,6 +27,7 @@
 #include "log/log.hpp"
 #include "recorder/recorder_process.hpp"
 #include "recorder/recording_sink.hpp"
+#include "recording/piece_files.hpp"
 #include "robot/robots.hpp"
 #include "run/composed_run.hpp"
 #include "run/end_signals.hpp"
@@ -41,50 +43,19 @@ namespace {
 using core::Error;
 using core::Result;
 
-const std::vector<std::string> kCompressions = {"none", "zstd", "lz4"};
-const std::vector<std::string> kRecordOn = {"trap"};
 constexpr double kRecordLast_s = 30.0;
-const std::vector<std::string> kOnRecordError = {"stop", "continue"};
-
-Result<void> check_black_box(const RunOptions& options) {
-  const bool wanted = !options.record_on.empty();
-  if (wanted && options.record_on != kRecordOn.front()) {
-    return Error{core::unknown_name("occasion", options.record_on, kRecordOn), "--record-on"};
-  }
-  if (wanted && options.record.empty()) {
-    return Error{"needs --record FILE", "--record-on"};
-  }
-  if (!options.resume.empty() && wanted) {
-    return Error{"a resumed run is recorded as before", "--record-on"};
-  }
-  if (options.record_last_s && !wanted) {
-    return Error{"needs --record-on trap", "--record-last"};
-  }
-  return {};
-}
 
 Result<void> check_options(const RunOptions& options) {
   if (options.threads) {
     return Error{"needs a fleet: a graph runs in one thread, or in processes", "--threads"};
   }
-  CLEW_RETURN_IF_ERROR(check_black_box(options));
+  CLEW_RETURN_IF_ERROR(check_recording_options(options));
   if (!options.exec.empty() && options.resume.empty()) {
     return Error{"needs --resume: a graph names its programs itself", "--exec"};
   }
   if (!options.layout.empty() && options.layout != "processes" && options.layout != "composed") {
     return Error{core::unknown_name("layout", options.layout, {"processes", "composed"}),
                  "--layout"};
-  }
-  const auto known = [](const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
-  if (!options.compression.empty() && !known(kCompressions, options.compression)) {
-    return Error{core::unknown_name("compression", options.compression, kCompressions),
-                 "--compression"};
-  }
-  if (!known(kOnRecordError, options.on_record_error)) {
-    return Error{core::unknown_name("choice", options.on_record_error, kOnRecordError),
-                 "--on-record-error"};
   }
   if (!options.pace.empty()) {
     if (const auto speed = read_pace(options.pace); !speed.ok()) return speed.error();
@@ -148,8 +119,7 @@ Result<Job> new_job(const RunOptions& options) {
   const double keep_last_s =
       options.record_on.empty() ? 0.0 : options.record_last_s.value_or(kRecordLast_s);
   job.recording = {options.record, bridge::describe_run(job.plan), keep_last_s, options.force};
-  const std::string compression = options.compression == "none" ? "" : options.compression;
-  job.recording->description.compression = *bridge::mcap::compression_from_name(compression);
+  CLEW_RETURN_IF_ERROR(choose_recording(options, job.recording->description));
   return job;
 }
 
@@ -168,6 +138,11 @@ Result<void> claim_recording(const RunOptions& options, Job& job) {
   if (job.resumption) return claim_resumed(options, job.resumed_from, job.recording->path);
   if (!job.recording) return {};
   CLEW_RETURN_IF_ERROR(bridge::mcap::OutputFile::reserve(options.record, options.force));
+  if (job.recording->description.split.any()) {
+    const auto cleared = bridge::clear_pieces(options.record, options.force);
+    if (!cleared.ok()) bridge::mcap::OutputFile::discard(options.record);
+    CLEW_RETURN_IF_ERROR(cleared);
+  }
   if (job.recording->keep_last_s > 0.0) return {};
   const bool is_device = bridge::mcap::OutputFile::temporary_name(options.record) == options.record;
   if (is_device) return {};
@@ -229,7 +204,7 @@ Result<bridge::RunReport> run_composed(Job& job, const bridge::ProcessLayout& la
     report->goal_changed = control.goal_changed_by(report->statistics.truth->tick);
   }
   if (sink && report.ok()) {
-    report->recording = sink->close({report->aborted, true});
+    report->recording = sink->close({report->aborted, true, report->hash});
     if (report->recording->failure.empty() && !report->recording->nothing) {
       const auto named =
           bridge::mcap::OutputFile::give_name(job.recording->path, job.recording->overwrite);
@@ -348,6 +323,7 @@ int run_command(const RunOptions& options) {
   }
   RunFacts facts{layout_name, composed ? "inprocess" : middleware_text(job->plan.graph, *layout),
                  wrote ? job->recording->path : ""};
+  facts.seed_given = options.overrides.seed.has_value();
   for (const domain::Intervention& change : control.interventions()) {
     if (!change.changes.empty()) facts.planned_changes.push_back(change.tick);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,9 +26,12 @@ struct RunOptions {
   std::string resume;             ///< a recording to go on with, in the graph's place
   std::vector<std::string> exec;  ///< with resume, the programs that it may start
   bool force = false;
-  std::optional<int> threads;           ///< that a fleet's robots share
-  std::string record_on;                ///< `trap`: a black box
-  std::optional<double> record_last_s;  ///< that a black box keeps; none: 30
+  std::optional<int> threads;              ///< that a fleet's robots share
+  std::vector<std::string> record_topics;  ///< names or patterns; empty: all
+  std::uint64_t split_bytes = 0;           ///< 0: one file, whatever its size
+  double split_s = 0.0;                    ///< 0: one file, whatever its time
+  std::string record_on;                   ///< `trap`: a black box
+  std::optional<double> record_last_s;     ///< that a black box keeps; none: 30
   std::string compression;  ///< empty: as the recording that is gone on with has it, else none
   std::string on_record_error = "stop";
   std::vector<std::string> external;

@@ -9,6 +9,7 @@
 
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/seed_note.hpp"
 #include "clew/terminal.hpp"
 #include "world/world.hpp"
 
@@ -146,6 +147,16 @@ std::string drift_text(const runtime::Graph& graph) {
   return text;
 }
 
+std::string outcome_in_colour(const RunReport& report) {
+  const std::string word = outcome_word(report);
+  const bool ended = report.aborted.empty();
+  const Outcome outcome = truth_of(report).outcome;
+  if (ended && outcome == Outcome::kReached) return in_colour(word, Tone::kGood);
+  const bool undecided =
+      ended && (outcome == Outcome::kTimeout || outcome == Outcome::kUnreachable);
+  return in_colour(word, undecided ? Tone::kDoubtful : Tone::kBad);
+}
+
 }  // namespace
 
 std::vector<std::string> notes_on(const RunReport& report, const runtime::RunPlan& plan,
@@ -158,6 +169,7 @@ std::vector<std::string> notes_on(const RunReport& report, const runtime::RunPla
     notes.push_back("odometry may be the reason for 'unreachable': it errs (" + drift +
                     "), and the proof holds in its frame");
   }
+  if (facts.seed_given && !goes_by_chance(plan.graph)) notes.push_back(seed_note(plan.graph));
   for (const std::uint64_t tick : facts.planned_changes) {
     if (tick <= truth.tick) continue;
     notes.push_back(fmt::format(
@@ -213,11 +225,11 @@ std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {
   const RunTruth truth = truth_of(report);
   const auto shortest_m = shortest_path_m(report, plan);
   std::string line =
-      fmt::format("{} in {}: {} ticks ({:.1f} s), path {:.2f} m", outcome_word(report),
+      fmt::format("{} in {}: {} ticks ({:.1f} s), path {:.2f} m", outcome_in_colour(report),
                   plan.graph.world, truth.tick, truth.sim_time_s, truth.path_length_m);
   const bool has_outcome = report.aborted.empty() && truth.outcome != Outcome::kRunning;
   if (!has_outcome && truth.tick == 0) {
-    line = fmt::format("{} in {}: before the first tick had ended", outcome_word(report),
+    line = fmt::format("{} in {}: before the first tick had ended", outcome_in_colour(report),
                        plan.graph.world);
   } else if (!has_outcome) {
     line += fmt::format(", at ({:.2f}, {:.2f})", truth.x_m, truth.y_m);

@@ -100,6 +100,9 @@ Result<CertifiedKey> key_of(const SignOptions& options) {
 int sign_command(const SignOptions& options) {
   const auto recording = bridge::RunRecording::open(options.recording);
   if (!recording.ok()) return complain(recording.error());
+  if (recording->description().split.any()) {
+    return complain({"is split into files, and a signature is of one", options.recording, 0, 0});
+  }
   const std::string path = bridge::signature_file(options.recording);
   std::error_code code;
   if (!options.force && std::filesystem::exists(path, code)) {
