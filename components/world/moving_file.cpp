@@ -104,10 +104,15 @@ Result<std::vector<MovingObstacle>> read_moving_polygon(const YamlNode& node) {
 Result<std::vector<MovingObstacle>> read_door(const YamlNode& node) {
   CLEW_RETURN_IF_ERROR(node.check_keys({"door", "turns", "loop"}));
   Door door;
-  World::Circle leaf;
-  CLEW_RETURN_IF_ERROR(read_required(node, "door", leaf));
-  door.hinge = leaf.centre;
-  door.length_m = leaf.radius_m;
+  const auto leaf = node.at("door");
+  if (!leaf.ok()) return leaf.error();
+  const auto numbers = read_numbers(*leaf, 3, "[x, y, length]");
+  if (!numbers.ok()) return numbers.error();
+  door.hinge = {(*numbers)[0], (*numbers)[1]};
+  door.length_m = (*numbers)[2];
+  if (!(door.length_m > 0.0)) {
+    return leaf->error(fmt::format("the length is {}; it must be above 0", door.length_m));
+  }
   CLEW_RETURN_IF_ERROR(read_at(node, "turns", door.turns));
   CLEW_RETURN_IF_ERROR(read_optional(node, "loop", door.loop));
   return discs_of(door);
