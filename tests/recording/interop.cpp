@@ -45,7 +45,7 @@ T value_or_exit(core::Result<T> result) {
 }
 
 void ok_or_exit(const core::Result<void>& result) {
-  if (result) return;
+  if (result.ok()) return;
   std::fprintf(stderr, "%s\n", result.error().text().c_str());
   std::exit(1);
 }

@@ -110,7 +110,7 @@ class TakeOver {
   void place_robot() {
     for (std::size_t i = 0; i < before_.size(); ++i) {
       if (before_[i].name() != "drive") continue;
-      ASSERT_TRUE(after_[i].load(before_[i].save()));
+      ASSERT_TRUE(after_[i].load(before_[i].save()).ok());
     }
   }
   static void step(runtime::Node& node, std::uint64_t tick, domain::Messages& messages) {
