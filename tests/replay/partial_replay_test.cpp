@@ -142,7 +142,8 @@ class LateRun {
         domain::visit_topic(topic, [&](auto constant) {
           constexpr auto kIndex = index_of(decltype(constant)::value);
           const auto& message = std::get<kIndex>(messages_);
-          ASSERT_TRUE((*sink)->add({topic, tick, tick, std::get<kIndex>(codecs_).encode(message)}));
+          ASSERT_TRUE(
+              (*sink)->add({topic, tick, tick, std::get<kIndex>(codecs_).encode(message)}).ok());
         });
       }
     }
