@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "control/infrared/infrared_expert.hpp"
 #include "core/random.hpp"
 #include "tests/source_files.hpp"
 #include "train/larger_table.hpp"
+#include "train/neuro_fuzzy_start.hpp"
 
 namespace clew::train {
 namespace {
@@ -41,6 +44,11 @@ std::vector<TrainingGroup> shown_groups(std::size_t count) {
       group.readings[side] = curve.reading(distances_m[side]);
     }
     group.wanted = control::expert_opinion({}, distances_m);
+    control::InfraredDistances beside_free = distances_m;
+    beside_free[control::kLeft] = beside_free[control::kRight] = 9.0;
+    const control::WheelSpeeds ahead = control::expert_opinion({}, beside_free);
+    group.parts_mps = {ahead.left_mps, ahead.right_mps, group.wanted.left_mps - ahead.left_mps,
+                       group.wanted.right_mps - ahead.right_mps};
     groups.push_back(group);
   }
   return groups;
@@ -142,6 +150,102 @@ TEST(NeuroFuzzyTraining, GivesTheSameFileForTheSameGroupsAndSeedAlone) {
             file_with(2).substr(file_with(2).find("nets:")));
 }
 
+TEST(StartNetworks, AreTheRulesUnlessTheRecipeSaysOtherwise) {
+  const auto begun = start_networks(recipe(), rules(), drawn());
+
+  ASSERT_TRUE(begun.ok()) << begun.error().text();
+  EXPECT_EQ(begun->to_yaml(), rules().to_yaml());
+}
+
+TEST(StartNetworks, LaySetsEvenlyOverTheReadings) {
+  NeuroFuzzyRecipe over = recipe();
+  over.sets = StartSets::kReadings;
+  TrainingGroups groups;
+  groups.train = {{{200, 180, 160, 190}, {}, {}}, {{180, 220, 200, 190}, {}, {}}};
+
+  const auto begun = start_networks(over, rules(), groups);
+
+  ASSERT_TRUE(begun.ok()) << begun.error().text();
+  const auto& net = begun->nets[NeuroFuzzyNets::kRight1];
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(net.centres[0][i], 160.0 + 20.0 * static_cast<double>(i), 1e-9);
+    EXPECT_NEAR(net.centres[1][i], 160.0 + 20.0 * static_cast<double>(i), 1e-9);
+    // Half way between two centres both hold to a half.
+    EXPECT_NEAR(std::exp(-0.5 * 100.0 / (net.widths[0][i] * net.widths[0][i])), 0.5, 1e-4);
+  }
+}
+
+TEST(StartNetworks, RefuseSetsThatHoldFewReadings) {
+  TrainingGroups groups;
+  groups.train = {{{230, 100, 100, 100}, {}, {}}, {{240, 100, 100, 100}, {}, {}}};
+
+  const auto begun = start_networks(recipe(), rules(), groups);
+
+  ASSERT_FALSE(begun.ok());
+  EXPECT_EQ(
+      begun.error().message,
+      "0 % of what sensor I_1 read lies in the sets of the rules that training begins with: "
+      "readings from 230 to 240, centres from 45 to 180; the recipe key 'sets: readings' lays "
+      "them over the readings, as in the recipe wang_yang_meng_readings");
+}
+
+TEST(StartNetworks, DrawOutputsFromNothingToOneAndTableOneStillLooksAhead) {
+  NeuroFuzzyRecipe from_nothing = recipe();
+  from_nothing.outputs = StartOutputs::kRandom;
+
+  const auto begun = start_networks(from_nothing, rules(), drawn());
+
+  ASSERT_TRUE(begun.ok()) << begun.error().text();
+  EXPECT_TRUE(begun->nets[NeuroFuzzyNets::kLeft1].ignores_second());
+  EXPECT_FALSE(begun->nets[NeuroFuzzyNets::kLeft2].ignores_second());
+  EXPECT_NE(begun->nets[NeuroFuzzyNets::kLeft1].outputs,
+            begun->nets[NeuroFuzzyNets::kRight1].outputs);
+  for (const auto& net : begun->nets) {
+    for (const auto& row : net.outputs) {
+      for (const double output : row) {
+        EXPECT_GE(output, 0.0);
+        EXPECT_LT(output, 1.0);
+      }
+    }
+  }
+}
+
+TEST(NeuroFuzzyTraining, LearnsFromRandomOutputsAsWell) {
+  NeuroFuzzyRecipe from_nothing = recipe();
+  from_nothing.outputs = StartOutputs::kRandom;
+  from_nothing.sets = StartSets::kReadings;
+  const TrainingGroups groups = drawn();
+  const NeuroFuzzyNets begun = start_networks(from_nothing, rules(), groups).value();
+
+  const NeuroFuzzyTraining training = train_neuro_fuzzy(from_nothing, begun, groups);
+
+  EXPECT_GT(error_mps(begun, groups.test), 0.2);
+  EXPECT_LT(error_mps(training.nets, groups.test), 0.04);
+}
+
+TEST(NeuroFuzzyTraining, EachNetworkLearnsFromGroupsOfItsOwn) {
+  NeuroFuzzyRecipe each = recipe();
+  each.each_network = true;
+  const auto groups = draw_groups(each, shown_groups(800));
+  ASSERT_TRUE(groups.ok()) << groups.error().text();
+  for (const auto& own : groups->of_network) {
+    EXPECT_EQ(own.size(), 100u);
+    for (const TrainingGroup& test : groups->test) EXPECT_NE(own.front().readings, test.readings);
+  }
+
+  const NeuroFuzzyTraining training = train_neuro_fuzzy(each, rules(), *groups);
+
+  EXPECT_LT(error_mps(training.nets, groups->test), 0.03);
+  EXPECT_FALSE(draw_groups(each, shown_groups(400)).ok());
+}
+
+TEST(NeuroFuzzyRecipe, RefusesWordsThatItDoesNotKnow) {
+  EXPECT_EQ(refusal_of("iterations: 30000", "sets: mine\niterations: 30000"),
+            "found 'mine'; allowed: rules, readings");
+  EXPECT_EQ(refusal_of("iterations: 30000", "learn: all\niterations: 30000"),
+            "found 'all'; allowed: wheels, networks");
+}
+
 TEST(LargerTable, HasTheOpinionOfItsRules) {
   const NeuroFuzzyNets few = rules();
 
@@ -173,8 +277,9 @@ TEST(NeuroFuzzyRecipe, RefusesWhatIsNone) {
             "found '0', expected a whole number from 1 to 10000000");
   EXPECT_EQ(refusal_of("outputs: 0.1", "outputs: 2"), "found 2, expected a number from 0 to 1");
   EXPECT_EQ(refusal_of("places: 1000\nworlds:", "places: 1000\nworlds: []\nworld:"),
-            "unknown key 'world' (did you mean 'worlds'?); allowed: format, seed, start, groups, "
-            "iterations, tolerance_mps, learning_rates, wheel_base_m, places, worlds");
+            "unknown key 'world' (did you mean 'worlds'?); allowed: format, seed, start, sets, "
+            "outputs, learn, groups, iterations, tolerance_mps, learning_rates, wheel_base_m, "
+            "places, worlds");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "files/whole_file.hpp"
 #include "log/log.hpp"
 #include "plot/line_chart.hpp"
+#include "train/neuro_fuzzy_start.hpp"
 #include "train/training_groups.hpp"
 
 namespace clew::tools {
@@ -72,14 +73,22 @@ Result<Trained> train(const TrainNeuroFuzzyOptions& options) {
   if (!rules.ok()) return rules.error();
   const auto start = control::NeuroFuzzyNets::parse(*rules);
   if (!start.ok()) return start.error();
+  if (recipe->each_network && !options.recording.empty()) {
+    return Error{
+        "tells only the speeds of wheels; the recipe's 'learn: networks' needs the expert's "
+        "opinion of each network: leave out the key, or --recording",
+        options.recording};
+  }
   const auto shown = options.recording.empty()
                          ? train::groups_of_expert(*recipe, path)
                          : train::groups_of_recording(*recipe, options.recording);
   if (!shown.ok()) return shown.error();
   const auto groups = train::draw_groups(*recipe, shown->groups);
   if (!groups.ok()) return Error{groups.error().message, options.recording};
-  const auto training = train::train_neuro_fuzzy(*recipe, *start, *groups);
-  const auto errors = train::compare(training, *start, *groups);
+  const auto begun = train::start_networks(*recipe, *start, *groups);
+  if (!begun.ok()) return Error{begun.error().message, options.recording};
+  const auto training = train::train_neuro_fuzzy(*recipe, *begun, *groups);
+  const auto errors = train::compare(training, *begun, *groups);
   return Trained{train::trained_file(*recipe, training, errors, command_of(options), shown->origin),
                  plot::draw(chart_of(training, errors)), errors.rules_mps, errors.trained_mps};
 }
@@ -94,9 +103,23 @@ Result<void> deliver(const Trained& trained, const TrainNeuroFuzzyOptions& optio
   return {};
 }
 
+/// A training that ends worse than it began is written nowhere.
+int refuse(const Trained& trained) {
+  return complain({fmt::format("training made it worse: {:.3f} m/s over the test groups before it, "
+                               "{:.3f} after; nothing was written. Lower the recipe's "
+                               "learning_rates, raise iterations or groups, or lay the sets over "
+                               "the readings (sets: readings)",
+                               trained.begun_mps, trained.ended_mps),
+                   {},
+                   0,
+                   0},
+                  kExitFailed);
+}
+
 int train_neuro_fuzzy_command(const TrainNeuroFuzzyOptions& options) {
   const auto trained = train(options);
   if (!trained.ok()) return complain(trained.error());
+  if (trained->ended_mps > trained->begun_mps) return refuse(*trained);
   const auto delivered = deliver(*trained, options);
   if (!delivered.ok()) return complain(delivered.error());
   if (options.json) {
@@ -108,13 +131,7 @@ int train_neuro_fuzzy_command(const TrainNeuroFuzzyOptions& options) {
     logs::info("error over the test groups: {:.3f} m/s before training, {:.3f} after",
                trained->begun_mps, trained->ended_mps);
   }
-  if (trained->ended_mps <= trained->begun_mps) return kExitGood;
-  return complain({"training made it worse; the recipe's learning rates, iterations and groups "
-                   "decide",
-                   {},
-                   0,
-                   0},
-                  kExitFailed);
+  return kExitGood;
 }
 
 }  // namespace

@@ -18,6 +18,30 @@ Result<void> read_groups(const YamlNode& root, NeuroFuzzyRecipe& recipe) {
   return core::read_count(*node, "test", 1, kMostCount, recipe.test_groups);
 }
 
+/// The key's value, one of two words: whether it is the second. The first where it is missing.
+Result<bool> read_second(const YamlNode& root, const char* key, const std::string& first,
+                         const std::string& second) {
+  const auto node = root.find(key);
+  if (!node) return false;
+  const auto word = node->string();
+  if (!word.ok()) return word.error();
+  if (*word == first || *word == second) return *word == second;
+  return node->error("found '" + *word + "'; allowed: " + first + ", " + second);
+}
+
+Result<void> read_start(const YamlNode& root, NeuroFuzzyRecipe& recipe) {
+  const auto sets = read_second(root, "sets", "rules", "readings");
+  if (!sets.ok()) return sets.error();
+  const auto outputs = read_second(root, "outputs", "rules", "random");
+  if (!outputs.ok()) return outputs.error();
+  const auto learn = read_second(root, "learn", "wheels", "networks");
+  if (!learn.ok()) return learn.error();
+  recipe.sets = *sets ? StartSets::kReadings : StartSets::kRules;
+  recipe.outputs = *outputs ? StartOutputs::kRandom : StartOutputs::kRules;
+  recipe.each_network = *learn;
+  return {};
+}
+
 Result<void> read_rates(const YamlNode& root, NeuroFuzzyRecipe& recipe) {
   const auto node = root.at("learning_rates");
   if (!node.ok()) return node.error();
@@ -32,9 +56,9 @@ Result<void> read_rates(const YamlNode& root, NeuroFuzzyRecipe& recipe) {
 Result<NeuroFuzzyRecipe> NeuroFuzzyRecipe::parse(const core::Resource& resource) {
   const auto root = YamlNode::parse(resource.text, resource.file);
   if (!root.ok()) return root.error();
-  CLEW_RETURN_IF_ERROR(
-      root->check_keys({"format", "seed", "start", "groups", "iterations", "tolerance_mps",
-                        "learning_rates", "wheel_base_m", "places", "worlds"}));
+  CLEW_RETURN_IF_ERROR(root->check_keys({"format", "seed", "start", "sets", "outputs", "learn",
+                                         "groups", "iterations", "tolerance_mps", "learning_rates",
+                                         "wheel_base_m", "places", "worlds"}));
   CLEW_RETURN_IF_ERROR(core::check_format(*root, "clew-neuro-fuzzy-training/1"));
   NeuroFuzzyRecipe recipe;
   CLEW_RETURN_IF_ERROR(core::read_count(*root, "seed", 0, kMostCount, recipe.seed));
@@ -43,6 +67,7 @@ Result<NeuroFuzzyRecipe> NeuroFuzzyRecipe::parse(const core::Resource& resource)
   const auto name = start->string();
   if (!name.ok()) return name.error();
   recipe.start = *name;
+  CLEW_RETURN_IF_ERROR(read_start(*root, recipe));
   CLEW_RETURN_IF_ERROR(read_groups(*root, recipe));
   CLEW_RETURN_IF_ERROR(core::read_count(*root, "iterations", 1, kMostCount, recipe.iterations));
   CLEW_RETURN_IF_ERROR(core::read_number(*root, "tolerance_mps", {0.0, 1.0}, recipe.tolerance_mps));

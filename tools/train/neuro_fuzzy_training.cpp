@@ -23,13 +23,17 @@ std::vector<TrainingGroup> distinct(std::vector<TrainingGroup> groups) {
                    [](const auto& a, const auto& b) { return a.readings < b.readings; });
   std::vector<TrainingGroup> merged;
   for (auto first = groups.begin(); first != groups.end();) {
-    TrainingGroup sum{first->readings, {}};
+    TrainingGroup sum{first->readings, {}, {}};
     auto last = first;
     for (; last != groups.end() && last->readings == first->readings; ++last) {
       sum.wanted = sum.wanted + last->wanted;
+      for (std::size_t k = 0; k < sum.parts_mps.size(); ++k) {
+        sum.parts_mps[k] += last->parts_mps[k];
+      }
     }
     const auto count = static_cast<double>(last - first);
     sum.wanted = {sum.wanted.left_mps / count, sum.wanted.right_mps / count};
+    for (double& part_mps : sum.parts_mps) part_mps /= count;
     merged.push_back(sum);
     first = last;
   }
@@ -72,17 +76,47 @@ void learn_wheel(const NeuroFuzzyRecipe& recipe, const InfraredReadings& reading
         delta_v_mps, left_right);
 }
 
+/// Both wheels learn one group.
+void learn_together(const NeuroFuzzyRecipe& recipe, const TrainingGroups& groups,
+                    const core::Random& random, NeuroFuzzyNets& nets) {
+  const double draw = random.uniform(0) * static_cast<double>(groups.train.size());
+  const TrainingGroup& group = groups.train[static_cast<std::size_t>(draw)];
+  learn_wheel(recipe, group.readings, group.wanted.left_mps, nets.nets[NeuroFuzzyNets::kLeft1],
+              nets.nets[NeuroFuzzyNets::kLeft2]);
+  learn_wheel(recipe, group.readings, group.wanted.right_mps, nets.nets[NeuroFuzzyNets::kRight1],
+              nets.nets[NeuroFuzzyNets::kRight2]);
+}
+
+/// Each network learns one group of its own.
+void learn_for_itself(const NeuroFuzzyRecipe& recipe, const TrainingGroups& groups,
+                      const core::Random& random, NeuroFuzzyNets& nets) {
+  for (std::size_t k = 0; k < NeuroFuzzyNets::kCount; ++k) {
+    const auto& own = groups.of_network[k];
+    const double draw =
+        random.uniform(static_cast<std::uint32_t>(k)) * static_cast<double>(own.size());
+    const TrainingGroup& group = own[static_cast<std::size_t>(draw)];
+    const bool ahead_back = k == NeuroFuzzyNets::kLeft1 || k == NeuroFuzzyNets::kRight1;
+    const double first = group.readings[ahead_back ? control::kAhead : control::kLeft];
+    const double second = group.readings[ahead_back ? control::kBack : control::kRight];
+    Net& net = nets.nets[k];
+    learn(recipe, net.gradient(first, second), net.infer(first, second) - group.parts_mps[k], net);
+  }
+}
+
 }  // namespace
 
 core::Result<TrainingGroups> draw_groups(const NeuroFuzzyRecipe& recipe,
                                          std::vector<TrainingGroup> shown) {
   std::vector<TrainingGroup> pool = distinct(std::move(shown));
-  const std::uint64_t wanted = recipe.train_groups + recipe.test_groups;
+  const std::uint64_t common = recipe.train_groups + recipe.test_groups;
+  const std::uint64_t own = recipe.each_network ? recipe.train_groups : 0;
+  const std::uint64_t wanted = common + NeuroFuzzyNets::kCount * own;
   if (pool.size() < wanted) {
     return core::Error{"the runs show " + std::to_string(pool.size()) +
                        " different combinations of readings; the recipe needs " +
                        std::to_string(recipe.train_groups) + " groups to train and " +
-                       std::to_string(recipe.test_groups) + " to test"};
+                       std::to_string(recipe.test_groups) + " to test" +
+                       (own > 0 ? ", and " + std::to_string(own) + " for each network" : "")};
   }
   const core::Random random({recipe.seed, 0, kRandomComponent, 0});
   for (std::size_t i = 0; i < wanted; ++i) {
@@ -91,14 +125,20 @@ core::Result<TrainingGroups> draw_groups(const NeuroFuzzyRecipe& recipe,
               pool[i + static_cast<std::size_t>(draw * static_cast<double>(pool.size() - i))]);
   }
   const auto train_end = pool.begin() + static_cast<std::ptrdiff_t>(recipe.train_groups);
-  const auto test_end = pool.begin() + static_cast<std::ptrdiff_t>(wanted);
-  return TrainingGroups{{pool.begin(), train_end}, {train_end, test_end}};
+  const auto test_end = pool.begin() + static_cast<std::ptrdiff_t>(common);
+  TrainingGroups groups{{pool.begin(), train_end}, {train_end, test_end}, {}};
+  auto begin = test_end;
+  for (auto& of_network : groups.of_network) {
+    const auto end = begin + static_cast<std::ptrdiff_t>(own);
+    of_network.assign(begin, end);
+    begin = end;
+  }
+  return groups;
 }
 
 NeuroFuzzyTraining train_neuro_fuzzy(const NeuroFuzzyRecipe& recipe, const NeuroFuzzyNets& start,
                                      const TrainingGroups& groups) {
   NeuroFuzzyTraining training{start, {}};
-  auto& nets = training.nets.nets;
   const auto note = [&](std::uint64_t iteration) {
     const NeuroFuzzyNets told = training.nets.rounded();
     training.curve.push_back(
@@ -108,12 +148,11 @@ NeuroFuzzyTraining train_neuro_fuzzy(const NeuroFuzzyRecipe& recipe, const Neuro
   note(0);
   for (std::uint64_t n = 1; n <= recipe.iterations; ++n) {
     const core::Random random({recipe.seed, 0, kRandomComponent, n});
-    const double draw = random.uniform(0) * static_cast<double>(groups.train.size());
-    const TrainingGroup& group = groups.train[static_cast<std::size_t>(draw)];
-    learn_wheel(recipe, group.readings, group.wanted.left_mps, nets[NeuroFuzzyNets::kLeft1],
-                nets[NeuroFuzzyNets::kLeft2]);
-    learn_wheel(recipe, group.readings, group.wanted.right_mps, nets[NeuroFuzzyNets::kRight1],
-                nets[NeuroFuzzyNets::kRight2]);
+    if (recipe.each_network) {
+      learn_for_itself(recipe, groups, random, training.nets);
+    } else {
+      learn_together(recipe, groups, random, training.nets);
+    }
     if (n % stride != 0 && n != recipe.iterations) continue;
     note(n);
     if (training.curve.back().train_mps < recipe.tolerance_mps) break;
@@ -128,6 +167,19 @@ TestErrors compare(const NeuroFuzzyTraining& training, const NeuroFuzzyNets& sta
           error_mps(LargerTable::filled(start, groups.train), groups.test),
           error_mps(training.nets, groups.test)};
 }
+
+namespace {
+
+/// What a recipe chooses of how training begins and goes on, where it is not the default.
+std::string told_start(const NeuroFuzzyRecipe& recipe) {
+  std::string text;
+  if (recipe.sets == StartSets::kReadings) text += "  sets: readings\n";
+  if (recipe.outputs == StartOutputs::kRandom) text += "  outputs: random\n";
+  if (recipe.each_network) text += "  learn: networks\n";
+  return text;
+}
+
+}  // namespace
 
 std::string trained_file(const NeuroFuzzyRecipe& recipe, const NeuroFuzzyTraining& training,
                          const TestErrors& errors, const std::string& command,
@@ -144,6 +196,7 @@ std::string trained_file(const NeuroFuzzyRecipe& recipe, const NeuroFuzzyTrainin
              "  command: \"{}\"\n"
              "  seed: {}\n"
              "  start: {}\n"
+             "{}"
              "  groups: {{train: {}, test: {}}}\n"
              "  iterations: {}\n"
              "{}"
@@ -152,9 +205,9 @@ std::string trained_file(const NeuroFuzzyRecipe& recipe, const NeuroFuzzyTrainin
              "  # rules with interpolated and with filled-in outputs, and of what follows.\n"
              "  test_errors_mps: {{rules: {:.5f}, rules_128_interpolated: {:.5f}, "
              "rules_128_filled: {:.5f}, trained: {:.5f}}}\n",
-             command, recipe.seed, recipe.start, recipe.train_groups, recipe.test_groups,
-             training.curve.back().iteration, origin, errors.rules_mps, errors.interpolated_mps,
-             errors.filled_mps, errors.trained_mps) +
+             command, recipe.seed, recipe.start, told_start(recipe), recipe.train_groups,
+             recipe.test_groups, training.curve.back().iteration, origin, errors.rules_mps,
+             errors.interpolated_mps, errors.filled_mps, errors.trained_mps) +
          training.nets.to_yaml();
 }
 

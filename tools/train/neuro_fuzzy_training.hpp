@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -16,10 +17,27 @@ using control::InfraredReadings;
 using control::NeuroFuzzyNets;
 using control::WheelSpeeds;
 
+/// Where the Gaussian sets lie when training begins.
+enum class StartSets : std::uint8_t {
+  kRules,    ///< where those of the rule base lie
+  kReadings  ///< evenly over what each sensor read in the training groups
+};
+
+/// What the rules say when training begins.
+enum class StartOutputs : std::uint8_t {
+  kRules,  ///< what those of the rule base say
+  kRandom  ///< speeds drawn from 0 to 1 m/s: *set w_ij from 0 to 1 randomly*
+};
+
 /// How the networks are trained: a recipe file.
 struct NeuroFuzzyRecipe {
   std::uint64_t seed = 1;
   std::string start;  ///< rule base whose networks training begins with
+  StartSets sets = StartSets::kRules;
+  StartOutputs outputs = StartOutputs::kRules;
+  /// Each network learns its own sub-velocity from as many groups of its own, as in the paper;
+  /// else the two of a wheel learn its speed together.
+  bool each_network = false;
   std::uint64_t train_groups = 0;
   std::uint64_t test_groups = 0;
   std::uint64_t iterations = 0;     ///< t of the paper: each learns one group
@@ -40,15 +58,19 @@ struct NeuroFuzzyRecipe {
 struct TrainingGroup {
   InfraredReadings readings{};
   WheelSpeeds wanted;
+  std::array<double, NeuroFuzzyNets::kCount> parts_mps{};  ///< of `wanted`, of the expert's only
 };
 
 struct TrainingGroups {
   std::vector<TrainingGroup> train;
   std::vector<TrainingGroup> test;
+  /// The training groups of each network, if it learns for itself; none of them is in `test`.
+  std::array<std::vector<TrainingGroup>, NeuroFuzzyNets::kCount> of_network{};
 };
 
 /// Draws the recipe's groups at random from what runs showed, each combination of readings at most
-/// once; what was wanted for equal readings is averaged. An error if there are too few.
+/// once; what was wanted for equal readings is averaged. An error if there are too few. Where each
+/// network learns for itself, so many more are drawn for each of the four.
 core::Result<TrainingGroups> draw_groups(const NeuroFuzzyRecipe& recipe,
                                          std::vector<TrainingGroup> shown);
 
@@ -82,11 +104,11 @@ struct NeuroFuzzyTraining {
 ///
 ///     z <- z - eta_z Delta V dV/dz        for every parameter z of the wheel's two networks.
 ///
-/// *Deviations:* the paper trains each network for itself on a sub-velocity that its expert gives;
-/// a recording tells only what a wheel does, so the two networks of a wheel learn its speed
-/// together. The rules of a network that ignores its second sensor (Table I) go on ignoring it: the
-/// outputs of a row are learned as one. Widths and centres stay within NeuroFuzzyNets::kWidths and
-/// kCentres. It begins with the rules' speeds, not with random ones.
+/// *Deviations:* the paper trains each network for itself on a sub-velocity that its expert gives,
+/// as each_network does; a recording tells only what a wheel does, so by default the two networks
+/// of a wheel learn its speed together. The rules of a network that ignores its second sensor
+/// (Table I) go on ignoring it: the outputs of a row are learned as one. Widths and centres stay
+/// within NeuroFuzzyNets::kWidths and kCentres.
 NeuroFuzzyTraining train_neuro_fuzzy(const NeuroFuzzyRecipe& recipe, const NeuroFuzzyNets& start,
                                      const TrainingGroups& groups);
 

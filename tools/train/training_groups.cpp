@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "train/training_groups.hpp"
 
+#include <limits>
+
 #include "control/infrared/infrared_expert.hpp"
 #include "core/random.hpp"
 #include "domain/motion_conversion.hpp"
@@ -26,6 +28,21 @@ constexpr double kRadius_m = 0.15;                    // of the robot, disc-015
 constexpr std::uint32_t kPlaceRandomComponent = 102;  // apart from those of the stages
 constexpr std::uint32_t kTriesAPlace = 100;
 
+/// The expert's opinion, and what of it is ahead's and back's, by which Table I goes, and what is
+/// the sides'.
+TrainingGroup opinion_on(const control::InfraredReadings& readings,
+                         const control::InfraredDistances& distances_m) {
+  control::InfraredDistances free_beside = distances_m;
+  free_beside[control::kLeft] = std::numeric_limits<double>::infinity();
+  free_beside[control::kRight] = std::numeric_limits<double>::infinity();
+  const control::WheelSpeeds whole = control::expert_opinion({}, distances_m);
+  const control::WheelSpeeds ahead = control::expert_opinion({}, free_beside);
+  return {readings,
+          whole,
+          {ahead.left_mps, ahead.right_mps, whole.left_mps - ahead.left_mps,
+           whole.right_mps - ahead.right_mps}};
+}
+
 /// Puts the robot at random free places of a world, and asks the expert.
 Result<void> ask_expert(const world::World& world, std::uint64_t places, const core::Random& random,
                         std::vector<TrainingGroup>& groups) {
@@ -42,8 +59,7 @@ Result<void> ask_expert(const world::World& world, std::uint64_t places, const c
     if (world.clearance_m(pose.position(), 2.0 * kRadius_m, 0.0) <= kRadius_m) continue;
     ++found;
     sensor.measure(world, pose, 0.0, random, scan);
-    groups.push_back(
-        {infrareds->readings(scan), control::expert_opinion({}, infrareds->distances_m(scan))});
+    groups.push_back(opinion_on(infrareds->readings(scan), infrareds->distances_m(scan)));
   }
   if (found == places) return {};
   return Error{"too little free space to put the robot at " + std::to_string(places) +
@@ -92,7 +108,8 @@ Result<void> read_groups(const bridge::RunRecording& recording, const runtime::R
     CLEW_RETURN_IF_ERROR(commands.decode((*tick)->cdr(Topic::kCommand), command));
     if (command.motion.kind == domain::CommandKind::kGiveUp) continue;
     groups.push_back({infrareds->readings(scan),
-                      wheel_speeds(command.motion, plan.setup.behaviour.tick_s, wheel_base_m)});
+                      wheel_speeds(command.motion, plan.setup.behaviour.tick_s, wheel_base_m),
+                      {}});
   }
 }
 
