@@ -50,6 +50,17 @@ def mirrored(text):
     return "\n".join([*bounds, rest])
 
 
+def without_mover(text):
+    """A world in which nothing moves."""
+    still, count = re.subn(r"^moving: .*\n", "", text, flags=re.M)
+    assert count == 1, text
+    return still
+
+
+class Still(list):
+    """Arguments of a run in the scene's world without what moves there."""
+
+
 class Scene(typing.NamedTuple):
     """A figure, what its text claims, and whether the reports of some runs bear that out."""
     figure: str
@@ -71,9 +82,6 @@ HUANG_LEE = [*NO_IMAS, "--with", "recover.detector=heading_reversal", "--with",
              "recover.escape=track_mode"]
 SWAPPED = [*HUANG_LEE, "--set", "recover.escape.leave=swapped"]
 NVT = {"NVT alone": ["nakhaeinia", *NO_DETECTOR], "with LMP": ["nakhaeinia"]}
-WHOLE_RANGE = ["nakhaeinia", "--set", "control.depth_ratio=1"]
-PATHS = {"NVT alone": [*WHOLE_RANGE, *NO_DETECTOR],
-         "with LMP": [*WHOLE_RANGE, "--with", "recover.detector=no_connecting_path"]}
 BOXES = ["--with", "recover.detector=position_revisit", "--with", "recover.escape=virtual_obstacle"]
 LONG = ["--max-ticks", "20000"]
 
@@ -118,6 +126,43 @@ def trap_of(figure, world):
                  "reactive: no end; whole: a trap noticed, reached", world,
                  {"reactive": KK_REACTIVE, "whole": KK},
                  lambda reactive, whole: trapped(reactive) and led_out(whole))
+
+
+def touches_nothing(report):
+    """Whether a run reached its target without a contact of either kind."""
+    return reached(report) and report["collisions"] == report["hit_by"] == 0
+
+
+def within(report, ratio):
+    """Whether a run reached its target on a path of at most that many times the shortest."""
+    return reached(report) and report["path_length_m"] <= ratio * report["shortest_path_m"]
+
+
+def room(figure, claim, world, runs):
+    """A room of Wang, Yang & Meng, in which each run must touch nothing."""
+    return Scene(f"Wang, Yang & Meng {figure}", claim, "reached, no contact", world, runs,
+                 lambda *reports: all(map(touches_nothing, reports)))
+
+
+def polar(figure, claim, world, ratio, *choice):
+    """A figure of Lagoudakis & Maida: the way there is not much longer than the shortest."""
+    return Scene(f"Lagoudakis & Maida {figure}", claim,
+                 f"reached on at most {ratio:g} times the shortest path, no contact", world,
+                 {"as the paper": ["lagoudakis_maida", *choice]},
+                 lambda report: within(report, ratio) and touches_nothing(report))
+
+
+WYM = ["wang_yang_meng"]
+# The paper's robot has neither.
+BARE = ["--set", "control.guard=false", "--set", "drive.safety=false"]
+SLOW = "w-fig09-slow-obstacle"
+MET = ("the slowly moving obstacle is avoided",
+       "reached, no contact; and met: the run is another one than without the obstacle", SLOW)
+
+
+def met(report, still):
+    """Whether a run met what moves and touched nothing."""
+    return report["hash"] != still["hash"] and touches_nothing(report)
 
 
 CORNER = ("the corner draws the robot in without IMAS; with it the path is shorter",
@@ -182,6 +227,9 @@ SCENES = [
           "the same", "pb-fig04-chamber-off-axis",
           {"pin_bender": ["pin_bender", *LONG], "krishna_kalra": ["krishna_kalra", *BOXES]},
           lambda theirs, other: reached(theirs, 2) and reached(other, 2)),
+    Scene("Nakhaeinia 1", "NVT takes the safe region with the shorter path",
+          "alone: reached; with LMP: reached, no trap noticed", "n-fig01-safe-regions", NVT,
+          lambda alone, both: reached(alone) and quiet(both)),
     Scene("Nakhaeinia 2", "NVT alone finds its way through clutter",
           "alone: reached; with LMP: reached, no trap noticed", "n-fig02-nvt-cluttered", NVT,
           lambda alone, both: reached(alone) and quiet(both)),
@@ -200,10 +248,6 @@ SCENES = [
           "n-fig10-recursive-u", NVT,
           lambda alone, both: (trapped(alone) and reached(both, 3, 3)
                                and both["traps_detected"] == 2)),
-    Scene("Nakhaeinia 10, by paths", "the same", "the same, with `no_connecting_path`",
-          "n-fig10-recursive-u", PATHS,
-          lambda alone, both: (trapped(alone) and reached(both, 3, 3)
-                               and both["traps_detected"] == 2)),
     Scene("Nakhaeinia 11", "one virtual target leads along the discontinued wall",
           "alone: no end; with LMP: reached by one or two", "n-fig11-discontinued-wall", NVT,
           lambda alone, both: trapped(alone) and reached(both, 1, 2)),
@@ -211,4 +255,35 @@ SCENES = [
           "alone: no end; with LMP: reached by one", "n-fig12-surrounded", NVT,
           lambda alone, both: trapped(alone) and reached(both, 1, 1)),
     *(complicated(letter) for letter in "abc"),
+    room("8", "no static obstacle is hit", "w-fig08-room-static", {"trained": WYM}),
+    room("8, the controller alone", "no static obstacle is hit", "w-fig08-room-static",
+         {"neither guard nor safety layer": [*WYM, *BARE]}),
+    room("8, both discs", "no static obstacle is hit, by a body of 20 x 25 cm",
+         "w-fig08-room-static", {"the disc within": [*WYM, "--robot", "disc-010"],
+                                 "the disc around": [*WYM, "--robot", "disc-016"]}),
+    Scene("Wang, Yang & Meng 9, slow", *MET,
+          {"trained": WYM, "without the obstacle": Still(WYM)}, met),
+    Scene("Wang, Yang & Meng 9, slow, the controller alone", *MET,
+          {"neither guard nor safety layer": [*WYM, *BARE],
+           "without the obstacle": Still([*WYM, *BARE])}, met),
+    room("9, sudden", "the obstacle that appears suddenly is avoided", "w-fig09-sudden-obstacle",
+         {"trained": WYM}),
+    room("9, sudden, the controller alone", "the obstacle that appears suddenly is avoided",
+         "w-fig09-sudden-obstacle", {"neither guard nor safety layer": [*WYM, *BARE]}),
+    polar("2", "the global map leads round three walls", "lm-fig02-three-walls", 1.2, "--with",
+          "plan=neural_map"),
+    polar("4", "the polar map leads round an L", "lm-fig04-l-obstacle", 1.2),
+    polar("6", "memory keeps what the sonars do not see any more", "lm-fig06-sonar-memory", 1.1),
+    Scene("Lagoudakis & Maida 7, four targets", "the robot visits targets in rooms with blocks",
+          "reached, no contact", "lm-fig07-four-targets", {"as the paper": ["lagoudakis_maida"]},
+          touches_nothing),
+    polar("7, lab", "a smooth way through a lab", "lm-fig07-lab", 1.2),
+    polar("8, left", "a U within the scope is avoided", "lm-fig08-u-100in", 1.8),
+    Scene("Lagoudakis & Maida 8, beyond", "a larger U traps, since the method is memoryless",
+          "no end", "lm-fig08-u-beyond-range", {"as the paper": ["lagoudakis_maida"]}, trapped),
+    polar("8, right", "clutter is passed smoothly", "lm-fig08-clutter", 1.25),
+    Scene("Lagoudakis & Maida 9", "an office by 13 subgoals", "reached, no contact",
+          "lm-fig09-office", {"as the paper": ["lagoudakis_maida"]}, touches_nothing),
+    Scene("Lagoudakis & Maida, people", "walking people are no trouble", "reached, no contact",
+          "lm-text-walking-people", {"as the paper": ["lagoudakis_maida"]}, touches_nothing),
 ]

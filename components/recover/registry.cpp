@@ -10,6 +10,7 @@
 #include "recover/detectors/none.hpp"
 #include "recover/detectors/oscillation.hpp"
 #include "recover/detectors/position_revisit.hpp"
+#include "recover/detectors/surrounded.hpp"
 #include "recover/escapes/box_filling.hpp"
 #include "recover/escapes/fixed_sequence.hpp"
 #include "recover/escapes/following/obstacle_following.hpp"
@@ -38,6 +39,9 @@ runtime::Registry<TrapDetector>& detectors() {
       runtime::registration<TrapDetector, NoConnectingPath>(
           "no_connecting_path",
           "at the end of a leg, no path in view connects to the target (Nakhaeinia et al. 2015)"),
+      runtime::registration<TrapDetector, Surrounded>(
+          "surrounded",
+          "no path within what was seen around connects to the target (Nakhaeinia et al. 2015)"),
       runtime::registration<TrapDetector, HeadingReversal>(
           "heading_reversal",
           "a turn of 160 degrees (Huang & Lee 1992, as in Krishna & Kalra 2000, section 4.5)"),

@@ -65,6 +65,7 @@ const std::map<std::string, std::set<std::string>> kSensorsFor = {
     {"track_mode", {"cones", "laser", "sonar_ring"}},
     {"no_safe_region", {"cones", "laser", "sonar_ring"}},
     {"no_connecting_path", {"cones", "laser", "sonar_ring"}},
+    {"surrounded", {"cones", "laser", "sonar_ring"}},
 };
 
 struct Combination {

@@ -17,7 +17,8 @@ class TrapScenes(unittest.TestCase):
         for scene, reports in zip(SCENES, paper_table.all_scene_reports(SCENES, starts=1)):
             with self.subTest(figure=scene.figure):
                 self.assertIn(paper_table.scene_told(scene, reports), NOTES)
-                self.assertEqual(sum(report["collisions"] for report in reports[0]), 0)
+                if "the controller alone" not in scene.figure:
+                    self.assertEqual(sum(report["collisions"] for report in reports[0]), 0)
 
     def test_do_so_from_moved_starts(self):
         scenes = [scene for scene in SCENES if SOAK or scene.figure in SHORT]

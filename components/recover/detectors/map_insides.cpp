@@ -7,6 +7,7 @@
 #include "recover/detectors/map_detour.hpp"
 #include "recover/detectors/no_connecting_path.hpp"
 #include "recover/detectors/no_safe_region.hpp"
+#include "recover/detectors/surrounded.hpp"
 
 namespace clew::recover {
 
@@ -58,6 +59,20 @@ void NoConnectingPath::tell(const Situation& situation, domain::Inside& inside) 
   inside.say("The robot is on a leg of " + domain::say_metres(state_.leg_m) + ", " +
              domain::say_metres(core::distance_m(situation.pose(), state_.leg_end_odom)) +
              " from its end, where paths to the target are looked for.");
+}
+
+void Surrounded::tell(const Situation&, domain::Inside& inside) const {
+  const double share =
+      static_cast<double>(state_.in_a_row) / static_cast<double>(parameters_.ticks);
+  inside.values.flag("told", state_.told);
+  inside.values.number("surrounded_for", static_cast<double>(state_.in_a_row), "ticks");
+  inside.values.number("alarm_after", static_cast<double>(parameters_.ticks), "ticks");
+  inside.values.number("travelled_toward_target", state_.travelled_m, "m");
+  inside.values.number("alarm_share", state_.told ? 1.0 : std::min(1.0, share));
+  inside.say(state_.in_a_row == 0
+                 ? "A path within what was seen around leads on to the target."
+                 : "No path within what was seen around connects to the target, for " +
+                       domain::say_count(static_cast<std::size_t>(state_.in_a_row), "tick") + ".");
 }
 
 void MapDetour::tell(const Situation& situation, domain::Inside& inside) const {

@@ -81,12 +81,23 @@ EscapeStatus LocalMinimumPlanner::step(const Situation& situation, domain::Guida
 /// The virtual target for this trap, unless both sides' were had before.
 std::optional<core::Vec2> LocalMinimumPlanner::new_target(const Situation& situation) const {
   const double rta_rad = core::bearing_rad(situation.pose(), situation.pursued_odom);
-  const Side side = rta_rad >= 0.0 ? Side::kLeft : Side::kRight;
+  const Side side = side_of(situation, rta_rad);
   const core::Vec2 by_the_paper = target_beside(situation, side, rta_rad);
   if (!was_had(by_the_paper)) return by_the_paper;
   const core::Vec2 mirrored = target_beside(situation, opposite(side), -rta_rad);
   if (!was_had(mirrored)) return mirrored;
   return std::nullopt;
+}
+
+/// The target's side; where it is ahead, that of the nearer virtual target.
+Side LocalMinimumPlanner::side_of(const Situation& situation, double rta_rad) const {
+  if (std::fabs(rta_rad) >= parameters_.ahead_rad) {
+    return rta_rad >= 0.0 ? Side::kLeft : Side::kRight;
+  }
+  const auto distance_m = [&](Side side) {
+    return outermost(situation.scan, side, parameters_.outermost_rad).range_m;
+  };
+  return distance_m(Side::kLeft) <= distance_m(Side::kRight) ? Side::kLeft : Side::kRight;
 }
 
 /// Eqs 1 to 4: both the shift by alpha and the turn keep the robot's place.

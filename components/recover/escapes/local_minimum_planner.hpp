@@ -17,6 +17,7 @@ namespace clew::recover {
 struct LocalMinimumPlannerParameters {
   double alpha_m = 0.6;
   double outermost_rad = core::radians(90.0);
+  double ahead_rad = 0.0;
   double close_m = 0.3;
   double same_place_m = 0.3;
   double patience_s = 30.0;
@@ -28,6 +29,9 @@ void visit_parameters(Visitor& visit, LocalMinimumPlannerParameters& p) {
                "distance from the outermost return outward to the virtual target");
   visit.angle("outermost_deg", p.outermost_rad, {1.0, 180.0},
               "greatest angle off the heading of a return that counts");
+  visit.angle(
+      "ahead_deg", p.ahead_rad, {0.0, 90.0},
+      "a target within this angle of the heading is on neither side: the nearer wall decides");
   visit.number("close_m", p.close_m, "m", {0.01, 10.0},
                "a virtual target is reached within this distance");
   visit.number("same_place_m", p.same_place_m, "m", {0.0, 10.0},
@@ -76,6 +80,7 @@ class LocalMinimumPlanner final : public Escape {
 
  private:
   std::optional<core::Vec2> new_target(const Situation& situation) const;
+  Side side_of(const Situation& situation, double rta_rad) const;
   core::Vec2 target_beside(const Situation& situation, Side side, double turn_rad) const;
   void remember(const core::Vec2& target_odom);
   bool was_had(const core::Vec2& target_odom) const;

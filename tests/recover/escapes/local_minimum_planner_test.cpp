@@ -57,6 +57,20 @@ TEST_F(LocalMinimumPlannerTest, TakesTheRightForATargetOnTheRight) {
   EXPECT_NEAR(answer.guidance.target_y_m, -1.55 * core::sin(core::radians(45.0)), 1e-12);
 }
 
+TEST_F(LocalMinimumPlannerTest, TheNearerWallDecidesForATargetAhead) {
+  LocalMinimumPlannerParameters parameters;
+  parameters.ahead_rad = core::radians(15.0);
+  LocalMinimumPlanner escape(parameters, kTick_s, kRadius_m);
+  // It lies 10 degrees to the right, and the wall on the left is the nearer one.
+  const Scene scene = enclosed().at(0, 0, 10).target(10, 0);
+  escape.begin(scene.situation(), {});
+
+  const Answer answer = step(escape, scene);
+
+  EXPECT_NEAR(answer.guidance.target_x_m, 1.35 * core::cos(core::radians(45.0)), 1e-12);
+  EXPECT_NEAR(answer.guidance.target_y_m, 1.35 * core::sin(core::radians(45.0)), 1e-12);
+}
+
 TEST_F(LocalMinimumPlannerTest, TakesTheEndOfTheOutermostBeamWhereASideHasNoReturn) {
   LocalMinimumPlanner escape({}, kTick_s, kRadius_m);
   const Scene scene = Scene().at(0, 0, 0).target(10, 0).sees({1, 1, 1, 1, 0.5, 0.5, 0.5});

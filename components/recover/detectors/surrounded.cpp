@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recover/detectors/surrounded.hpp"
+
+#include <cmath>
+
+#include "map/local_map.hpp"
+#include "scan/scan_needs.hpp"
+
+namespace clew::recover {
+namespace {
+
+// A target farther than this from the one before is another one.
+constexpr double kSameTarget_m = 1e-6;
+
+bool is_virtual(const Situation& situation) {
+  return situation.pursued_odom != situation.target_odom;
+}
+
+}  // namespace
+
+core::Result<std::unique_ptr<Surrounded>> Surrounded::create(const Parameters& parameters,
+                                                             const domain::BehaviourSetup& setup) {
+  scan::ScanNeeds needs;
+  needs.least_beams = 2;
+  needs.most_unseen_rad = core::radians(15.0);
+  needs.least_field_rad = core::radians(90.0);
+  CLEW_RETURN_IF_ERROR(scan::check_needs(needs, setup.scan, "surrounded"));
+  return std::make_unique<Surrounded>(parameters, setup.robot.radius_m);
+}
+
+std::optional<TrapEvidence> Surrounded::observe(const Situation& situation) {
+  follow(situation);
+  if (gets_on(situation)) {
+    state_.in_a_row = 0;
+    state_.told = false;
+    return std::nullopt;
+  }
+  ++state_.in_a_row;
+  if (!may_judge(situation)) return std::nullopt;
+  state_.told = true;
+  state_.travelled_m = 0.0;
+  return TrapEvidence{std::nullopt, "surrounded, and no path in view connects to the target"};
+}
+
+/// Notes what target is in force, and the travel under it.
+void Surrounded::follow(const Situation& situation) {
+  const core::Vec2 position_odom = situation.pose().position();
+  if (!state_.has_target ||
+      core::length(situation.pursued_odom - state_.target_odom) > kSameTarget_m) {
+    state_.told = state_.has_target;
+    state_.has_target = true;
+    state_.target_odom = situation.pursued_odom;
+    state_.travelled_m = 0.0;
+    state_.in_a_row = 0;
+  } else {
+    state_.travelled_m += core::length(position_odom - state_.position_odom);
+  }
+  state_.position_odom = position_odom;
+}
+
+/// Whether a path connects to the target in force, or leads on to a virtual one.
+bool Surrounded::gets_on(const Situation& situation) {
+  ways_.look(situation.local_map->seen(), situation.pose().position(),
+             parameters_.reach_ratio * situation.scan.range_max_m);
+  if (ways_.connect(situation.pursued_odom)) return true;
+  return is_virtual(situation) &&
+         ways_.lead_on(situation.pose().heading_rad, parameters_.ahead_rad);
+}
+
+/// Whether a trap is told now that no path connects.
+bool Surrounded::may_judge(const Situation& situation) const {
+  if (state_.told && state_.travelled_m < parameters_.again_m) return false;
+  if (state_.in_a_row < parameters_.ticks) return false;
+  if (!is_virtual(situation)) return true;
+  const double off_rad = core::bearing_rad(situation.pose(), situation.pursued_odom);
+  return state_.travelled_m >= parameters_.leg_m && std::fabs(off_rad) <= parameters_.facing_rad;
+}
+
+void Surrounded::save(core::StateWriter& writer) const { writer(state_); }
+
+void Surrounded::load(core::StateReader& reader) { reader(state_); }
+
+}  // namespace clew::recover

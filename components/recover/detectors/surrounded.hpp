@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/angle.hpp"
+#include "core/result.hpp"
+#include "domain/setup.hpp"
+#include "recover/detectors/local_ways.hpp"
+#include "recover/detectors/trap_detector.hpp"
+
+namespace clew::recover {
+
+struct SurroundedParameters {
+  double reach_ratio = 1.0;
+  double clearance_m = 0.02;
+  double ahead_rad = core::radians(90.0);
+  double facing_rad = core::radians(60.0);
+  double leg_m = 0.5;
+  double again_m = 5.0;
+  std::int64_t ticks = 10;
+};
+
+template <typename Visitor>
+void visit_parameters(Visitor& visit, SurroundedParameters& p) {
+  visit.number("reach_ratio", p.reach_ratio, "1", {0.1, 1.0},
+               "how far the local model reaches, as share of the sensor's range");
+  visit.number("clearance_m", p.clearance_m, "m", {0.0, 0.5},
+               "clearance on both sides of the body along a way");
+  visit.angle("ahead_deg", p.ahead_rad, {0.0, 180.0},
+              "a way out within this angle of the heading leads on to a virtual target");
+  visit.angle("facing_deg", p.facing_rad, {0.0, 180.0},
+              "a virtual target is judged within this angle of the heading");
+  visit.number("leg_m", p.leg_m, "m", {0.0, 100.0},
+               "travel toward a virtual target before it is judged");
+  visit.number("again_m", p.again_m, "m", {0.1, 1000.0},
+               "travel after which a target that no way has connected to is judged again");
+  visit.integer("ticks", p.ticks, "ticks", {1, 1000},
+                "number of ticks in a row without a way that make a trap");
+}
+
+/// The local minimum criterion of Nakhaeinia et al. 2015, section II.B: *the robot is surrounded by
+/// the obstacles and there is no safe region (navigable area) in the possible robot paths that
+/// connect to the target*, judged in the *local occupancy map* of section II.
+///
+/// Readings of ours:
+/// - the local map is what was seen within the sensor's range of where the robot is now, also what
+///   it has turned away from since: the model *is updated when new information is collected*. What
+///   was not seen is free;
+/// - a path is any way there within the map, around what stands in it, and from its rim straight to
+///   the target. So a wall's end or a block in the way is no trap;
+/// - *it is not required that the robot reaches exactly the virtual target, but it should move in
+///   its direction*: for a virtual target the robot is in a trap only if, besides, no way leads on
+///   ahead, once it has moved toward it;
+/// - a trap is told once: again where a path has connected in between, or after some travel.
+class Surrounded final : public TrapDetector {
+ public:
+  using Parameters = SurroundedParameters;
+
+  struct State {
+    bool has_target = false;
+    core::Vec2 target_odom = core::Vec2::Zero();    ///< the one in force, where it has one
+    core::Vec2 position_odom = core::Vec2::Zero();  ///< of the tick before
+    double travelled_m = 0.0;                       ///< since that target came in force, or a trap
+    std::int64_t in_a_row = 0;                      ///< ticks in which no path connects
+    bool told = false;                              ///< and no path has connected since
+  };
+
+  /// Refuses scans that leave room between their beams, or see less than 90 degrees.
+  static core::Result<std::unique_ptr<Surrounded>> create(const Parameters& parameters,
+                                                          const domain::BehaviourSetup& setup);
+  Surrounded(const Parameters& parameters, double radius_m)
+      : parameters_(parameters), ways_(radius_m + parameters.clearance_m) {}
+
+  bool reads_local_map() const override { return true; }
+  std::optional<TrapEvidence> observe(const Situation& situation) override;
+  /// A target that has come in force is noticed by itself.
+  void start_afresh() override {}
+  void tell(const Situation& situation, domain::Inside& inside) const override;
+  void save(core::StateWriter& writer) const override;
+  void load(core::StateReader& reader) override;
+
+ private:
+  void follow(const Situation& situation);
+  bool gets_on(const Situation& situation);
+  bool may_judge(const Situation& situation) const;
+
+  Parameters parameters_;
+  LocalWays ways_;  // of the tick
+  State state_;
+};
+
+template <typename Visitor>
+void visit_fields(Visitor& visit, Surrounded::State& s) {
+  visit(s.has_target, s.target_odom, s.position_odom, s.travelled_m, s.in_a_row, s.told);
+}
+
+}  // namespace clew::recover
