@@ -56,7 +56,7 @@ core::Result<std::vector<Turn>> in_small_turns(const std::vector<Turn>& turns) {
 core::Result<std::vector<MovingObstacle>> discs_of(const Door& door) {
   CLEW_RETURN_IF_ERROR(check_count(door.length_m / kSpacing_m));
   const auto turns = in_small_turns(door.turns);
-  if (!turns) return turns.error();
+  if (!turns.ok()) return turns.error();
   const std::size_t count = discs_along(door.length_m);
   std::vector<MovingObstacle> discs;
   for (std::size_t i = 0; i <= count; ++i) {
