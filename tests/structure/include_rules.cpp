@@ -35,7 +35,7 @@ const std::map<std::string, Folders> kLayers = {
     {"bridge/cyclonedds", {"core", "dds"}},
     {"bridge/vendors", {"core", "dds", "fastdds", "cyclonedds"}},
     {"bridge/security", {"core", "dds", "vendors"}},
-    {"bridge/run", {"core", "domain", "runtime", "wire", "recording"}},
+    {"bridge/run", {"core", "domain", "world", "runtime", "wire", "recording"}},
     {"bridge/line", {"core", "domain", "runtime", "dds", "run"}},
     {"bridge/component",
      {"core", "log", "domain", "scan", "runtime", "wire", "dds", "vendors", "plugins", "run",

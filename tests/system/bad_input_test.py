@@ -220,13 +220,6 @@ class Options(BadInput):
         self.refused(Run(["train", "smo"]), "clew: unknown command 'smo' (did you mean 'som'?)")
         self.refused(Run(["train"]), "clew: ", "see --help")
 
-    def test_the_largest_seed(self):
-        run = Run(["run", "reactive", "--world", "open-field", "--layout", "composed", "--json",
-                   "--seed", "9223372036854775807"])
-
-        self.assertEqual(run.status, 0, run.err)
-        self.assertEqual(run.report["seed"], 9223372036854775807)
-
     def test_an_unknown_option_is_named_before_what_is_missing(self):
         for command, option, nearest in (("plot", "--tikc", "--tick"), ("info", "--jsno", "--json"),
                                          ("bench", "--jbos", "--jobs")):

@@ -181,6 +181,13 @@ class ListForPrograms(unittest.TestCase):
                 # A branch without a detector ends in the trap: that is a result, too.
                 self.assertIn(done.status, (0, 3), f"{words}: {done.err}")
 
+    def test_the_largest_seed_is_taken(self):
+        run = Run(["run", "reactive", "--world", "open-field", "--layout", "composed", "--json",
+                   "--seed", "9223372036854775807"])
+
+        self.assertEqual(run.status, 0, run.err)
+        self.assertEqual(run.report["seed"], 9223372036854775807)
+
 
 if __name__ == "__main__":
     unittest.main()

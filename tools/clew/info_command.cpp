@@ -183,17 +183,9 @@ void print_files(const RunRecording& recording) {
   }
 }
 
-void print(const RunRecording& recording, const RecordingFacts& facts) {
-  const auto& description = recording.description();
-  print_text("{}: {}\n", recording.path(), state_text(recording, facts));
-  if (facts.ticks > 0) {
-    print_text("ticks      {} to {}, {} s each: {:.1f} s\n", facts.first_tick, facts.last_tick,
-               description.tick_s, static_cast<double>(facts.last_tick) * description.tick_s);
-  } else {
-    print_text("ticks      none\n");
-  }
-  print_files(recording);
-  if (const auto& box = description.black_box) {
+/// What befell the run, what was changed in it, and how far its mission came.
+void print_story(const RunRecording& recording, const RecordingFacts& facts) {
+  if (const auto& box = recording.description().black_box) {
     print_text("black box  {}; can be replayed from tick {} on\n", box->why, box->tick);
   }
   if (const auto counts = count_incidents(recording); !counts.empty()) {
@@ -210,6 +202,19 @@ void print(const RunRecording& recording, const RecordingFacts& facts) {
     print_text("way-point  {} of {} reached at tick {}, at ({:.2f}, {:.2f})\n", mark.number,
                mark.of, mark.tick, mark.place.x(), mark.place.y());
   }
+}
+
+void print(const RunRecording& recording, const RecordingFacts& facts) {
+  const auto& description = recording.description();
+  print_text("{}: {}\n", recording.path(), state_text(recording, facts));
+  if (facts.ticks > 0) {
+    print_text("ticks      {} to {}, {} s each: {:.1f} s\n", facts.first_tick, facts.last_tick,
+               description.tick_s, static_cast<double>(facts.last_tick) * description.tick_s);
+  } else {
+    print_text("ticks      none\n");
+  }
+  print_files(recording);
+  print_story(recording, facts);
   if (facts.branch_tick) {
     print_text("branched   at tick {}; the ticks before are those of another run\n",
                *facts.branch_tick);
@@ -281,6 +286,14 @@ ordered_json waypoints_json(const std::vector<WaypointMark>& marks) {
   return waypoints;
 }
 
+void add_configuration(const RunRecording& recording, ordered_json& json) {
+  const auto graph = graph_of(recording);
+  json["graph"] = graph.ok() ? ordered_json(graph->name) : nullptr;
+  json["world"] = graph.ok() ? ordered_json(graph->world) : nullptr;
+  json["robot"] = graph.ok() ? ordered_json(graph->robot) : nullptr;
+  json["stages"] = graph.ok() ? stages_json(*graph) : ordered_json(nullptr);
+}
+
 ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts) {
   const auto& description = recording.description();
   ordered_json json;
@@ -325,11 +338,7 @@ ordered_json to_json(const RunRecording& recording, const RecordingFacts& facts)
   json["versions"] = description.versions;
   json["idl_fingerprint"] = description.idl_fingerprint;
   json["idl_is_ours"] = facts.types_match;
-  const auto graph = graph_of(recording);
-  json["graph"] = graph.ok() ? ordered_json(graph->name) : nullptr;
-  json["world"] = graph.ok() ? ordered_json(graph->world) : nullptr;
-  json["robot"] = graph.ok() ? ordered_json(graph->robot) : nullptr;
-  json["stages"] = graph.ok() ? stages_json(*graph) : ordered_json(nullptr);
+  add_configuration(recording, json);
   json["topics"] = topics_json(facts);
   json["files"] = ordered_json::object();
   for (const auto& [name, text] : description.bundle) json["files"][name] = text.size();

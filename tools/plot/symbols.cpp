@@ -42,6 +42,12 @@ void trap(SvgWriter& svg, const Point& centre, std::string_view fill, std::strin
   svg.circle({centre.x, centre.y + 3.0}, 0.9, {outline});
 }
 
+void barred_square(SvgWriter& svg, const Point& centre, std::string_view outline) {
+  square(svg, centre, 6.0, {kWhite, outline, 1.6});
+  svg.line({centre.x - 6.0, centre.y + 6.0}, {centre.x + 6.0, centre.y - 6.0},
+           {"none", outline, 1.6});
+}
+
 }  // namespace
 
 std::string_view symbol_name(Symbol symbol) {
@@ -128,9 +134,7 @@ void draw_symbol(SvgWriter& svg, Symbol symbol, const Point& centre, std::string
       svg.polygon(star(centre, 16, 9.0, 4.5), {kWhite, kBlack, 1.2});
       return;
     case Symbol::kUnreachable:
-      square(svg, centre, 6.0, {kWhite, outline, 1.6});
-      svg.line({centre.x - 6.0, centre.y + 6.0}, {centre.x + 6.0, centre.y - 6.0},
-               {"none", outline, 1.6});
+      barred_square(svg, centre, outline);
       return;
     case Symbol::kEnd:
       svg.circle(centre, 4.0, {kWhite, outline, 2.2});
