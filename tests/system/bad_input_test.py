@@ -209,7 +209,8 @@ class Options(BadInput):
     def test_no_number_begins_with_a_zero(self):
         for command, option in (("run reactive", "--seed"), ("run reactive", "--max-ticks"),
                                 ("run reactive", "--domain"), ("bench smoke", "--jobs"),
-                                ("view none.mcap", "--port"), ("plot none.mcap", "--tick")):
+                                ("view none.mcap", "--port"),
+                                ("plot none.mcap", "--tick")):
             with self.subTest(option=option):
                 self.refused(Run([*command.split(), f"{option}=010"]), option,
                              "found '010'; allowed: ", " without leading zeros")

@@ -45,8 +45,9 @@ void add_versions(CLI::App& app) {
 /// Lets no option and argument that is a whole number begin with a zero: CLI11 would read 010 as 8.
 void add_decimal_checks(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
+    // A range follows the type's name.
     const std::string type = option->get_type_name();
-    if (type == "INT" || type == "UINT") option->check(decimal_number());
+    if (type.rfind("INT", 0) == 0 || type.rfind("UINT", 0) == 0) option->check(decimal_number());
   }
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     add_decimal_checks(*command);
