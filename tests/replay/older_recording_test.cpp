@@ -3,6 +3,9 @@
 /// graph default, kept as it is: it can be read, and is not replayed.
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 #include "recorded_run.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"

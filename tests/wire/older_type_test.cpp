@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <cstring>
 #include <string>
 
@@ -61,7 +63,7 @@ TEST(OlderType, GivesFieldsByTheirNamesAndThoseThatHaveComeTheirDefaults) {
              "double x_m; double y_m; };");
   Bytes bytes;
   bytes.add(std::uint64_t{7}).add(2.1).add(std::uint64_t{6}).add(0.25);
-  for (const std::uint8_t a : {1, 2, 3}) bytes.add(a);
+  for (const std::uint8_t a : std::array<std::uint8_t, 3>{1, 2, 3}) bytes.add(a);
   bytes.text("b").add(std::uint32_t{2}).add(1.0).add(2.0).add(3.5).add(-4.5);
   std::vector<char> buffer;
 
