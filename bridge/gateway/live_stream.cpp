@@ -2,6 +2,7 @@
 #include "gateway/live_stream.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "run/sample_account.hpp"
 #include "run/spool.hpp"
@@ -102,6 +103,14 @@ std::optional<std::uint64_t> LiveStream::unbroken_until(std::uint64_t last) cons
   return first;
 }
 
+std::uint64_t LiveStream::fed_from(std::uint64_t tick) const {
+  std::uint64_t first = UINT64_MAX;
+  for (const domain::Intervention& each : interventions_) {
+    if (each.tick <= tick && !each.changes.empty()) first = std::min(first, each.fed_from);
+  }
+  return first;
+}
+
 // A component hands over its state before what it then writes: where a tick is whole, the states
 // before it are there, too.
 std::optional<LiveStream::Start> LiveStream::start_before(std::uint64_t tick) const {
@@ -110,6 +119,7 @@ std::optional<LiveStream::Start> LiveStream::start_before(std::uint64_t tick) co
   for (auto at = states_.upper_bound(tick); at != states_.begin();) {
     --at;
     if (at->first <= *first) break;  // what is taken a tick later comes from the tick before
+    if (at->first > fed_from(tick)) continue;
     if (stages_ > 0 && at->second.size() == stages_) return Start{at->first, at->second};
   }
   return *first == 0 ? std::optional(Start{}) : std::nullopt;

@@ -93,6 +93,8 @@ class LiveStream {
   };
 
   bool complete(const HeldTick& tick) const { return tick.samples >= topics_; }
+  /// The first tick that a behaviour which was put in by `tick` was fed with.
+  std::uint64_t fed_from(std::uint64_t tick) const;
   /// The first tick from which on all up to `last` are held; none if that is not.
   std::optional<std::uint64_t> unbroken_until(std::uint64_t last) const;
   void forget_oldest();

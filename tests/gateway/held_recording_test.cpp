@@ -113,6 +113,21 @@ TEST_F(AHeldRun, BeginsAtTheNewestCheckpointOfWhichAllStatesAreHeld) {
   EXPECT_EQ(survey->topics.at(Topic::kState).last_tick, 98U);
 }
 
+TEST_F(AHeldRun, BeginsBeforeWhatABehaviourThatWasPutInWasFedWith) {
+  for (std::uint64_t tick = 0; tick < 10; ++tick) {
+    if (tick == 4 || tick == 8) add_states(tick, {"drive", "sense"});
+    add_tick(tick);
+  }
+  ASSERT_EQ(stream_.start_before(9)->tick, 8U);
+
+  stream_.add(spooled({7, 5, {"recover.detector=none"}, {}, {}}));
+
+  EXPECT_EQ(stream_.start_before(9)->tick, 4U);
+  EXPECT_EQ(stream_.start_before(6)->tick, 4U);
+  stream_.add(spooled({9, 0, {"recover.detector=none"}, {}, {}}));
+  EXPECT_EQ(stream_.start_before(9)->tick, 0U);
+}
+
 TEST_F(AHeldRun, IsRefusedBeforeItsOnlyCheckpoint) {
   for (std::uint64_t tick = 0; tick < 100; ++tick) {
     if (tick == 90) add_states(tick, {"drive", "sense"});

@@ -134,6 +134,23 @@ bool are_robots(const std::vector<RunTrack>& tracks) {
                      [&](const RunTrack& track) { return track.world != tracks.front().world; });
 }
 
+TrackPaint paint_of(const std::vector<RunTrack>& tracks, std::size_t run) {
+  return are_robots(tracks) ? TrackPaint::of_robot(run) : TrackPaint::of(run, tracks.size());
+}
+
+/// The number of a robot beside its start and the place where it goes.
+void number_robot(SvgWriter& svg, const MapView& view, const RunTrack& track, std::size_t robot) {
+  const auto write = [&](const core::Vec2& place, double radius_m) {
+    const Point at = view.at(place);
+    svg.text({at.x, at.y - view.px(radius_m) - 3.0}, std::to_string(robot + 1),
+             {11.0, Anchor::kMiddle, run_colour(robot), true});
+  };
+  write(track.start.position(), track.robot_radius_m);
+  if (track.missions.empty() || track.missions.back().waypoints.empty()) return;
+  const world::Waypoint& target = track.missions.back().waypoints.back();
+  write(target.place, target.radius_m);
+}
+
 bool shows_moving(const world::World& world, const std::vector<RunTrack>& tracks) {
   const bool robots = are_robots(tracks);
   return std::any_of(world.moving().begin(), world.moving().end(),
@@ -152,18 +169,19 @@ void draw_legend(SvgWriter& svg, const Point& upper_left, const world::World& wo
   svg.begin_group("legend");
   Legend legend(svg, upper_left);
   for (std::size_t run = 0; run < tracks.size(); ++run) {
-    const TrackPaint paint = TrackPaint::of(run, tracks.size());
+    const TrackPaint paint = paint_of(tracks, run);
     if (tracks.size() == 1) {
       legend.path(paint.seek, "path");
     } else {
-      legend.path(paint.seek, shortened(tracks[run].name));
+      const std::string number = are_robots(tracks) ? std::to_string(run + 1) + " " : "";
+      legend.path(paint.seek, number + shortened(tracks[run].name));
       if (!tracks[run].graph.empty()) legend.note(shortened(tracks[run].graph));
       legend.note(outcome_text(tracks[run]));
       legend.note("path " + short_number(tracks[run].last_state.path_length_m) + " m");
     }
   }
   if (any_recovers(tracks)) {
-    const TrackPaint paint = TrackPaint::of(0, tracks.size());
+    const TrackPaint paint = paint_of(tracks, 0);
     if (paint.recover_is_under) {
       legend.band_under_path(paint.recover, paint.seek, "under recovery");
     } else {
@@ -245,14 +263,17 @@ std::string draw_runs(const world::World& world, const std::vector<RunTrack>& tr
              are_robots(tracks) ? Moving::kNoRobots : Moving::kAll);
   for (const RunTrack& track : tracks) draw_under_track(svg, view, track);
   for (std::size_t run = 0; run < tracks.size(); ++run) {
-    draw_track(svg, view, tracks[run], TrackPaint::of(run, tracks.size()));
+    draw_track(svg, view, tracks[run], paint_of(tracks, run));
   }
   for (const RunTrack& track : tracks) {
     if (&track != &tracks.front() && track.start == tracks.front().start) continue;
     draw_start(svg, view, track.start, track.robot_radius_m);
   }
   for (std::size_t run = 0; run < tracks.size(); ++run) {
-    draw_over_track(svg, view, tracks[run], TrackPaint::of(run, tracks.size()));
+    draw_over_track(svg, view, tracks[run], paint_of(tracks, run));
+  }
+  for (std::size_t robot = 0; are_robots(tracks) && robot < tracks.size(); ++robot) {
+    number_robot(svg, view, tracks[robot], robot);
   }
   draw_scale_bar(svg, view, world);
   draw_legend(svg, {view.right() + kMarginPx, view.top() + 10.0}, world, tracks);

@@ -132,6 +132,11 @@ TrackPaint TrackPaint::of(std::size_t run, std::size_t runs) {
   return {{"none", colour, width_px}, {"none", colour, width_px + 6.0, "", 0.3}, true, colour};
 }
 
+TrackPaint TrackPaint::of_robot(std::size_t robot) {
+  const std::string_view colour = run_colour(robot);
+  return {{"none", colour, 2.2}, {"none", colour, 7.0, "", 0.3}, true, colour};
+}
+
 void draw_under_track(SvgWriter& svg, const MapView& view, const RunTrack& track) {
   for (const auto& box : track.virtual_obstacles) {
     std::vector<Point> corners;

@@ -23,6 +23,8 @@ struct TrackPaint {
   /// For run number `run` of `runs` in one picture: alone, recovery is a colour of its own; among
   /// others each run has its colour, and recovery is a band.
   static TrackPaint of(std::size_t run, std::size_t runs);
+  /// For one of several robots of a room, whose paths do not coincide.
+  static TrackPaint of_robot(std::size_t robot);
 };
 
 inline constexpr Paint kVirtualObstaclePaint{"#F6D9C8", kVermilion, 1.2, "5 3", 0.6};

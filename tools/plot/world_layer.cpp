@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -94,8 +95,11 @@ void draw_target(SvgWriter& svg, const MapView& view, const world::Waypoint& tar
                {"none", kGreen, 2.0});
 }
 
-/// Way-points in their order, joined and numbered; the last one is the target.
-void draw_way(SvgWriter& svg, const MapView& view, const std::vector<world::Waypoint>& way) {
+/// Way-points in their order, joined and numbered; the last one is the target. Numbers of several
+/// ways lie side by side.
+void draw_way(SvgWriter& svg, const MapView& view, const std::vector<world::Waypoint>& way,
+              std::size_t nth) {
+  constexpr double kNumberPx = 13.0;
   if (way.empty()) return;
   draw_target(svg, view, way.back());
   if (way.size() == 1) return;
@@ -105,7 +109,8 @@ void draw_way(SvgWriter& svg, const MapView& view, const std::vector<world::Wayp
     const double radius_px = view.px(waypoint.radius_m);
     line.push_back(at);
     if (&waypoint != &way.back()) svg.circle(at, radius_px, {"none", kGreen, 1.5});
-    svg.text({at.x + 0.75 * radius_px + 3.0, at.y - 0.75 * radius_px - 3.0},
+    svg.text({at.x + 0.75 * radius_px + 3.0 + kNumberPx * static_cast<double>(nth),
+              at.y - 0.75 * radius_px - 3.0},
              std::to_string(line.size()), {11.0, Anchor::kStart, kGreen, true});
   }
   svg.polyline(line, {"none", kGreen, 1.0, "3 4"});
@@ -126,7 +131,7 @@ void draw_world(SvgWriter& svg, const MapView& view, const world::World& world, 
                 double end_time_s, Moving moving) {
   svg.begin_group("world");
   draw_grid(svg, view, world);
-  for (const auto& way : ways) draw_way(svg, view, way);
+  for (std::size_t nth = 0; nth < ways.size(); ++nth) draw_way(svg, view, ways[nth], nth);
   draw_obstacles(svg, view, world);
   for (const auto& obstacle : world.moving()) {
     if (moving == Moving::kNoRobots && obstacle.jumps) continue;
