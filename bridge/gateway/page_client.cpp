@@ -40,6 +40,7 @@ std::string description_text(const RunDescription& description, const std::strin
 PageClient::PageClient(LiveStream& stream, SocketSender& sender)
     : stream_(stream), sender_(sender) {
   stream_.follow(*this);
+  all_ = !stream_.ended().empty();
   if (stream_.description()) begin();
   if (!stream_.ended().empty()) end();
 }
@@ -62,12 +63,18 @@ void PageClient::receive_text(std::string_view text) {
   const auto from = asked.find("from");
   if (from == asked.end() || !from->is_number_unsigned()) return;
   next_ = from->get<std::uint64_t>();
+  is_end_due_ = !stream_.ended().empty();
   send_all();
-  if (!stream_.ended().empty()) sender_.send_text(json_text({{"ended", stream_.ended()}}));
+  tell_end();
 }
 
 void PageClient::pass_on() {
   send_changes();
+  pass_on_ticks();
+  tell_end();
+}
+
+void PageClient::pass_on_ticks() {
   const auto newest = stream_.newest();
   if (!newest || newest->number < next_ || sender_.queued_bytes() > kMostUnderWayBytes) return;
   if (all_) return send_all();
@@ -77,8 +84,16 @@ void PageClient::pass_on() {
 }
 
 void PageClient::end() {
-  pass_on();
-  sender_.send_text(json_text({{"missed", missed_}}));
+  send_changes();
+  pass_on_ticks();
+  is_end_due_ = true;
+  tell_end();
+}
+
+void PageClient::tell_end() {
+  if (!is_end_due_ || stream_.tick_from(next_)) return;
+  is_end_due_ = false;
+  if (!std::exchange(has_told_missed_, true)) sender_.send_text(json_text({{"missed", missed_}}));
   sender_.send_text(json_text({{"ended", stream_.ended()}}));
 }
 

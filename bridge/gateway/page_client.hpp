@@ -34,6 +34,9 @@ class PageClient : public SocketClient, public StreamFollower {
 
  private:
   void send_all();
+  void pass_on_ticks();
+  /// How the run ended, behind all that the client is to get.
+  void tell_end();
   /// What was changed in the run and what befell it since the last call.
   void send_changes();
 
@@ -44,6 +47,8 @@ class PageClient : public SocketClient, public StreamFollower {
   std::size_t changes_ = 0;  ///< that were told
   std::size_t incidents_ = 0;
   bool all_ = false;
+  bool is_end_due_ = false;
+  bool has_told_missed_ = false;
   bool has_all_ = false;
 };
 

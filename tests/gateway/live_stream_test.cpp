@@ -127,6 +127,25 @@ TEST_F(ALiveStream, GivesASlowViewerNothingNewAndTellsHowMuchItMissed) {
   EXPECT_EQ(taker_.texts[2]["ended"], "reached");
 }
 
+TEST_F(ALiveStream, TellsTheEndBehindAllThatAClientIsToGet) {
+  PageClient page(stream_, taker_);
+  taker_.queued = std::size_t{1} << 30;
+  stream_.add(whole_tick(0) + whole_tick(1));
+  stream_.end("reached");
+  EXPECT_EQ(taker_.texts.size(), 1U);  // the description
+
+  taker_.queued = 0;
+  stream_.pass_on();
+  ASSERT_EQ(taker_.texts.size(), 3U);
+  EXPECT_EQ(taker_.texts[1]["missed"], 1);
+  EXPECT_EQ(taker_.texts[2]["ended"], "reached");
+  EXPECT_EQ(taker_.sent.size(), 1U);
+  EXPECT_FALSE(page.idle());
+
+  page.receive_text(R"({"has_all": true})");
+  EXPECT_TRUE(page.idle());
+}
+
 TEST_F(ALiveStream, GivesEverythingAgainAfterTheEnd) {
   stream_.add(whole_tick(0) + whole_tick(1));
   stream_.end("reached");
