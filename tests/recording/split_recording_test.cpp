@@ -31,10 +31,10 @@ core::Result<void> add(RunRecorder& recorder, const StoredSample& sample) {
 void record_split(const std::string& path, const RunDescription& run,
                   const std::vector<StoredSample>& samples) {
   auto recorder = RunRecorder::create(path, run, true);
-  ASSERT_TRUE(recorder) << recorder.error().text();
-  for (const auto& sample : samples) ASSERT_TRUE(add(*recorder, sample));
+  ASSERT_TRUE(recorder.ok()) << recorder.error().text();
+  for (const auto& sample : samples) ASSERT_TRUE(add(*recorder, sample).ok());
   const auto finished = recorder->finish();
-  ASSERT_TRUE(finished) << finished.error().text();
+  ASSERT_TRUE(finished.ok()) << finished.error().text();
 }
 
 std::vector<std::string> files_in(const ScratchDirectory& scratch) {
@@ -52,7 +52,7 @@ TEST(SplitRecording, IsInFilesByTimeAndReadAsOne) {
 
   EXPECT_EQ(files_in(scratch), (std::vector<std::string>{"a.mcap", "a_1.mcap", "a_2.mcap"}));
   const auto recording = RunRecording::open(scratch.file("a.mcap"));
-  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
   EXPECT_EQ(recording->pieces(), 3U);
   EXPECT_TRUE(recording->complete());
   EXPECT_EQ(read_samples(recording->samples()), samples_of_run(20));
@@ -74,11 +74,11 @@ TEST(SplitRecording, HasTheHashOfOneFile) {
   const auto one = RunRecording::open(scratch.file("one.mcap"));
   const auto split = RunRecording::open(scratch.file("a.mcap"));
 
-  ASSERT_TRUE(one && split && one->end() && split->end());
+  ASSERT_TRUE(one.ok() && split.ok() && one->end() && split->end());
   EXPECT_EQ(split->end()->hash, one->end()->hash);
   EXPECT_EQ(split->end()->ticks, 20U);
   const auto survey = split->survey();
-  ASSERT_TRUE(survey) << survey.error().text();
+  ASSERT_TRUE(survey.ok()) << survey.error().text();
   EXPECT_EQ(survey->hash, one->end()->hash);
 }
 
@@ -91,7 +91,7 @@ TEST(SplitRecording, GoesOnInAnotherFileFromASizeOn) {
   record_split(scratch.file("a.mcap"), run, samples);
 
   const auto recording = RunRecording::open(scratch.file("a.mcap"));
-  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
   EXPECT_GT(recording->pieces(), 5U);
   EXPECT_EQ(read_samples(recording->samples()), samples);
   for (std::uint64_t piece = 0; piece < recording->pieces(); ++piece) {
@@ -107,7 +107,7 @@ TEST(SplitRecording, SaysWhichFileIsNotThere) {
 
   const auto recording = RunRecording::open(scratch.file("a.mcap"));
 
-  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
   EXPECT_FALSE(recording->complete());
   EXPECT_EQ(recording->cut_off(), "lacks its next file, " + scratch.file("a_2.mcap"));
   EXPECT_EQ(read_samples(recording->samples()), samples_of_run(14));
@@ -119,7 +119,7 @@ TEST(SplitRecording, IsOpenedByItsFirstFile) {
 
   const auto second = RunRecording::open(scratch.file("a_1.mcap"));
 
-  ASSERT_FALSE(second);
+  ASSERT_FALSE(second.ok());
   EXPECT_NE(second.error().text().find("is file 2 of a recording that is split"),
             std::string::npos);
 }
@@ -135,7 +135,7 @@ TEST(SplitRecording, DoesNotTakeAFileOfAnotherRecordingForItsOwn) {
 
   const auto recording = RunRecording::open(scratch.file("a.mcap"));
 
-  ASSERT_FALSE(recording);
+  ASSERT_FALSE(recording.ok());
   EXPECT_NE(recording.error().text().find("does not follow"), std::string::npos);
 }
 
@@ -146,21 +146,21 @@ void record_with_a_death(const std::string& path, const RunDescription& run,
   std::uint64_t durable_ticks = 0;
   {
     auto recorder = RunRecorder::create(path, run, true);
-    ASSERT_TRUE(recorder) << recorder.error().text();
-    for (std::size_t i = 0; i < death; ++i) ASSERT_TRUE(add(*recorder, samples[i]));
-    ASSERT_TRUE(recorder->write_ahead());
+    ASSERT_TRUE(recorder.ok()) << recorder.error().text();
+    for (std::size_t i = 0; i < death; ++i) ASSERT_TRUE(add(*recorder, samples[i]).ok());
+    ASSERT_TRUE(recorder->write_ahead().ok());
     durable_ticks = recorder->durable_ticks();
   }
   auto next = RunRecorder::go_on(path, run, durable_ticks);
-  ASSERT_TRUE(next) << "after sample " << death << ": " << next.error().text();
+  ASSERT_TRUE(next.ok()) << "after sample " << death << ": " << next.error().text();
   for (const StoredSample& sample : samples) {
     if (sample.tick >= durable_ticks) {
       const auto added = add(*next, sample);
-      ASSERT_TRUE(added) << "after sample " << death << ": " << added.error().text();
+      ASSERT_TRUE(added.ok()) << "after sample " << death << ": " << added.error().text();
     }
   }
   const auto finished = next->finish();
-  ASSERT_TRUE(finished) << finished.error().text();
+  ASSERT_TRUE(finished.ok()) << finished.error().text();
 }
 
 TEST(SplitRecording, HasTheSameFilesAfterADeathAtEverySample) {
@@ -181,14 +181,14 @@ TEST(SplitRecording, OpensUpToWhereItsRecorderDied) {
   const ScratchDirectory scratch;
   {
     auto recorder = RunRecorder::create(scratch.file("a.mcap"), split_by_time(), true);
-    ASSERT_TRUE(recorder);
-    for (const auto& sample : samples_of_run(12)) ASSERT_TRUE(add(*recorder, sample));
-    ASSERT_TRUE(recorder->write_ahead());
+    ASSERT_TRUE(recorder.ok());
+    for (const auto& sample : samples_of_run(12)) ASSERT_TRUE(add(*recorder, sample).ok());
+    ASSERT_TRUE(recorder->write_ahead().ok());
   }
 
   const auto recording = RunRecording::open(scratch.file("a.mcap.tmp~"));
 
-  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
   EXPECT_FALSE(recording->complete());
   EXPECT_EQ(read_samples(recording->samples()), samples_of_run(12));
 }
@@ -200,19 +200,19 @@ TEST(ChosenTopics, AreAllThatARecordingHolds) {
   run.left_out = {Topic::kScan};
   const core::Hash128 of_all{1, 2};
   auto recorder = RunRecorder::create(scratch.file("a.mcap"), run, true);
-  ASSERT_TRUE(recorder);
-  for (const auto& sample : samples_of_run(5)) ASSERT_TRUE(add(*recorder, sample));
-  ASSERT_TRUE(recorder->finish({}, of_all));
+  ASSERT_TRUE(recorder.ok());
+  for (const auto& sample : samples_of_run(5)) ASSERT_TRUE(add(*recorder, sample).ok());
+  ASSERT_TRUE(recorder->finish({}, of_all).ok());
 
   const auto recording = RunRecording::open(scratch.file("a.mcap"));
 
-  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
   EXPECT_EQ(recording->description().left_out, std::set<Topic>{Topic::kScan});
   EXPECT_EQ(read_samples(recording->samples()).size(), 10U);
   ASSERT_TRUE(recording->end());
   EXPECT_EQ(recording->end()->ticks, 5U);
   EXPECT_EQ(recording->end()->run_hash, of_all);
-  EXPECT_TRUE(recording->survey());
+  EXPECT_TRUE(recording->survey().ok());
 }
 
 TEST(Channels, TellTheirWritersQosAsRosbag2Does) {
@@ -221,7 +221,7 @@ TEST(Channels, TellTheirWritersQosAsRosbag2Does) {
 
   const auto reader = mcap::McapReader::open(scratch.file("a.mcap"));
 
-  ASSERT_TRUE(reader);
+  ASSERT_TRUE(reader.ok());
   ASSERT_EQ(reader->channels().size(), 3U);
   for (const auto& [id, channel] : reader->channels()) {
     const auto qos = channel.metadata.find("offered_qos_profiles");
