@@ -48,7 +48,7 @@ TEST_F(Launch, StartsOurComponentsByTheirNameAndTellsTheDomain) {
 
 TEST_F(Launch, StartsARelayForAComponentOnAnotherHostAndTellsAllWhereToMeet) {
   layout_.hosts =
-      HostsLayout{"my hosts.yaml", {{"sense", "robot"}}, {"127.0.0.1", "10.0.0.2"}, true};
+      HostsLayout{"my hosts.yaml", {{"sense", "robot"}}, {"127.0.0.1", "10.0.0.2"}, "local"};
   auto members = list_members(plan_, layout_);
   Member& sense = *find_member(members, "sense");
   Member& drive = *find_member(members, "drive");
@@ -56,12 +56,15 @@ TEST_F(Launch, StartsARelayForAComponentOnAnotherHostAndTellsAllWhereToMeet) {
 
   ASSERT_TRUE(starter.start(sense).ok());
   EXPECT_EQ(started_.arguments, (Texts{"/opt/clew bin/clew", "relay", "my hosts.yaml", "robot",
-                                       "sense", "--domain", "5", "--fall-back"}));
+                                       "sense", "--domain", "5", "--fallback", "local"}));
   end_now(*sense.child);
   ASSERT_TRUE(starter.start(drive).ok());
   EXPECT_EQ(started_.arguments, (Texts{"/opt/clew bin/clew", "component", "-", "drive"}));
   end_now(*drive.child);
   EXPECT_EQ(starter.assignment_for(drive).hosts, (Texts{"127.0.0.1", "10.0.0.2"}));
+  EXPECT_EQ(starter.assignment_for(drive).lease_s, kLeaseOverHosts_s);
+  EXPECT_EQ(starter.start_timeout(),
+            std::chrono::duration<double>(3.0 * plan_.graph.start_timeout_s));
   EXPECT_EQ(starter.assignment_for_watcher().hosts, (Texts{"127.0.0.1", "10.0.0.2"}));
 
   auto control = find_member(members, "control");
