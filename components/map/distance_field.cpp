@@ -161,7 +161,12 @@ void DistanceField::repair() {
     nodes_[place].open = open_steps(place);
   }
   for (const std::uint32_t place : touched_) {
-    nodes_[place].look_ahead = best_look_ahead(place);
+    Node& node = nodes_[place];
+    const std::uint32_t best = best_look_ahead(place, Among::kAll);
+    // A void one that keeps its distance has yet to offer it to its neighbours.
+    const bool stays_void =
+        node.look_ahead == kVoid && node.distance < kNone && best >= node.distance;
+    if (!stays_void) node.look_ahead = best;
     queue(place, block_at(place));
   }
 }
@@ -180,12 +185,13 @@ std::uint8_t DistanceField::open_steps(std::uint32_t at) const {
   return static_cast<std::uint8_t>(open);
 }
 
-std::uint32_t DistanceField::best_look_ahead(std::uint32_t at) const {
+std::uint32_t DistanceField::best_look_ahead(std::uint32_t at, Among among) const {
   const Node& node = nodes_[at];
   if (node.is_goal()) return 0;
   std::uint32_t best = kNone;
   for_each_step(node.open, [&](std::size_t i) {
     const Node& next = nodes_[at + offsets_[i]];
+    if (among == Among::kNotVoid && next.look_ahead == kVoid) return;
     // Not below kNone where the neighbour has no distance.
     const std::uint32_t weights = std::uint32_t{node.weight} + next.weight;
     best = std::min(best, next.distance + kBlockSteps[i].length * weights);
@@ -209,12 +215,17 @@ std::uint32_t DistanceField::settle(const Cell& start) {
     Node& node = nodes_[waiting->who];
     if (node.queued != waiting->key) continue;
     node.queued = kNotQueued;
-    if (node.look_ahead == kVoid) node.look_ahead = best_look_ahead(waiting->who);
-    if (node.distance == node.look_ahead) continue;
     const Cell next = block_at(waiting->who);
+    if (node.look_ahead == kVoid && BucketQueue::is_later(key(node, next), waiting->key)) {
+      // Another neighbour may lead nearer than its distance is.
+      const std::uint32_t best = best_look_ahead(waiting->who, Among::kNotVoid);
+      if (best < node.distance || node.distance == kNone) node.look_ahead = best;
+    }
+    if (node.distance == node.look_ahead) continue;
     // The start has moved since.
-    if (BucketQueue::is_later(key(node, next), waiting->key)) {
-      queue(waiting->who, next);
+    const std::uint32_t now = key(node, next);
+    if (BucketQueue::is_later(now, waiting->key)) {
+      queue_with(now, waiting->who);
     } else {
       expand(waiting->who, next);
     }
@@ -222,9 +233,11 @@ std::uint32_t DistanceField::settle(const Cell& start) {
   return here.look_ahead;
 }
 
-/// Finds a look-ahead that is void anew.
+/// Finds a look-ahead that is void anew, for now: over neighbours whose own is void, too.
 void DistanceField::look_afresh(std::uint32_t at, const Cell& block) {
-  nodes_[at].look_ahead = best_look_ahead(at);
+  Node& node = nodes_[at];
+  node.look_ahead = best_look_ahead(at, Among::kAll);
+  if (node.look_ahead == node.distance && node.distance < kNone) lower_around(at, block);
   queue(at, block);
 }
 
@@ -234,14 +247,12 @@ void DistanceField::expand(std::uint32_t at, const Cell& block) {
   if (before > node.look_ahead) {
     node.distance = node.look_ahead;
     lower_around(at, block);
-  } else {
-    node.distance = kNone;
-    raise_around(at, block, before);
-    queue(at, block);
+  } else if (before < node.look_ahead) {
+    raise_around(at, block);
   }
 }
 
-/// A block's distance fell: its neighbours' may.
+/// A block's distance fell, or stands after all: its neighbours' may fall.
 void DistanceField::lower_around(std::uint32_t at, const Cell& block) {
   const Node node = nodes_[at];
   for_each_step(node.open, [&](std::size_t i) {
@@ -260,17 +271,35 @@ void DistanceField::lower_around(std::uint32_t at, const Cell& block) {
   });
 }
 
-/// A block's distance, which was `before`, is void: that of neighbours which led over it, too.
-void DistanceField::raise_around(std::uint32_t at, const Cell& block, std::uint32_t before) {
-  const Node node = nodes_[at];
+/// A block's distance may be void. Its look-ahead is found anew, but not over neighbours that lead
+/// over the block itself: whether they keep their distances is told when it is their turn, and then
+/// they offer it. If none of the others leads as near, the distance is void, and their look-aheads.
+void DistanceField::raise_around(std::uint32_t at, const Cell& block) {
+  Node& node = nodes_[at];
+  const std::uint32_t before = node.distance;
+  std::uint32_t best = node.is_goal() ? 0 : kNone;
+  unsigned leads_here = 0;
   for_each_step(node.open, [&](std::size_t i) {
+    const Node& next = nodes_[at + offsets_[i]];
+    const std::uint32_t step = kBlockSteps[i].length * (std::uint32_t{node.weight} + next.weight);
+    const bool leads = next.look_ahead == before + step;
+    const bool led = next.look_ahead == kVoid && next.distance == before + step;
+    leads_here |= (leads ? 1U : 0U) << i;
+    if (!leads && !led) best = std::min(best, next.distance + step);
+  });
+  node.look_ahead = best;
+  if (best <= before) {
+    node.distance = best;
+    lower_around(at, block);
+    return;
+  }
+  node.distance = kNone;
+  for_each_step(static_cast<std::uint8_t>(leads_here), [&](std::size_t i) {
     const std::uint32_t near = at + offsets_[i];
-    Node& next = nodes_[near];
-    const std::uint32_t weights = std::uint32_t{node.weight} + next.weight;
-    if (next.look_ahead != before + kBlockSteps[i].length * weights) return;
-    next.look_ahead = kVoid;
+    nodes_[near].look_ahead = kVoid;
     queue(near, beside(block, kBlockSteps[i]));
   });
+  queue(at, block);
 }
 
 /// The middle of the cheapest of some cells of a block, one of which is not blocked.

@@ -83,10 +83,13 @@ class DistanceField {
   void set_goals(const std::vector<Cell>& goals);
   void repair();
   std::uint8_t open_steps(std::uint32_t at) const;
-  std::uint32_t best_look_ahead(std::uint32_t at) const;
+  /// Over which neighbours a look-ahead may lead. Those whose own is void offer their distance when
+  /// it is their turn and they keep it.
+  enum class Among : std::uint8_t { kAll, kNotVoid };
+  std::uint32_t best_look_ahead(std::uint32_t at, Among among) const;
   void expand(std::uint32_t at, const Cell& block);
   void lower_around(std::uint32_t at, const Cell& block);
-  void raise_around(std::uint32_t at, const Cell& block, std::uint32_t before);
+  void raise_around(std::uint32_t at, const Cell& block);
   void queue(std::uint32_t at, const Cell& block);
   void queue_with(std::uint32_t key, std::uint32_t at);
   void look_afresh(std::uint32_t at, const Cell& block);
