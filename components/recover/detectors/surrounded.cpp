@@ -11,6 +11,7 @@ namespace {
 
 // A target farther than this from the one before is another one.
 constexpr double kSameTarget_m = 1e-6;
+constexpr double kStill_m = 0.1;
 
 bool is_virtual(const Situation& situation) {
   return situation.pursued_odom != situation.target_odom;
@@ -30,6 +31,11 @@ core::Result<std::unique_ptr<Surrounded>> Surrounded::create(const Parameters& p
 
 std::optional<TrapEvidence> Surrounded::observe(const Situation& situation) {
   follow(situation);
+  if (stands_still(situation)) {
+    TrapEvidence evidence{std::nullopt, "stands still"};
+    evidence.stands_still = true;
+    return evidence;
+  }
   if (gets_on(situation)) {
     state_.in_a_row = 0;
     state_.told = false;
@@ -56,6 +62,19 @@ void Surrounded::follow(const Situation& situation) {
     state_.travelled_m += core::length(position_odom - state_.position_odom);
   }
   state_.position_odom = position_odom;
+}
+
+/// Whether it has stayed near a place for too long; it counts anew from there.
+bool Surrounded::stands_still(const Situation& situation) {
+  const core::Vec2 position_odom = situation.pose().position();
+  ++state_.still;
+  if (core::length(position_odom - state_.stood_odom) > kStill_m) {
+    state_.stood_odom = position_odom;
+    state_.still = 0;
+  }
+  if (state_.still < parameters_.still_ticks) return false;
+  state_.still = 0;
+  return true;
 }
 
 /// Whether a path connects to the target in force, or leads on to a virtual one.

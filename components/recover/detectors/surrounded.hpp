@@ -20,6 +20,7 @@ struct SurroundedParameters {
   double leg_m = 0.5;
   double again_m = 5.0;
   std::int64_t ticks = 10;
+  std::int64_t still_ticks = 150;
 };
 
 template <typename Visitor>
@@ -38,6 +39,8 @@ void visit_parameters(Visitor& visit, SurroundedParameters& p) {
                "travel after which a target that no way has connected to is judged again");
   visit.integer("ticks", p.ticks, "ticks", {1, 1000},
                 "number of ticks in a row without a way that make a trap");
+  visit.integer("still_ticks", p.still_ticks, "ticks", {1, 100000},
+                "a robot that stays within 0.1 m for so long is in a trap, too");
 }
 
 /// The local minimum criterion of Nakhaeinia et al. 2015, section II.B: *the robot is surrounded by
@@ -53,6 +56,8 @@ void visit_parameters(Visitor& visit, SurroundedParameters& p) {
 /// - *it is not required that the robot reaches exactly the virtual target, but it should move in
 ///   its direction*: for a virtual target the robot is in a trap only if, besides, no way leads on
 ///   ahead, once it has moved toward it;
+/// - a robot that stands still is in one, too: its controller sees no safe region where a way seems
+///   to lead on;
 /// - a trap is told once: again where a path has connected in between, or after some travel.
 class Surrounded final : public TrapDetector {
  public:
@@ -65,6 +70,8 @@ class Surrounded final : public TrapDetector {
     double travelled_m = 0.0;                       ///< since that target came in force, or a trap
     std::int64_t in_a_row = 0;                      ///< ticks in which no path connects
     bool told = false;                              ///< and no path has connected since
+    core::Vec2 stood_odom = core::Vec2::Zero();     ///< near which it has been
+    std::int64_t still = 0;                         ///< for so many ticks
   };
 
   /// Refuses scans that leave room between their beams, or see less than 90 degrees.
@@ -83,6 +90,7 @@ class Surrounded final : public TrapDetector {
 
  private:
   void follow(const Situation& situation);
+  bool stands_still(const Situation& situation);
   bool gets_on(const Situation& situation);
   bool may_judge(const Situation& situation) const;
 
@@ -93,7 +101,8 @@ class Surrounded final : public TrapDetector {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, Surrounded::State& s) {
-  visit(s.has_target, s.target_odom, s.position_odom, s.travelled_m, s.in_a_row, s.told);
+  visit(s.has_target, s.target_odom, s.position_odom, s.travelled_m, s.in_a_row, s.told,
+        s.stood_odom, s.still);
 }
 
 }  // namespace clew::recover

@@ -69,7 +69,7 @@ TEST_F(SurroundedTest, SaysTrapOnceAfterTenTicksInADeepU) {
 
   EXPECT_EQ(traps(9), 0);
   EXPECT_EQ(traps(1), 1);
-  EXPECT_EQ(traps(200), 0);
+  EXPECT_EQ(traps(100), 0);
 }
 
 TEST_F(SurroundedTest, SaysItAgainAfterMuchTravel) {
@@ -133,6 +133,13 @@ TEST_F(SurroundedTest, AVirtualTargetIsJudgedOnceTheRobotHasMovedTowardIt) {
   int count = 0;
   for (int i = 0; i < 120; ++i) count += traps(1, i % 2 == 0 ? 0.05 : -0.05);
   EXPECT_EQ(count, 1);  // after 5 m, as nothing has connected since it came in force
+}
+
+TEST_F(SurroundedTest, ARobotThatStandsStillIsInATrapThoughNothingIsInTheWay) {
+  EXPECT_EQ(traps(149), 0);
+  EXPECT_EQ(traps(1), 1);
+  EXPECT_EQ(traps(100), 0);
+  EXPECT_EQ(traps(200, 0.01), 0);
 }
 
 TEST_F(SurroundedTest, GoesOnFromWhatItSaved) {
