@@ -133,18 +133,20 @@ TEST(Referee, WantsTheHeadingToo) {
   EXPECT_EQ(target.waypoints, 3u);
 
   // 0.2 rad from 3 across pi; at the first way-point.
-  referee.judge(1, {1.0, 0.0, 2.7}, 0, commanded());
+  referee.judge(1, {{1.0, 0.0, 2.7}, {1.0, 0.0, 2.7}}, 0, commanded());
   EXPECT_EQ(referee.route().passed(), 0u);
-  referee.judge(2, {1.0, 0.0, -3.1}, 0, commanded());
+  referee.judge(2, {{1.0, 0.0, -3.1}, {1.0, 0.0, -3.1}}, 0, commanded());
   EXPECT_EQ(referee.route().passed(), 1u);
   referee.announce(kFar, target);
   EXPECT_FALSE(target.has_heading);
   EXPECT_EQ(target.heading_rad, 0.0);
   EXPECT_EQ(target.waypoint, 2u);
 
-  referee.judge(3, {2.0, 0.0, 0.0}, 0, commanded());
-  EXPECT_EQ(referee.judge(4, {3.0, 4.0, 1.35}, 0, commanded()), Outcome::kRunning);
-  EXPECT_EQ(referee.judge(5, {3.0, 4.0, 1.45}, 0, commanded()), Outcome::kReached);
+  referee.judge(3, {{2.0, 0.0, 0.0}, {2.0, 0.0, 0.0}}, 0, commanded());
+  EXPECT_EQ(referee.judge(4, {{3.0, 4.0, 1.35}, {3.0, 4.0, 1.35}}, 0, commanded()),
+            Outcome::kRunning);
+  EXPECT_EQ(referee.judge(5, {{3.0, 4.0, 1.45}, {3.0, 4.0, 1.45}}, 0, commanded()),
+            Outcome::kReached);
 }
 
 }  // namespace

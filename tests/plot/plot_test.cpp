@@ -145,7 +145,7 @@ TEST_F(Plot, RefusesRobotsOfOtherRooms) {
       robot.description.bundle["world.yaml"].find("5, 3, 5, 8"), 10, "5, 4, 5, 8");
   robot.write(other);
 
-  EXPECT_FALSE(plot_recordings({one, other}, scratch_.file("out.svg")));
+  EXPECT_FALSE(plot_recordings({one, other}, scratch_.file("out.svg")).ok());
 }
 
 TEST_F(Plot, NumbersTheWayPointsOfAGraphBeforeThoseOfItsWorld) {

@@ -48,7 +48,7 @@ TEST(RunTrack, HoldsVirtualObstaclesAndTheControllersVirtualTargetsOnceEach) {
 
   const auto track = plot::read_run_track(path);
 
-  ASSERT_TRUE(track) << track.error().text();
+  ASSERT_TRUE(track.ok()) << track.error().text();
   // Odometry is 1 m behind in x, and 1.5 m in y at tick 5 and 1.8 m at tick 2.
   ASSERT_EQ(track->virtual_obstacles.size(), 1U);
   expect_near(track->virtual_obstacles[0][0], {3.5, 2.5});

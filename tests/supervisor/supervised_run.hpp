@@ -95,8 +95,8 @@ class SupervisedRun : public testing::Test {
     peers_.clear();
     supervisor_ = std::make_unique<Supervisor>(
         plan_, layout_, 1, std::nullopt, ProcessStart{},
-        Supervisor::Outside{[this](const std::string& line) { log_.push_back(line); }, nullptr,
-                            start_sleeping, [](auto) { return std::nullopt; }},
+        Supervisor::Outside{[this](logs::Level, const std::string& line) { log_.push_back(line); },
+                            nullptr, start_sleeping, [](auto) { return std::nullopt; }},
         now_);
     supervisor_->start();
   }

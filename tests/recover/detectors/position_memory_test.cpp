@@ -12,7 +12,7 @@ namespace clew::recover {
 namespace {
 
 PositionMemory::Visit visit(double x_m, double y_m, std::uint64_t tick = 0) {
-  return {tick, {x_m, y_m, 0.0}, 0.0};
+  return {tick, {x_m, y_m, 0.0}, 0.0, {}};
 }
 
 /// The ticks of the visits kept around a position, in order.
