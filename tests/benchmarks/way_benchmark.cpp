@@ -38,17 +38,29 @@ double processor_time_us() {
   return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
 }
 
-/// A field with a pillar every 4 m; the robot crosses 14 m of its middle.
-world::World field_of_pillars(int side_m) {
-  std::string text = "format: clew-world/1\nname: pillars\nabout: pillars\nbounds: [0, 0, ";
-  const std::string middle = std::to_string(side_m / 2);
-  text += std::to_string(side_m) + ", " + std::to_string(side_m) + "]\ncircles:\n";
-  for (int x = 4; x < side_m; x += 4) {
-    for (int y = 2; y < side_m; y += 4) {
-      text += "  - [" + std::to_string(x) + ", " + std::to_string(y) + ", 0.3]\n";
+/// A pillar every 4 m, laid out from the middle of a square field.
+std::vector<core::Vec2> pillars_in(int side_m) {
+  std::vector<core::Vec2> pillars;
+  for (int x = 1; x < side_m; ++x) {
+    for (int y = 1; y < side_m; ++y) {
+      if ((x - side_m / 2 + 2) % 4 == 0 && (y - side_m / 2) % 4 == 0) pillars.emplace_back(x, y);
     }
   }
-  text += "start: [" + std::to_string(side_m / 2 - 7) + ", " + middle + ", 0]\ntarget: [" +
+  return pillars;
+}
+constexpr double kPillar_m = 0.3;
+
+/// A field with such pillars; the robot crosses 14 m of its middle.
+world::World field_of_pillars(int side_m) {
+  const std::string side = std::to_string(side_m);
+  const std::string middle = std::to_string(side_m / 2);
+  std::string text = "format: clew-world/1\nname: pillars\nabout: pillars\ntarget_radius: 0.2\n";
+  text += "bounds: [0, 0, " + side + ", " + side + "]\ncircles: [\n";
+  for (const core::Vec2& pillar : pillars_in(side_m)) {
+    text += "  [" + std::to_string(pillar.x()) + ", " + std::to_string(pillar.y()) + ", " +
+            std::to_string(kPillar_m) + "],\n";
+  }
+  text += "]\nstart: [" + std::to_string(side_m / 2 - 7) + ", " + middle + ", 0]\ntarget: [" +
           std::to_string(side_m / 2 + 7) + ", " + middle + "]\n";
   return world::World::parse(text, "pillars.yaml").value();
 }
@@ -57,23 +69,21 @@ world::World field_of_pillars(int side_m) {
 world::World empty_field(int distance_m) {
   const std::string text = "format: clew-world/1\nname: empty\nabout: empty\nbounds: [0, 0, " +
                            std::to_string(distance_m + 20) +
-                           ", 20]\nstart: [10, 10, 0]\ntarget: [" +
+                           ", 20]\ntarget_radius: 0.2\nstart: [10, 10, 0]\ntarget: [" +
                            std::to_string(distance_m + 10) + ", 10]\n";
   return world::World::parse(text, "empty.yaml").value();
 }
 
-/// All of a square world from the origin on: free, but for what returns at the rims of its pillars.
+/// All of that field: free, but for the rims of its pillars.
 map::SeenMap::State seen_whole(int side_m) {
   const map::LocalMapParameters parameters;
   map::SeenMap seen(parameters.cell_m, 1 << 16);
-  for (double x = 0.1; x < side_m; x += 0.1) {
-    for (double y = 0.1; y < side_m; y += 0.1) seen.mark_free(map::Sector({x, y}, 0.15));
+  for (int x = 0; x < side_m; ++x) {
+    for (int y = 0; y < side_m; ++y) seen.mark_free(map::Sector({x + 0.5, y + 0.5}, 0.75));
   }
-  for (int x = 4; x < side_m; x += 4) {
-    for (int y = 2; y < side_m; y += 4) {
-      for (int i = 0; i < 90; ++i) {
-        seen.mark_hit(core::Vec2(x, y) + 0.3 * core::direction(core::radians(4.0 * i)));
-      }
+  for (const core::Vec2& pillar : pillars_in(side_m)) {
+    for (int i = 0; i < 90; ++i) {
+      seen.mark_hit(pillar + kPillar_m * core::direction(core::radians(4.0 * i)));
     }
   }
   return seen.state();
