@@ -124,7 +124,7 @@ TEST_F(Plot, DrawsTheRobotsOfAFleetInOneRoom) {
   const std::string svg = svg_of({west, east});
 
   EXPECT_TRUE(contains(svg, ">hall: 2 robots</text>"));
-  EXPECT_FALSE(contains(svg, "moving obstacle"));
+  EXPECT_FALSE(contains(svg, ">moving obstacle at the end</text>"));
   // The targets, (9, 2) and (2, 1), and the starts, (1, 2) and (8, 1).
   for (const char* centre : {"cx=\"672\" cy=\"512\"", "cx=\"168\" cy=\"584\"",
                              "cx=\"96\" cy=\"512\"", "cx=\"600\" cy=\"584\""}) {
