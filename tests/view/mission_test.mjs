@@ -52,9 +52,9 @@ test("a mission, and another one on the way", async (context) => {
 
   await go_to(page, 100);
   assert.match(await page.textContent("#now"), /way-points reached2 of 4/);
-  // The ring of the second way-point, and after the change that of the new one.
-  const second = [5, 6.9];
-  const other = [9, 1.5];
+  // The ring of the second way-point, and after the change that of the new one, beside lines of the grid.
+  const second = [5 + 0.4 * Math.SQRT1_2, 6.5 + 0.4 * Math.SQRT1_2];
+  const other = [9 + 0.5 * Math.SQRT1_2, 1 + 0.5 * Math.SQRT1_2];
   const ground = await colour_at(page, 8.2, 1.7);
   assert.notDeepEqual(await colour_at(page, ...second), ground);
   assert.deepEqual(await colour_at(page, ...other), ground);
