@@ -27,7 +27,7 @@ void look_up_among(benchmark::State& state) {
   const auto positions = static_cast<std::uint64_t>(state.range(0));
   PositionMemory memory(0.5, 1 << 20);
   for (std::uint64_t i = 0; i < positions; ++i) {
-    memory.add({i, on_the_way(i), 0.1 * static_cast<double>(i)});
+    memory.add({i, on_the_way(i), 0.1 * static_cast<double>(i), {}});
   }
   const core::Random random(core::RandomKey{1, 0, 0, 0});
   std::uint32_t next = 0;
@@ -35,7 +35,7 @@ void look_up_among(benchmark::State& state) {
     const auto step =
         static_cast<std::uint64_t>(random.uniform(next++) * static_cast<double>(positions));
     std::uint64_t seen = 0;
-    memory.around(on_the_way(step).position(), [&](const PositionMemory::Visit&) { ++seen; });
+    memory.around(on_the_way(step).position(), 1, [&](const PositionMemory::Visit&) { ++seen; });
     benchmark::DoNotOptimize(seen);
   }
   state.counters["cells"] = static_cast<double>(memory.size());
