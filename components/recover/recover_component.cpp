@@ -133,7 +133,7 @@ void RecoverComponent::decide(const runtime::TickInputs& inputs, runtime::TickOu
   const bool maps = parts_.local_map && (state_.maps || !parts_.maps_late);
   if (maps) parts_.local_map->see(situation.odometry, situation.scan);
   if (waits) return;
-  notice_arrival(situation);
+  notice_arrival(target);
   for (auto& escape : parts_.escapes) escape.behaviour->watch(situation);
   take_evidence(situation, event);
   if (state_.escaping) step_escape(situation, guidance, event);
@@ -153,13 +153,10 @@ void RecoverComponent::wait() {
   stop_escaping();
 }
 
-/// The robot is at the target of the tick before and has another one: a way-point was passed. What
-/// was seen on the way to it proves no trap on the way from it, which may lead back.
-void RecoverComponent::notice_arrival(const Situation& situation) {
-  const core::Vec2 before_odom = std::exchange(state_.target_odom, situation.target_odom);
-  const double radius_m = std::exchange(state_.target_radius_m, situation.target_radius_m);
-  if (before_odom == situation.target_odom || !(radius_m > 0.0)) return;
-  if (core::distance_m(situation.pose(), before_odom) <= radius_m) start_detectors_afresh();
+/// What was seen on the way to a way-point proves no trap on the way from it, which may lead back.
+void RecoverComponent::notice_arrival(const domain::Target& target) {
+  const std::uint32_t before = std::exchange(state_.waypoint, target.waypoint);
+  if (before > 0 && before != target.waypoint) start_detectors_afresh();
 }
 
 /// Asks the detector in command. What it says starts the first escape, or goes to the one at work.

@@ -66,8 +66,7 @@ class RecoverComponent final : public runtime::Component {
     TrapEvidence evidence;  ///< of the trap that it is at work on
     std::string why;        ///< the last escape failed, or the robot gave up
     std::optional<core::Vec2> virtual_target_odom;  ///< of the last tick
-    core::Vec2 target_odom = core::Vec2::Zero();    ///< of the last tick
-    double target_radius_m = 0.0;                   ///< of the last tick
+    std::uint32_t waypoint = 0;                     ///< of the last tick
   };
 
   static std::vector<runtime::PortInfo> ports();
@@ -85,7 +84,7 @@ class RecoverComponent final : public runtime::Component {
   void tell_escape(const Situation& situation, const domain::Guidance& guidance,
                    domain::Inside& inside) const;
   void wait();
-  void notice_arrival(const Situation& situation);
+  void notice_arrival(const domain::Target& target);
   void take_evidence(const Situation& situation, domain::Event& event);
   void watch_shadows(const Situation& situation, domain::Event& event);
   void begin_escape(std::uint32_t index, const Situation& situation, domain::Event& event);
@@ -104,7 +103,7 @@ class RecoverComponent final : public runtime::Component {
 template <typename Visitor>
 void visit_fields(Visitor& visit, RecoverComponent::State& s) {
   visit(s.escaping, s.escape, s.gave_up, s.maps, s.evidence, s.why, s.virtual_target_odom,
-        s.target_odom, s.target_radius_m);
+        s.waypoint);
 }
 
 }  // namespace clew::recover

@@ -118,7 +118,7 @@ class RecoverComponentTest : public ::testing::Test {
     std::get<domain::Landmark>(messages_) = scene.landmark();
     std::get<domain::Target>(messages_).x_m = scene.target().x();
     std::get<domain::Target>(messages_).y_m = scene.target().y();
-    std::get<domain::Target>(messages_).radius_m = target_radius_m_;
+    std::get<domain::Target>(messages_).waypoint = waypoint_;
     std::get<domain::Guidance>(messages_) = {};
     std::get<domain::Event>(messages_) = {};
     runtime::TickOutputs outputs(messages_, outputs_);
@@ -145,7 +145,7 @@ class RecoverComponentTest : public ::testing::Test {
   runtime::TopicSet inputs_;
   runtime::TopicSet outputs_;
   std::uint64_t tick_ = 0;
-  double target_radius_m_ = 0.0;
+  std::uint32_t waypoint_ = 1;
 };
 
 }  // namespace clew::recover
