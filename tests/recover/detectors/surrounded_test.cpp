@@ -128,10 +128,10 @@ TEST_F(SurroundedTest, AVirtualTargetIsJudgedOnceTheRobotHasMovedTowardIt) {
   pursued_ = {-1.9, 0.0};
   pose() = {0.6, 0.0, 0.5 * core::kPi};
 
-  EXPECT_EQ(traps(40), 0);  // it has not moved
+  EXPECT_EQ(traps(20), 0);  // it has not moved
   pose().heading_rad = core::kPi;
   int count = 0;
-  for (int i = 0; i < 120; ++i) count += traps(1, i % 2 == 0 ? 0.05 : -0.05);
+  for (int i = 0; i < 110; ++i) count += traps(1, i % 2 == 0 ? 0.05 : -0.05);
   EXPECT_EQ(count, 1);  // after 5 m, as nothing has connected since it came in force
 }
 
