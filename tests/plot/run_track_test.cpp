@@ -75,7 +75,7 @@ TEST(RunTrack, TakesPlacesFromADriftedOdometryToThePath) {
   // It believes to be 0.1 m farther to the left with each tick.
   ASSERT_EQ(track->believed.size(), 10U);
   expect_near(track->believed[5], {3.5, 2.5});
-  EXPECT_TRUE(track->virtual_obstacles.empty());
+  EXPECT_EQ(track->virtual_obstacles.size(), 1U);
   ASSERT_EQ(track->marks.size(), 2U);
   EXPECT_EQ(track->marks[1].kind, domain::EventKind::kEscapeEnded);
   expect_near(track->marks[1].position, {4.5, 2.0});

@@ -72,12 +72,6 @@ TEST(Nakhaeinia, NvtAloneIsTrappedInTheInvisibleMinimumOfFigure4) {
   EXPECT_EQ(course.collisions, 0u);
 }
 
-TEST(Nakhaeinia, GapsAsDeepAsTheScanLeadOutOfTheInvisibleMinimumOfFigure4) {
-  // Such a gap is that back to the mouth, and is kept, since others are not better by 0.1 m.
-  EXPECT_EQ(run("nakhaeinia", "n-fig04-invisible-minimum", {"control.depth_ratio=1"}).outcome,
-            Outcome::kReached);
-}
-
 TEST(PinBender, WithoutMemoryTheRobotOscillatesAgainstTheFarWallOfFigure4) {
   const Course course = run("pin_bender", "pb-fig04-dead-end-chamber");
 

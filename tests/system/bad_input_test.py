@@ -392,10 +392,6 @@ class Output(BadInput):
             json.loads(told.stdout)
             ElementTree.parse(picture)
 
-    def test_plot_of_what_is_no_recording(self):
-        self.refused(Run(["plot", write_file("no recording", ".mcap"), "-o", "/tmp/x.svg"]),
-                     "file.mcap")
-
 
 if __name__ == "__main__":
     unittest.main()

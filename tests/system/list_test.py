@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import unittest
 
-from clew_command import CLEW, SOURCE, Run, run_graph
+from clew_command import CLEW, SOURCE, Run, run_graph, write_file
 
 
 def lines_of(*arguments):
@@ -187,6 +187,12 @@ class ListForPrograms(unittest.TestCase):
 
         self.assertEqual(run.status, 0, run.err)
         self.assertEqual(run.report["seed"], 9223372036854775807)
+
+    def test_a_picture_of_what_is_no_recording_is_refused(self):
+        run = Run(["plot", write_file("no recording", ".mcap"), "-o", "/tmp/x.svg"])
+
+        self.assertEqual(run.status, 2)
+        self.assertIn("file.mcap", run.err)
 
 
 if __name__ == "__main__":

@@ -36,7 +36,8 @@ TEST(MessageJson, NamesFieldsAndEnumeratorsAsTheIdlDoes) {
   EXPECT_EQ(json_of(&command).dump(),
             R"({"stamp":{"tick":7,"sim_time_s":2.1,"sequence_number":7},)"
             R"("motion":{"kind":"COMMAND_TURN_AND_STEP","turn_rad":0.0,"step_m":0.1,)"
-            R"("speed_mps":0.0,"turn_rate_radps":0.0,"left_mps":0.0,"right_mps":0.0}})");
+            R"("speed_mps":0.0,"turn_rate_radps":0.0,"left_mps":0.0,"right_mps":0.0},)"
+            R"("virtual_targets":[]})");
 }
 
 TEST(MessageJson, GivesEveryTopicBackAsItWas) {

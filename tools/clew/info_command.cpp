@@ -274,18 +274,6 @@ ordered_json topics_json(const RecordingFacts& facts) {
   return topics;
 }
 
-ordered_json waypoints_json(const std::vector<WaypointMark>& marks) {
-  ordered_json waypoints = ordered_json::array();
-  for (const WaypointMark& mark : marks) {
-    waypoints.push_back({{"tick", mark.tick},
-                         {"number", mark.number},
-                         {"of", mark.of},
-                         {"x_m", mark.place.x()},
-                         {"y_m", mark.place.y()}});
-  }
-  return waypoints;
-}
-
 void add_configuration(const RunRecording& recording, ordered_json& json) {
   const auto graph = graph_of(recording);
   json["graph"] = graph.ok() ? ordered_json(graph->name) : nullptr;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
@@ -84,6 +85,18 @@ Result<std::vector<WaypointMark>> waypoint_marks(const bridge::RunRecording& rec
     const auto marks = watch->see(state);
     all.insert(all.end(), marks.begin(), marks.end());
   }
+}
+
+nlohmann::ordered_json waypoints_json(const std::vector<WaypointMark>& marks) {
+  nlohmann::ordered_json waypoints = nlohmann::ordered_json::array();
+  for (const WaypointMark& mark : marks) {
+    waypoints.push_back({{"tick", mark.tick},
+                         {"number", mark.number},
+                         {"of", mark.of},
+                         {"x_m", mark.place.x()},
+                         {"y_m", mark.place.y()}});
+  }
+  return waypoints;
 }
 
 }  // namespace clew::tools

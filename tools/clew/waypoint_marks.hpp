@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <vector>
 
@@ -48,6 +49,9 @@ class WaypointMarks {
   std::optional<core::Pose2> believed_;
   std::deque<Mission> missions_;  ///< by tick, the one in force first
 };
+
+/// As commands print them with --json.
+nlohmann::ordered_json waypoints_json(const std::vector<WaypointMark>& marks);
 
 /// All marks of a recording.
 core::Result<std::vector<WaypointMark>> waypoint_marks(const bridge::RunRecording& recording);

@@ -42,6 +42,11 @@ void trap(SvgWriter& svg, const Point& centre, std::string_view fill, std::strin
   svg.circle({centre.x, centre.y + 3.0}, 0.9, {outline});
 }
 
+void crossed_circle(SvgWriter& svg, const Point& centre, std::string_view outline) {
+  svg.circle(centre, 5.0, {kWhite, outline, 1.2});
+  svg.segments(cross(centre, 2.4), {"none", outline, 1.4});
+}
+
 void barred_square(SvgWriter& svg, const Point& centre, std::string_view outline) {
   square(svg, centre, 6.0, {kWhite, outline, 1.6});
   svg.line({centre.x - 6.0, centre.y + 6.0}, {centre.x + 6.0, centre.y - 6.0},
@@ -112,8 +117,7 @@ void draw_symbol(SvgWriter& svg, Symbol symbol, const Point& centre, std::string
       svg.circle(centre, 4.5, {kGreen, outline, 1.2});
       return;
     case Symbol::kEscapeFailed:
-      svg.circle(centre, 5.0, {kWhite, outline, 1.2});
-      svg.segments(cross(centre, 2.4), {"none", outline, 1.4});
+      crossed_circle(svg, centre, outline);
       return;
     case Symbol::kVirtualTarget:
       svg.polygon(star(centre, 10, 8.0, 3.4), {kPurple, outline, 1.0});

@@ -176,8 +176,8 @@ TEST(PositionRevisit, TellsAPlaceSeenWithAnotherDirectionApartAndCountsItWhereAs
   EXPECT_TRUE(not_found.found.empty());
   ASSERT_FALSE(found.found.empty());
   EXPECT_EQ(found.found[0].text, "3 positions in a row seen before, 3 with another direction");
-  Drive around(any);
-  any.start_afresh();
+  PositionRevisit fresh({});
+  Drive around(fresh);
   go_round(around);
   ASSERT_FALSE(around.found.empty());
   EXPECT_EQ(around.found[0].text, "3 positions in a row seen before");
