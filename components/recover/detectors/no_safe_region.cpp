@@ -59,6 +59,12 @@ bool NoSafeRegion::surrounded(const Situation& situation) {
 
 void NoSafeRegion::save(core::StateWriter& writer) const { writer(state_); }
 
-void NoSafeRegion::load(core::StateReader& reader) { reader(state_); }
+void NoSafeRegion::load(core::StateReader& reader) {
+  reader(state_);
+  // More ticks than any run has are a stranger's.
+  constexpr std::int64_t kMostTicks = 1'000'000'000'000'000;
+  const bool counts = state_.in_a_row >= 0 && state_.in_a_row < kMostTicks;
+  if (!reader.check(counts, "a number of ticks is none")) state_ = {};
+}
 
 }  // namespace clew::recover

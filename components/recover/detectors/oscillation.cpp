@@ -45,6 +45,12 @@ void Oscillation::start_afresh() {
 
 void Oscillation::save(core::StateWriter& writer) const { writer(state_, window_.state()); }
 
-void Oscillation::load(core::StateReader& reader) { reader(state_, window_.state()); }
+void Oscillation::load(core::StateReader& reader) {
+  reader(state_, window_.state());
+  // More than the parameter allows are a stranger's.
+  constexpr std::int64_t kMostRepeats = 1000;
+  const bool counts = state_.in_a_row >= 0 && state_.in_a_row < kMostRepeats;
+  if (!reader.check(counts, "a number of repeats is none")) state_ = {};
+}
 
 }  // namespace clew::recover

@@ -10,6 +10,9 @@
 namespace clew::recover {
 namespace {
 
+// More than the parameter allows: a state that counts more is a stranger's.
+constexpr std::int64_t kMostRecognitions = 1000;
+
 core::Error unfit(std::string message) { return {std::move(message)}; }
 
 }  // namespace
@@ -117,6 +120,9 @@ void PositionRevisit::save(core::StateWriter& writer) const {
 
 void PositionRevisit::load(core::StateReader& reader) {
   reader(state_);
+  const bool counts = state_.in_a_row >= 0 && state_.in_a_row < kMostRecognitions &&
+                      state_.turned_in_a_row >= 0 && state_.turned_in_a_row <= state_.in_a_row;
+  if (!reader.check(counts, "a number of recognitions is none")) state_ = {};
   memory_.load(reader);
 }
 

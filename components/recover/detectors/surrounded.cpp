@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "domain/held.hpp"
 #include "map/local_map.hpp"
 #include "scan/scan_needs.hpp"
 
@@ -12,12 +13,20 @@ namespace {
 // A target farther than this from the one before is another one.
 constexpr double kSameTarget_m = 1e-6;
 constexpr double kStill_m = 0.1;
+// More than any run has: a state that counts more is a stranger's.
+constexpr std::int64_t kMostTicks = 1'000'000'000'000'000;
 
 bool is_virtual(const Situation& situation) {
   return situation.pursued_odom != situation.target_odom;
 }
 
 }  // namespace
+
+Surrounded::Surrounded(const Parameters& parameters, const domain::BehaviourSetup& setup)
+    : parameters_(parameters),
+      still_ticks_(
+          static_cast<std::int64_t>(domain::held_ticks(parameters.still_s, kStill_m, setup))),
+      ways_(setup.robot.radius_m + parameters.clearance_m) {}
 
 core::Result<std::unique_ptr<Surrounded>> Surrounded::create(const Parameters& parameters,
                                                              const domain::BehaviourSetup& setup) {
@@ -26,7 +35,7 @@ core::Result<std::unique_ptr<Surrounded>> Surrounded::create(const Parameters& p
   needs.most_unseen_rad = core::radians(15.0);
   needs.least_field_rad = core::radians(90.0);
   CLEW_RETURN_IF_ERROR(scan::check_needs(needs, setup.scan, "surrounded"));
-  return std::make_unique<Surrounded>(parameters, setup.robot.radius_m);
+  return std::make_unique<Surrounded>(parameters, setup);
 }
 
 std::optional<TrapEvidence> Surrounded::observe(const Situation& situation) {
@@ -72,7 +81,7 @@ bool Surrounded::stands_still(const Situation& situation) {
     state_.stood_odom = position_odom;
     state_.still = 0;
   }
-  if (state_.still < parameters_.still_ticks) return false;
+  if (state_.still < still_ticks_) return false;
   state_.still = 0;
   return true;
 }
@@ -97,6 +106,13 @@ bool Surrounded::may_judge(const Situation& situation) const {
 
 void Surrounded::save(core::StateWriter& writer) const { writer(state_); }
 
-void Surrounded::load(core::StateReader& reader) { reader(state_); }
+void Surrounded::load(core::StateReader& reader) {
+  reader(state_);
+  const auto is_count = [](std::int64_t ticks) { return ticks >= 0 && ticks < kMostTicks; };
+  if (!reader.check(is_count(state_.in_a_row) && is_count(state_.still),
+                    "a number of ticks is none")) {
+    state_ = {};
+  }
+}
 
 }  // namespace clew::recover

@@ -20,7 +20,7 @@ struct SurroundedParameters {
   double leg_m = 0.5;
   double again_m = 5.0;
   std::int64_t ticks = 10;
-  std::int64_t still_ticks = 150;
+  double still_s = 15.0;
 };
 
 template <typename Visitor>
@@ -39,8 +39,9 @@ void visit_parameters(Visitor& visit, SurroundedParameters& p) {
                "travel after which a target that no way has connected to is judged again");
   visit.integer("ticks", p.ticks, "ticks", {1, 1000},
                 "number of ticks in a row without a way that make a trap");
-  visit.integer("still_ticks", p.still_ticks, "ticks", {1, 100000},
-                "a robot that stays within 0.1 m for so long is in a trap, too");
+  visit.number("still_s", p.still_s, "s", {0.1, 10000.0},
+               "a robot that stays within 0.1 m for so long is in a trap, too; longer where it is "
+               "slow or its ticks are long");
 }
 
 /// The local minimum criterion of Nakhaeinia et al. 2015, section II.B: *the robot is surrounded by
@@ -77,8 +78,7 @@ class Surrounded final : public TrapDetector {
   /// Refuses scans that leave room between their beams, or see less than 90 degrees.
   static core::Result<std::unique_ptr<Surrounded>> create(const Parameters& parameters,
                                                           const domain::BehaviourSetup& setup);
-  Surrounded(const Parameters& parameters, double radius_m)
-      : parameters_(parameters), ways_(radius_m + parameters.clearance_m) {}
+  Surrounded(const Parameters& parameters, const domain::BehaviourSetup& setup);
 
   bool reads_local_map() const override { return true; }
   std::optional<TrapEvidence> observe(const Situation& situation) override;
@@ -95,6 +95,7 @@ class Surrounded final : public TrapDetector {
   bool may_judge(const Situation& situation) const;
 
   Parameters parameters_;
+  std::int64_t still_ticks_;
   LocalWays ways_;  // of the tick
   State state_;
 };

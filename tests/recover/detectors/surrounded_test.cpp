@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,15 @@ namespace clew::recover {
 namespace {
 
 constexpr double kRadius_m = 0.14;
+
+domain::BehaviourSetup setup_of(double tick_s) {
+  domain::BehaviourSetup setup;
+  setup.tick_s = tick_s;
+  setup.robot.radius_m = kRadius_m;
+  setup.limits.speed_mps = 0.6;
+  setup.limits.turn_rate_radps = 0.785;
+  return setup;
+}
 
 struct Wall {
   core::Vec2 from;
@@ -55,7 +65,7 @@ class SurroundedTest : public ::testing::Test {
 
   core::Vec2 target_{0.0, 3.0};
   core::Vec2 pursued_ = target_;
-  Surrounded detector_{{}, kRadius_m};
+  Surrounded detector_{{}, setup_of(0.1)};
 
  private:
   std::uint64_t tick_ = 0;
@@ -142,12 +152,43 @@ TEST_F(SurroundedTest, ARobotThatStandsStillIsInATrapThoughNothingIsInTheWay) {
   EXPECT_EQ(traps(200, 0.01), 0);
 }
 
+TEST_F(SurroundedTest, StandsStillForSecondsHoweverLongATickIs) {
+  detector_ = Surrounded({}, setup_of(0.01));
+  EXPECT_EQ(traps(1499), 0);
+  EXPECT_EQ(traps(1), 1);
+
+  // Half as long again as half a turn and 0.1 m take, which is 6.25 s.
+  SurroundedParameters impatient;
+  impatient.still_s = 0.5;
+  detector_ = Surrounded(impatient, setup_of(0.1));
+  EXPECT_EQ(traps(62), 0);
+  EXPECT_EQ(traps(1), 1);
+}
+
+TEST_F(SurroundedTest, RefusesCountsThatNoRunHas) {
+  for (const std::int64_t count : {std::int64_t{-1}, std::int64_t{INT64_MAX}}) {
+    Surrounded::State still;
+    still.still = count;
+    Surrounded::State surrounded;
+    surrounded.in_a_row = count;
+    for (const Surrounded::State& state : {still, surrounded}) {
+      core::StateWriter writer;
+      writer(state);
+      core::StateReader reader(writer.bytes());
+      detector_.load(reader);
+
+      EXPECT_FALSE(reader.ok()) << count;
+      EXPECT_EQ(traps(1), 0);
+    }
+  }
+}
+
 TEST_F(SurroundedTest, GoesOnFromWhatItSaved) {
   see(kDeepU);
   EXPECT_EQ(traps(7), 0);
   core::StateWriter writer;
   detector_.save(writer);
-  Surrounded other({}, kRadius_m);
+  Surrounded other({}, setup_of(0.1));
   core::StateReader reader(writer.bytes());
   other.load(reader);
 
