@@ -12,6 +12,8 @@ namespace {
 // However bad the ground, the wheels move the robot a little, and not arbitrarily far.
 constexpr double kLeastShare = 0.05;
 constexpr double kGreatestShare = 2.0;
+// Beyond this, in any of its units, a state is a stranger's.
+constexpr double kMostWheels = 1e9;
 
 Actuators::State sum_of(const Legs& legs) {
   Actuators::State sum;
@@ -38,13 +40,19 @@ Legs Actuators::act(const Legs& legs, bool brakes, const core::Random& random) {
     wheels.push_back({follow(state_.turn_rad, asked.turn_rad), follow(state_.step_m, asked.step_m),
                       asked.duration_s, follow(state_.bend_rad, asked.bend_rad)});
   }
+  const double owed_m = state_.owed_m;
   state_ = sum_of(wheels);
+  state_.owed_m = owed_m;
   if (!slips()) return wheels;
   const double way_m = std::fabs(state_.step_m);
   slip_ = {1.0 - parameters_.slip_m_per_m, 1.0 - parameters_.slip_rad_per_rad, 0.0};
   if (way_m > 0.0 && parameters_.slip_m_per_sqrt_m > 0.0) {
-    slip_.way_share += parameters_.slip_m_per_sqrt_m * random.normal(3) / std::sqrt(way_m);
-    slip_.way_share = std::clamp(slip_.way_share, kLeastShare, kGreatestShare);
+    const double chance_m =
+        owed_m + parameters_.slip_m_per_sqrt_m * std::sqrt(way_m) * random.normal(3);
+    const double wanted_m = slip_.way_share * way_m + chance_m;
+    const double gone_m = std::clamp(wanted_m, kLeastShare * way_m, kGreatestShare * way_m);
+    slip_.way_share = std::clamp(gone_m / way_m, kLeastShare, kGreatestShare);
+    state_.owed_m = std::clamp(wanted_m - gone_m, -kMostWheels, kMostWheels);
   }
   if (way_m > 0.0 && parameters_.slip_rad_per_sqrt_m > 0.0) {
     slip_.error_rad = parameters_.slip_rad_per_sqrt_m * std::sqrt(way_m) * random.normal(4);
@@ -56,6 +64,12 @@ Legs Actuators::act(const Legs& legs, bool brakes, const core::Random& random) {
     leg.bend_rad = leg.bend_rad * slip_.turn_share + part * slip_.error_rad;
   }
   return wheels;
+}
+
+bool Actuators::State::is_sound() const {
+  const auto fits = [](double value) { return std::fabs(value) <= kMostWheels; };
+  return fits(turn_rad) && fits(step_m) && fits(bend_rad) && fits(owed_m) && duration_s >= 0.0 &&
+         duration_s <= kMostWheels;
 }
 
 void Actuators::come_to_rest() { state_.step_m = 0.0; }

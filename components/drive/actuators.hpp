@@ -44,8 +44,9 @@ void visit_parameters(Visitor& visit, ActuatorParameters& p) {
 ///
 ///     s (1 - slip_m_per_m) + slip_m_per_sqrt_m sqrt(|s|) N_3
 ///
-/// but at least a twentieth and at most twice s, and it turns by 1 - slip_rad_per_rad of their turn
-/// and by slip_rad_per_sqrt_m sqrt(|s|) N_4 more, with N_i standard normal.
+/// but in a tick at least a twentieth and at most twice s: what does not fit comes in the ticks
+/// after, so that the sum does not depend on how long a tick is. It turns by 1 - slip_rad_per_rad
+/// of their turn and by slip_rad_per_sqrt_m sqrt(|s|) N_4 more, with N_i standard normal.
 class Actuators {
  public:
   /// Everything that lasts from one tick to the next.
@@ -54,6 +55,10 @@ class Actuators {
     double step_m = 0.0;
     double bend_rad = 0.0;
     double duration_s = 0.0;  ///< of that tick; 0: none yet
+    double owed_m = 0.0;      ///< of chance, that did not fit into it
+
+    /// Whether it is one that motions lead to, and not a stranger's.
+    bool is_sound() const;
   };
   /// How the robot's motion differed from its wheels', in the last tick.
   struct Slip {
@@ -87,7 +92,7 @@ class Actuators {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, Actuators::State& s) {
-  visit(s.turn_rad, s.step_m, s.bend_rad, s.duration_s);
+  visit(s.turn_rad, s.step_m, s.bend_rad, s.duration_s, s.owed_m);
 }
 
 }  // namespace clew::drive

@@ -52,10 +52,22 @@ void carry(const core::Vec2& d, PoseCovariance& p) {
   p.y_heading_m_rad = within(y_heading, p.y_m2, p.heading_rad2);
 }
 
+/// Keeps variances to kMost, and covariances to what these allow then.
+void bound(PoseCovariance& p) {
+  if (p.x_m2 <= kMost && p.y_m2 <= kMost && p.heading_rad2 <= kMost) return;
+  p.x_m2 = std::min(p.x_m2, kMost);
+  p.y_m2 = std::min(p.y_m2, kMost);
+  p.heading_rad2 = std::min(p.heading_rad2, kMost);
+  p.xy_m2 = within(p.xy_m2, p.x_m2, p.y_m2);
+  p.x_heading_m_rad = within(p.x_heading_m_rad, p.x_m2, p.heading_rad2);
+  p.y_heading_m_rad = within(p.y_heading_m_rad, p.y_m2, p.heading_rad2);
+}
+
 }  // namespace
 
-DeadReckoning::DeadReckoning(const core::Pose2& start, const DriftParameters& drift)
-    : drift_(drift) {
+DeadReckoning::DeadReckoning(const core::Pose2& start, const DriftParameters& drift,
+                             const DriftParameters& told)
+    : drift_(drift), told_(told) {
   state_.pose_odom_robot = start;
 }
 
@@ -74,12 +86,13 @@ void DeadReckoning::count(const Tick& tick, const core::Random& random) {
     error_rad += drift_.rad_per_sqrt_rad * std::sqrt(std::fabs(tick.turn_rad)) * random.normal(2);
   }
 
-  // The true way of the tick as the robot's frame saw it, turned into the believed frame; half of
-  // the tick's error of heading has come up on its middle.
+  // The true way of the tick as the robot's frame saw it, turned into the believed frame. A turn on
+  // the spot comes before the way; half of all other error of heading has come up on its middle.
   core::Pose2& pose = state_.pose_odom_robot;
   const core::Vec2 way = tick.to.position() - tick.from.position();
-  const core::Vec2 frame = core::direction(pose.heading_rad - tick.from.heading_rad +
-                                           0.5 * (error_rad + tick.slipped_rad));
+  const core::Vec2 frame =
+      core::direction(pose.heading_rad - tick.from.heading_rad + tick.slipped_turn_rad +
+                      0.5 * (error_rad + tick.slipped_bend_rad));
   const double scale = s_m > 0.0 ? counted_m / (s_m * tick.way_share) : 0.0;
   const core::Vec2 way_odom(scale * (frame.x() * way.x() - frame.y() * way.y()),
                             scale * (frame.y() * way.x() + frame.x() * way.y()));
@@ -100,18 +113,22 @@ void DeadReckoning::propagate(const core::Vec2& way_odom, double counted_m, doub
   const PoseError turned{-0.5 * way_odom.y(), 0.5 * way_odom.x(), 1.0};
   domain::PoseCovariance& p = state_.noise;
   carry(way_odom, p);
-  add(drift_.m_per_sqrt_m * drift_.m_per_sqrt_m * counted_m, along, p);
-  add(drift_.rad_per_sqrt_m * drift_.rad_per_sqrt_m * counted_m +
-          drift_.rad_per_sqrt_rad * drift_.rad_per_sqrt_rad * std::fabs(counted_rad),
+  add(told_.m_per_sqrt_m * told_.m_per_sqrt_m * counted_m, along, p);
+  add(told_.rad_per_sqrt_m * told_.rad_per_sqrt_m * counted_m +
+          told_.rad_per_sqrt_rad * told_.rad_per_sqrt_rad * std::fabs(counted_rad),
       turned, p);
+  bound(p);
   const std::array<PoseError, kSystematic> of_tick = {
-      times(drift_.m_per_m * counted_m, along), times(drift_.rad_per_rad * counted_rad, turned),
-      times(drift_.rad_per_m * counted_m, turned)};
+      times(told_.m_per_m * counted_m, along), times(told_.rad_per_rad * counted_rad, turned),
+      times(told_.rad_per_m * counted_m, turned)};
   for (std::size_t i = 0; i < kSystematic; ++i) {
     PoseError& b = state_.systematic[i];
     b.x_m += of_tick[i].x_m - way_odom.y() * b.heading_rad;
     b.y_m += of_tick[i].y_m + way_odom.x() * b.heading_rad;
     b.heading_rad += of_tick[i].heading_rad;
+    for (double* part : {&b.x_m, &b.y_m, &b.heading_rad}) {
+      *part = std::clamp(*part, -kMost, kMost);
+    }
   }
 }
 

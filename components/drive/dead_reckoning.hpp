@@ -69,6 +69,7 @@ void visit_parameters(Visitor& visit, DriftParameters& p) {
 /// error is the same in every tick, so it adds up otherwise than noise: the robot knows how large
 /// it is, and not its sign. Each of the three has a vector b, where the pose is after that error:
 /// b = F b + its error in the tick times g_s or g_t. The covariance told is P + the sum of b b^T.
+/// Wheels that slip are errors of the same kinds: their variances and sizes are added to these.
 class DeadReckoning {
  public:
   static constexpr std::size_t kSystematic = 3;  ///< m_per_m, rad_per_rad, rad_per_m
@@ -98,11 +99,17 @@ class DeadReckoning {
     double turn_rad = 0.0;       ///< that the wheels made
     bool backwards = false;
     double duration_s = 0.0;
-    double way_share = 1.0;    ///< of the wheels' way that the robot truly went
-    double slipped_rad = 0.0;  ///< of the wheels' turn that was none
+    double way_share = 1.0;         ///< of the wheels' way that the robot truly went
+    double slipped_turn_rad = 0.0;  ///< of the wheels' turn on the spot, before the way, none
+    double slipped_bend_rad = 0.0;  ///< of their turn along the way
   };
 
-  DeadReckoning(const core::Pose2& start, const DriftParameters& drift);
+  /// `drift` is what it counts wrongly, `told` what its covariance goes by: that, and how the
+  /// wheels slip.
+  DeadReckoning(const core::Pose2& start, const DriftParameters& drift,
+                const DriftParameters& told);
+  DeadReckoning(const core::Pose2& start, const DriftParameters& drift)
+      : DeadReckoning(start, drift, drift) {}
 
   void count(const Tick& tick, const core::Random& random);
 
@@ -116,6 +123,7 @@ class DeadReckoning {
   void propagate(const core::Vec2& way_odom, double counted_m, double counted_rad);
 
   DriftParameters drift_;
+  DriftParameters told_;
   State state_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drive/drive_component.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace clew::drive {
@@ -16,6 +17,21 @@ Mission mission_of(const runtime::RunSetup& setup, const ArrivalParameters& arri
     mission.waypoints.back().radius_m = arrival.arrive_m;
   }
   return mission;
+}
+
+/// What odometry may be off by: its own errors, and those that come of wheels that slip.
+DriftParameters with_slip(DriftParameters drift, const ActuatorParameters& actuators) {
+  const auto both = [](double size, double slip) {
+    return slip == 0.0 ? size : std::fabs(size) + slip;
+  };
+  const auto together = [](double deviation, double slip) {
+    return slip == 0.0 ? deviation : std::sqrt(deviation * deviation + slip * slip);
+  };
+  drift.m_per_m = both(drift.m_per_m, actuators.slip_m_per_m);
+  drift.rad_per_rad = both(drift.rad_per_rad, actuators.slip_rad_per_rad);
+  drift.m_per_sqrt_m = together(drift.m_per_sqrt_m, actuators.slip_m_per_sqrt_m);
+  drift.rad_per_sqrt_m = together(drift.rad_per_sqrt_m, actuators.slip_rad_per_sqrt_m);
+  return drift;
 }
 
 }  // namespace
@@ -39,7 +55,7 @@ DriveComponent::DriveComponent(std::unique_ptr<DriveModel> model, const SafetyPa
       referee_(mission_of(setup, arrival)),
       body_(world_->start(), setup.behaviour.robot.radius_m, safety),
       actuators_(actuators),
-      reckoning_(world_->start(), drift) {}
+      reckoning_(world_->start(), drift, with_slip(drift, actuators)) {}
 
 void DriveComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto* command = inputs.find<domain::Command>();
@@ -87,9 +103,11 @@ void DriveComponent::move(const domain::Motion& motion, std::uint64_t tick) {
   const Actuators::Slip& slip = actuators_.slip();
   const double turn_rad = after.turn_rate_radps * model_->tick_s();
   const double wheels_rad = (turn_rad - slip.error_rad) / slip.turn_share;
+  const double slipped_turn_rad = actuators_.state().turn_rad * (1.0 - slip.turn_share);
   reckoning_.count({before.pose_world_robot, after.pose_world_robot,
                     (after.path_length_m - before.path_length_m) / slip.way_share, wheels_rad,
-                    after.speed_mps < 0.0, model_->tick_s(), slip.way_share, wheels_rad - turn_rad},
+                    after.speed_mps < 0.0, model_->tick_s(), slip.way_share, slipped_turn_rad,
+                    wheels_rad - turn_rad - slipped_turn_rad},
                    random);
 }
 
@@ -134,7 +152,12 @@ void DriveComponent::load(core::StateReader& reader) {
   if (!reader.check(reckoning_.state().is_sound(), "a covariance of the odometry is none")) {
     reckoning_.state() = {};
   }
-  if (actuators_.any()) reader(actuators_.state());
+  if (actuators_.any()) {
+    reader(actuators_.state());
+    if (!reader.check(actuators_.state().is_sound(), "a motion of the wheels is none")) {
+      actuators_.state() = {};
+    }
+  }
   referee_.load(reader);
 }
 

@@ -107,14 +107,19 @@ class MrptNavigator final : public control::Controller {
   }
   void load(core::StateReader& reader) override {
     reader(inputs_);
-    const auto finite = [](const clew_mrpt::Input& input) {
-      return std::all_of(input.obstacles.begin(), input.obstacles.end(),
+    const auto finite = [](const auto& values) {
+      return std::all_of(values.begin(), values.end(),
                          [](double value) { return std::isfinite(value); });
     };
-    if (!reader.check(std::all_of(inputs_.begin(), inputs_.end(), finite), "a place is none")) {
+    const auto sound = [&](const clew_mrpt::Input& input) {
+      return finite(input.pose) && finite(input.velocity) && finite(input.target) &&
+             finite(input.obstacles) && input.obstacles.size() % 2 == 0;
+    };
+    if (!reader.check(std::all_of(inputs_.begin(), inputs_.end(), sound), "an input is none")) {
       inputs_.clear();
     }
-    begin();
+    const std::string why = begin();
+    if (!reader.check(why.empty(), "MRPT refuses its settings")) return;
     for (const clew_mrpt::Input& input : inputs_) navigator_->step(input);
   }
 

@@ -214,6 +214,32 @@ TEST(DeadReckoning, IsCertainWithoutErrors) {
   }
 }
 
+TEST(DeadReckoning, TakesSlipBeforeTheWayWholeAndAlongTheWayHalf) {
+  for (const bool on_the_spot : {true, false}) {
+    DeadReckoning reckoning({1, 2, 0}, {});
+    DeadReckoning::Tick tick = tick_of({1, 2, 0}, 0.0, 0.1);
+    tick.turn_rad = 0.4;  // of the wheels; the robot went straight on
+    (on_the_spot ? tick.slipped_turn_rad : tick.slipped_bend_rad) = 0.4;
+
+    reckoning.count(tick, kRandom);
+
+    const double bearing_rad = on_the_spot ? 0.4 : 0.2;
+    EXPECT_NEAR(reckoning.state().pose_odom_robot.x_m, 1 + 0.1 * std::cos(bearing_rad), 1e-12);
+    EXPECT_NEAR(reckoning.state().pose_odom_robot.y_m, 2 + 0.1 * std::sin(bearing_rad), 1e-12);
+    EXPECT_NEAR(reckoning.state().pose_odom_robot.heading_rad, 0.4, 1e-12);
+  }
+}
+
+TEST(DeadReckoning, NeverLeadsToAStateThatIsNone) {
+  DriftParameters drift{0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
+  DeadReckoning reckoning({0, 0, 0}, drift);
+  for (int i = 0; i < 40; ++i) {
+    reckoning.count(tick_of({0, 0, 0}, 0.1, 1e4), kRandom);
+    ASSERT_TRUE(reckoning.state().is_sound()) << i;
+  }
+  EXPECT_EQ(reckoning.state().noise.y_m2, 1e9);
+}
+
 TEST(DeadReckoning, KnowsAStateThatIsNone) {
   DriftParameters drift;
   drift.rad_per_sqrt_m = 0.1;

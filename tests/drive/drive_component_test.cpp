@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <optional>
 
 #include "drive/turn_then_step.hpp"
@@ -61,6 +63,17 @@ class DriveRun {
     component_->load(reader);
     EXPECT_TRUE(reader.complete()) << reader.fault();
     tick_ = other.tick_;
+  }
+  std::string saved() const {
+    core::StateWriter writer;
+    component_->save(writer);
+    return writer.take();
+  }
+  /// What is wrong with a state that it is to go on from.
+  std::string fault_of(const std::string& state) {
+    core::StateReader reader(state);
+    component_->load(reader);
+    return reader.complete() ? "" : reader.fault();
   }
   const domain::Messages& messages() const { return messages_; }
   /// What is told of the tick before.
@@ -230,7 +243,9 @@ TEST(DriveComponent, GoesLessFarThanItsWheelsWhenTheySlip) {
   const auto& odometry = std::get<domain::Odometry>(run.messages());
   EXPECT_NEAR(odometry.travel_m, 0.1, 1e-12);
   EXPECT_NEAR(odometry.pose_odom_robot.heading_rad, 0.4, 1e-12);
-  EXPECT_NEAR(core::length(odometry.pose_odom_robot.position() - core::Vec2(5, 5)), 0.1, 1e-12);
+  // The wheels turned first: they believe that the whole way led there.
+  EXPECT_NEAR(odometry.pose_odom_robot.x_m, 5.0 + 0.1 * std::cos(0.4), 1e-12);
+  EXPECT_NEAR(odometry.pose_odom_robot.y_m, 5.0 + 0.1 * std::sin(0.4), 1e-12);
 }
 
 TEST(DriveComponent, SlipsByChanceAroundWhatItSlipsAlways) {
@@ -257,6 +272,55 @@ TEST(DriveComponent, SlipsByChanceAroundWhatItSlipsAlways) {
   EXPECT_NEAR(std::sqrt(squares_rad2 / kTicks), 0.01, 0.003);
   EXPECT_NEAR(std::get<domain::Odometry>(run.messages()).travel_m, 0.9, 1e-9);
   EXPECT_NEAR(std::get<domain::Odometry>(run.messages()).pose_odom_robot.heading_rad, 0.0, 1e-9);
+}
+
+TEST(DriveComponent, TellsHowFarSlipMayHaveLedItsOdometryAstray) {
+  DriftParameters drift;
+  drift.m_per_m = -0.1;
+  drift.m_per_sqrt_m = 0.03;
+  ActuatorParameters actuators;
+  actuators.slip_m_per_m = 0.2;
+  actuators.slip_rad_per_rad = 0.5;
+  actuators.slip_m_per_sqrt_m = 0.04;
+  DriveRun run("", true, 100, drift, {}, std::nullopt, actuators);
+  run.start();
+  run.step(ahead(0.1));
+  const auto& odometry = std::get<domain::Odometry>(run.messages());
+
+  // Straight on, so all is along x: sizes add up, and variances do.
+  const double counted_m = odometry.travel_m;
+  EXPECT_NEAR(odometry.covariance.x_m2,
+              counted_m * counted_m * 0.09 + counted_m * (0.0009 + 0.0016), 1e-12);
+  EXPECT_EQ(odometry.covariance.heading_rad2, 0.0);
+  Motion turn = ahead(0.0);
+  turn.turn_rad = 0.4;
+  run.step(turn);
+  EXPECT_NEAR(odometry.covariance.heading_rad2, 0.2 * 0.2, 1e-12);
+}
+
+TEST(DriveComponent, RefusesAStateOfWheelsThatIsNone) {
+  ActuatorParameters actuators;
+  actuators.lag_s = 0.5;
+  DriveRun run = run_with(actuators);
+  run.start();
+  run.step(ahead(0.1));
+  const std::string saved = run.saved();
+  ASSERT_EQ(run.fault_of(saved), "");
+  // The wheels' last step stands at its only place.
+  const double step_m = 0.1 * (1.0 - std::exp(-0.3 / 0.5));
+  std::size_t at = std::string::npos;
+  for (std::size_t i = 0; i + sizeof(double) <= saved.size(); ++i) {
+    double value = 0.0;
+    std::memcpy(&value, saved.data() + i, sizeof(value));
+    if (std::fabs(value - step_m) < 1e-12) at = i;
+  }
+  ASSERT_NE(at, std::string::npos);
+  std::string endless = saved;
+  const double infinite = std::numeric_limits<double>::infinity();
+  std::memcpy(endless.data() + at, &infinite, sizeof(infinite));
+
+  EXPECT_NE(run.fault_of(endless).find("a motion of the wheels is none"), std::string::npos);
+  EXPECT_TRUE(std::isfinite(run.step(ahead(0.1)).pose_world_robot.x_m));
 }
 
 TEST(DriveComponent, GoesOnAsBeforeAfterSaveAndLoadWithLagAndSlip) {
