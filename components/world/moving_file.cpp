@@ -86,7 +86,8 @@ Result<void> read_moving_circle(const YamlNode& node, MovingObstacle& moving) {
                   circle.centre.x(), circle.centre.y(), first.x(), first.y()));
 }
 
-Result<std::vector<MovingObstacle>> read_moving_polygon(const YamlNode& node) {
+Result<std::vector<MovingObstacle>> read_moving_polygon(const YamlNode& node, ShapeRoom& room,
+                                                        Polygon& outline) {
   CLEW_RETURN_IF_ERROR(node.check_keys({"polygon", "path", "loop"}));
   MovingPolygon moving;
   CLEW_RETURN_IF_ERROR(read_required(node, "polygon", moving.outline));
@@ -94,14 +95,17 @@ Result<std::vector<MovingObstacle>> read_moving_polygon(const YamlNode& node) {
   CLEW_RETURN_IF_ERROR(read_optional(node, "loop", moving.loop));
   const Vec2& corner = moving.outline.front();
   const Vec2& first = moving.path.front().position;
-  if (corner == first) return discs_of(moving);
+  if (corner == first) {
+    outline = moving.outline;
+    return discs_of(moving, room);
+  }
   return node.error(
       fmt::format("the polygon's first point is [{}, {}], but its path begins at [{}, {}]; they "
                   "must agree",
                   corner.x(), corner.y(), first.x(), first.y()));
 }
 
-Result<std::vector<MovingObstacle>> read_door(const YamlNode& node) {
+Result<std::vector<MovingObstacle>> read_door(const YamlNode& node, ShapeRoom& room) {
   CLEW_RETURN_IF_ERROR(node.check_keys({"door", "turns", "loop"}));
   Door door;
   const auto leaf = node.at("door");
@@ -115,13 +119,15 @@ Result<std::vector<MovingObstacle>> read_door(const YamlNode& node) {
   }
   CLEW_RETURN_IF_ERROR(read_at(node, "turns", door.turns));
   CLEW_RETURN_IF_ERROR(read_optional(node, "loop", door.loop));
-  return discs_of(door);
+  return discs_of(door, room);
 }
 
-/// A circle is one moving disc; a polygon and a door are rows of them.
-Result<std::vector<MovingObstacle>> read_moving(const YamlNode& node) {
-  if (node.find("polygon")) return read_moving_polygon(node);
-  if (node.find("door")) return read_door(node);
+/// A circle is one moving disc; a polygon and a door are rows of them. Only a polygon has an
+/// outline.
+Result<std::vector<MovingObstacle>> read_moving(const YamlNode& node, ShapeRoom& room,
+                                                Polygon& outline) {
+  if (node.find("polygon")) return read_moving_polygon(node, room, outline);
+  if (node.find("door")) return read_door(node, room);
   MovingObstacle circle;
   CLEW_RETURN_IF_ERROR(read_moving_circle(node, circle));
   return std::vector<MovingObstacle>{std::move(circle)};
@@ -129,19 +135,23 @@ Result<std::vector<MovingObstacle>> read_moving(const YamlNode& node) {
 
 }  // namespace
 
-Result<void> read_all_moving(const YamlNode& root, std::vector<MovingObstacle>& moving) {
+Result<void> read_all_moving(const YamlNode& root, WorldFile& world) {
   const auto node = root.find("moving");
   if (!node) return {};
   const auto items = node->items();
   if (!items.ok()) return items.error();
+  ShapeRoom room;
   for (const YamlNode& item : *items) {
-    auto discs = read_moving(item);
+    const auto entry = static_cast<std::uint32_t>(&item - items->data());
+    Polygon outline;
+    auto discs = read_moving(item, room, outline);
     if (!discs.ok() && discs.error().file.empty()) return item.error(discs.error().message);
     if (!discs.ok()) return discs.error();
     for (MovingObstacle& disc : *discs) {
-      disc.entry = static_cast<std::uint32_t>(&item - items->data());
-      moving.push_back(std::move(disc));
+      disc.entry = entry;
+      world.moving.push_back(std::move(disc));
     }
+    if (!outline.empty()) world.moving_outlines.push_back({std::move(outline), entry});
   }
   return {};
 }

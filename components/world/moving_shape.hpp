@@ -13,8 +13,9 @@ namespace clew::world {
 
 /// Half the thickness of a side. The discs' centres are on the side, so a shape is as much larger.
 inline constexpr double kSideRadius_m = 0.02;
-/// Of all shapes together.
+/// Of all shapes of a world together; and of the points of these discs' paths.
 inline constexpr std::size_t kMostSideDiscs = 4000;
+inline constexpr std::size_t kMostSidePoints = 1'000'000;
 
 /// Between the points of a moving obstacle's path; bounds the legs in one tick.
 inline constexpr double kLeastStep_s = 1e-3;
@@ -40,8 +41,15 @@ struct MovingPolygon {
   bool loop = false;
 };
 
-/// Refused: a shape of more than kMostSideDiscs discs, and a door that turns too fast.
-core::Result<std::vector<MovingObstacle>> discs_of(const Door& door);
-core::Result<std::vector<MovingObstacle>> discs_of(const MovingPolygon& polygon);
+/// What a world's shapes may still have.
+struct ShapeRoom {
+  std::size_t discs = kMostSideDiscs;
+  std::size_t points = kMostSidePoints;
+};
+
+/// Takes from `room` what the shape needs. Refused: one that needs more, and a door that turns too
+/// fast.
+core::Result<std::vector<MovingObstacle>> discs_of(const Door& door, ShapeRoom& room);
+core::Result<std::vector<MovingObstacle>> discs_of(const MovingPolygon& polygon, ShapeRoom& room);
 
 }  // namespace clew::world

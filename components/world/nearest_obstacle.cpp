@@ -31,11 +31,16 @@ double clearance(const MovingObstacle& moving, const Vec2& point) {
   return clearance(World::Circle{moving.position_at(0.0), moving.radius_m}, point);
 }
 
+double clearance(const MovingOutline& moving, const Vec2& point) {
+  return clearance(moving.outline, point);
+}
+
 template <typename Shape>
 std::size_t entry_of(const Shape&, std::size_t index) {
   return index;
 }
 std::size_t entry_of(const MovingObstacle& moving, std::size_t) { return moving.entry; }
+std::size_t entry_of(const MovingOutline& moving, std::size_t) { return moving.entry; }
 
 template <typename Shape>
 void take_nearer(const std::vector<Shape>& shapes, const char* key, const Vec2& point,
@@ -58,7 +63,10 @@ NearestObstacle nearest_obstacle(const WorldFile& world, const Vec2& point, Obst
   take_nearer(world.walls, "walls", point, nearest);
   take_nearer(world.polygons, "polygons", point, nearest);
   take_nearer(world.circles, "circles", point, nearest);
-  if (obstacles == Obstacles::kAllAtTime0) take_nearer(world.moving, "moving", point, nearest);
+  if (obstacles == Obstacles::kAllAtTime0) {
+    take_nearer(world.moving, "moving", point, nearest);
+    take_nearer(world.moving_outlines, "moving", point, nearest);
+  }
   return nearest;
 }
 

@@ -174,7 +174,7 @@ core::Result<WorldFile> read_world_file(std::string_view yaml, const std::string
   CLEW_RETURN_IF_ERROR(read_list(*root, "walls", world.walls));
   CLEW_RETURN_IF_ERROR(read_list(*root, "polygons", world.polygons));
   CLEW_RETURN_IF_ERROR(read_list(*root, "circles", world.circles));
-  CLEW_RETURN_IF_ERROR(read_all_moving(*root, world.moving));
+  CLEW_RETURN_IF_ERROR(read_all_moving(*root, world));
   CLEW_RETURN_IF_ERROR(read_places(*root, world));
   CLEW_RETURN_IF_ERROR(read_claims(*root, world));
   return world;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,12 @@
 
 namespace clew::world {
 
+/// A moving polygon at time 0. Its sides are discs in WorldFile::moving; this knows its inside.
+struct MovingOutline {
+  Polygon outline;
+  std::uint32_t entry = 0;  ///< index of its entry in the file
+};
+
 /// What a world file says, read and checked value by value.
 struct WorldFile {
   std::string name;
@@ -22,6 +29,7 @@ struct WorldFile {
   std::vector<Polygon> polygons;
   std::vector<World::Circle> circles;
   std::vector<MovingObstacle> moving;
+  std::vector<MovingOutline> moving_outlines;
   std::vector<Vec2> subgoals;
   Pose2 start;
   Vec2 target = Vec2::Zero();

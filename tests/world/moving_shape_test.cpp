@@ -80,6 +80,50 @@ TEST(MovingPolygon, IsInTheWayWithAllItsSides) {
   EXPECT_TRUE(world.sweep_disc({5, 8}, {5, 6}, 0.01, 0.0, 0.0).contact);
 }
 
+TEST(Door, LoopsFromItsLastTime) {
+  const World world =
+      *parse("{door: [5, 5, 1], turns: [[0, 0], [1, 1.5707963267948966], [2, 0]], loop: true}");
+
+  for (double time_s = 0.0; time_s < 2.0; time_s += 0.13) {
+    for (const MovingObstacle& disc : world.moving()) {
+      EXPECT_NEAR(core::length(disc.position_at(time_s) - disc.position_at(time_s + 6.0)), 0.0,
+                  1e-9)
+          << time_s;
+    }
+  }
+  EXPECT_GT(up(world, 5.5, 4.0, 1.0), 5.0);
+  EXPECT_NEAR(up(world, 5.5, 4.0, 8.0), 1.0 - kSideRadius_m, 0.003);
+}
+
+TEST(Door, MayTurnALittleAsFastAsTimesMayRise) {
+  // 0.003 - 0.002 is less than 0.001.
+  EXPECT_TRUE(parse("{door: [5, 5, 1], turns: [[0, 0], [0.002, 0], [0.003, 0.01]]}").ok());
+}
+
+TEST(MovingShape, LetsTwoTogetherHaveWhatOneMayHave) {
+  const std::string door = "{door: [5, 5, 39.98], turns: [[0, 0]]}";  // 2000 discs
+  EXPECT_EQ(parse(door + ", " + door)->moving().size(), kMostSideDiscs);
+  EXPECT_FALSE(parse(door + ", " + door + ", {door: [5, 5, 0.01], turns: [[0, 0]]}").ok());
+  // A circle is no shape of many discs.
+  EXPECT_TRUE(parse(door + ", " + door + ", {circle: [2, 8, 0.3], path: [[0, 2, 8]]}").ok());
+}
+
+TEST(MovingShape, CountsTheDiscsThatItMakes) {
+  EXPECT_EQ(parse("{door: [5, 5, 0.05], turns: [[0, 0]]}")->moving().size(), 4U);
+  // Sides of 3 cm, 4.2 cm and 3 cm: 2, 3 and 2.
+  EXPECT_EQ(parse("{polygon: [[5, 5], [5.03, 5], [5, 5.03]], path: [[0, 5, 5]]}")->moving().size(),
+            7U);
+}
+
+TEST(MovingShape, StopsARobotBetweenTwo) {
+  const World world = *parse(
+      "{door: [4, 4, 2], turns: [[0, 0]]}, "
+      "{polygon: [[4, 6], [6, 6], [6, 8]], path: [[0, 4, 6]]}");
+  EXPECT_TRUE(world.sweep_disc({5, 5}, {5, 3}, 0.1, 0.0, 0.0).contact);
+  EXPECT_TRUE(world.sweep_disc({5, 5}, {5, 7}, 0.1, 0.0, 0.0).contact);
+  EXPECT_FALSE(world.sweep_disc({5, 5}, {8, 5}, 0.1, 0.0, 0.0).contact);
+}
+
 TEST(MovingShape, IsOneEntryOfItsFile) {
   const World world = *parse(std::string("{circle: [2, 8, 0.3], path: [[0, 2, 8]]}, ") + kDoor);
 
