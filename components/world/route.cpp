@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/route.hpp"
 
+#include <cmath>
 #include <utility>
 
+#include "core/angle.hpp"
 #include "core/check.hpp"
 
 namespace clew::world {
@@ -19,6 +21,15 @@ core::Hash128 digest_of(const std::vector<Waypoint>& waypoints) {
 }
 
 }  // namespace
+
+bool GoalHeading::is_met_by(double robot_heading_rad) const {
+  return std::fabs(core::wrap_angle_rad(robot_heading_rad - heading_rad)) <= tolerance_rad;
+}
+
+bool Waypoint::is_reached_by(const Pose2& robot) const {
+  return core::distance_m(robot, place) <= radius_m &&
+         (!heading || heading->is_met_by(robot.heading_rad));
+}
 
 Route::Route(std::vector<Waypoint> waypoints)
     : waypoints_(std::move(waypoints)), digest_(digest_of(waypoints_)) {}

@@ -115,15 +115,6 @@ struct World::Content {
   Indexed<Corner> corners;
 };
 
-bool GoalHeading::is_met_by(double robot_heading_rad) const {
-  return std::fabs(core::wrap_angle_rad(robot_heading_rad - heading_rad)) <= tolerance_rad;
-}
-
-bool Waypoint::is_reached_by(const Pose2& robot) const {
-  return core::distance_m(robot, place) <= radius_m &&
-         (!heading || heading->is_met_by(robot.heading_rad));
-}
-
 core::Result<World> World::parse(std::string_view yaml, const std::string& file) {
   return parse(yaml, file, std::nullopt);
 }

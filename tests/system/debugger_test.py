@@ -16,7 +16,7 @@ int main() {
 }
 """
 SOURCES = ["drive/referee.cpp", "world/route.cpp", "core/hash128.cpp", "core/check.cpp",
-           "core/math.cpp"]
+           "core/math.cpp", "core/process_end.cpp"]
 
 
 def debug_flags():
