@@ -11,9 +11,8 @@
 namespace clew::domain {
 
 /// For how many ticks a robot that wants to get on has to stay within within_m to count as held:
-/// for held_s, but also for half as long again as half a turn and that way take one that nothing
-/// holds, and for 12 ticks. A robot that is slow, or has long ticks, is not held: it is not there
-/// yet.
+/// the longest of held_s, half as long again as half a turn and that way take one that nothing
+/// holds, and 12 ticks. A robot that is slow, or has long ticks, is not held: it is not there yet.
 inline std::uint64_t held_ticks(double held_s, double within_m, const BehaviourSetup& setup) {
   constexpr double kShare = 1.5;
   constexpr double kLeastTicks = 12.0;

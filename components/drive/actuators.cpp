@@ -17,12 +17,7 @@ constexpr double kMostWheels = 1e9;
 
 Actuators::State sum_of(const Legs& legs) {
   Actuators::State sum;
-  for (const Leg& leg : legs) {
-    sum.turn_rad += leg.turn_rad;
-    sum.step_m += leg.step_m;
-    sum.bend_rad += leg.bend_rad;
-    sum.duration_s += leg.duration_s;
-  }
+  for (const Leg& leg : legs) sum.add(leg);
   return sum;
 }
 
@@ -64,6 +59,22 @@ Legs Actuators::act(const Legs& legs, bool brakes, const core::Random& random) {
     leg.bend_rad = leg.bend_rad * slip_.turn_share + part * slip_.error_rad;
   }
   return wheels;
+}
+
+void Actuators::State::add(const Leg& leg) {
+  turn_rad += leg.turn_rad;
+  step_m += leg.step_m;
+  bend_rad += leg.bend_rad;
+  duration_s += leg.duration_s;
+}
+
+bool Actuators::differs(const State& asked) const {
+  const bool lags = state_.turn_rad != asked.turn_rad || state_.step_m != asked.step_m ||
+                    state_.bend_rad != asked.bend_rad;
+  const bool slid = slip_.error_rad != 0.0 || (slip_.way_share != 1.0 && state_.step_m != 0.0);
+  const bool turned_in_vain =
+      slip_.turn_share != 1.0 && (state_.turn_rad != 0.0 || state_.bend_rad != 0.0);
+  return lags || slid || turned_in_vain;
 }
 
 bool Actuators::State::is_sound() const {

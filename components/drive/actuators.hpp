@@ -57,6 +57,7 @@ class Actuators {
     double duration_s = 0.0;  ///< of that tick; 0: none yet
     double owed_m = 0.0;      ///< of chance, that did not fit into it
 
+    void add(const Leg& leg);
     /// Whether it is one that motions lead to, and not a stranger's.
     bool is_sound() const;
   };
@@ -79,6 +80,8 @@ class Actuators {
 
   /// How the wheels moved in the last tick.
   Velocities wheels() const;
+  /// Whether the robot's motion of the last tick was another one than `asked`.
+  bool differs(const State& asked) const;
   const Slip& slip() const { return slip_; }
 
   const State& state() const { return state_; }

@@ -85,7 +85,11 @@ void DriveComponent::tell_motion(const domain::Motion& motion, domain::Inside& i
     group.number("wheels_speed", wheels.speed_mps, "mps");
     group.number("wheels_turn_rate", wheels.turn_rate_radps, "radps");
     group.number("way_share", actuators_.slip().way_share);
-    inside.say("Its actuators lag or slip: it moved otherwise than its drive had it.");
+    Actuators::State asked;
+    for (const Leg& leg : model_->legs(motion, before_)) asked.add(leg);
+    if (actuators_.differs(asked)) {
+      inside.say("Its actuators lag or slip: it moved otherwise than its drive had it.");
+    }
   }
   if (body.blocked) inside.say("Something was in the way and cut the motion short.");
   if (body.struck) inside.say("A moving obstacle ran into it.");

@@ -43,7 +43,8 @@ void visit_parameters(Visitor& visit, AStarPlannerParameters& p) {
   visit.number("most_look_ahead_m", p.most_look_ahead_m, "m", {0.01, 100.0},
                "the place to pursue is at most this far along the path");
   visit.number("held_s", p.held_s, "s", {0.1, 1000.0},
-               "a place is closed if the robot is held before it for this time");
+               "a place is closed if the robot is held before it for this time; longer where it is "
+               "slow or its ticks are long");
 }
 
 /// Plans as a navigation stack does: a path of least cost by A* over the map, sought again every

@@ -74,13 +74,6 @@ void tell_arrival(const domain::Target& target, Guidance& guidance) {
   guidance.target_heading_tolerance_rad = target.heading_tolerance_rad;
 }
 
-/// Whether the robot is where the mission wants it, and only has to turn there.
-bool is_to_turn(const domain::Target& target, const core::Pose2& pose) {
-  return target.has_heading && core::distance_m(pose, target.position()) <= target.radius_m &&
-         std::fabs(core::wrap_angle_rad(pose.heading_rad - target.heading_rad)) >
-             target.heading_tolerance_rad;
-}
-
 /// Who, and why if a reason was given, within the bound of texts.
 std::string in_short(const std::string& who, const std::string& reason) {
   return (reason.empty() ? who : who + ": " + reason).substr(0, domain::kMaxTextLength);
@@ -123,7 +116,8 @@ void RecoverComponent::decide(const runtime::TickInputs& inputs, runtime::TickOu
   seek(situation, guidance);
   guidance.why = state_.why;
   const bool has_none = target.radius_m == 0.0 && situation.target_distance_m() == 0.0;
-  const bool waits = has_none || is_to_turn(target, situation.pose());
+  const bool turns = is_to_turn(target, situation.pose());
+  const bool waits = has_none || turns;
   if (waits) wait();
   if (state_.gave_up) {
     guidance.mode = domain::GuidanceMode::kUnreachable;
@@ -141,6 +135,18 @@ void RecoverComponent::decide(const runtime::TickInputs& inputs, runtime::TickOu
   watch_shadows(situation, event);
   mark_landmarks(event, situation);
   if (!guidance.has_override) act_at_once(situation, guidance, event);
+}
+
+/// Whether the robot is where the mission wants it, and only has to turn there. Once it has met the
+/// heading, control steers again, as control::HeadingTurn says: odometry has drifted.
+bool RecoverComponent::is_to_turn(const domain::Target& target, const core::Pose2& pose) {
+  const bool is_there =
+      target.has_heading && core::distance_m(pose, target.position()) <= target.radius_m;
+  if (!is_there || state_.met_odom != target.position()) state_.met_odom.reset();
+  if (!is_there) return false;
+  const double off_rad = core::wrap_angle_rad(pose.heading_rad - target.heading_rad);
+  if (std::fabs(off_rad) <= target.heading_tolerance_rad) state_.met_odom = target.position();
+  return !state_.met_odom;
 }
 
 /// The mission has nowhere to go to, and its target is where the robot believes to be; or the robot

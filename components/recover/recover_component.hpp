@@ -67,6 +67,8 @@ class RecoverComponent final : public runtime::Component {
     std::string why;        ///< the last escape failed, or the robot gave up
     std::optional<core::Vec2> virtual_target_odom;  ///< of the last tick
     std::uint32_t waypoint = 0;                     ///< of the last tick
+    /// The mission's target if its heading was met since the robot came within its radius.
+    std::optional<core::Vec2> met_odom;
   };
 
   static std::vector<runtime::PortInfo> ports();
@@ -83,6 +85,7 @@ class RecoverComponent final : public runtime::Component {
   void tell_detectors(const Situation& situation, domain::Inside& inside) const;
   void tell_escape(const Situation& situation, const domain::Guidance& guidance,
                    domain::Inside& inside) const;
+  bool is_to_turn(const domain::Target& target, const core::Pose2& pose);
   void wait();
   void notice_arrival(const domain::Target& target);
   void take_evidence(const Situation& situation, domain::Event& event);
@@ -103,7 +106,7 @@ class RecoverComponent final : public runtime::Component {
 template <typename Visitor>
 void visit_fields(Visitor& visit, RecoverComponent::State& s) {
   visit(s.escaping, s.escape, s.gave_up, s.maps, s.evidence, s.why, s.virtual_target_odom,
-        s.waypoint);
+        s.waypoint, s.met_odom);
 }
 
 }  // namespace clew::recover

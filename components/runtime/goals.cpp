@@ -37,8 +37,7 @@ Result<Goals> read_goals_of_key(const YamlNode& node) {
   if (node.kind() == YamlKind::kScalar) {
     const auto word = node.string();
     if (word.ok() && *word == kNoGoal) return Goals{};
-    return node.error("found " + node.found() +
-                      ", expected [x, y], [x, y, radius], [x, y, radius, heading] or none");
+    return node.error("found " + node.found() + ", expected " + world::kGoalForms + ", or none");
   }
   const auto goal = world::read_goal(node);
   if (!goal.ok()) return goal.error();

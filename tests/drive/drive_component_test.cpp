@@ -274,6 +274,23 @@ TEST(DriveComponent, SlipsByChanceAroundWhatItSlipsAlways) {
   EXPECT_NEAR(std::get<domain::Odometry>(run.messages()).pose_odom_robot.heading_rad, 0.0, 1e-9);
 }
 
+TEST(DriveComponent, TellsOfLagAndSlipOnlyWhereTheyShow) {
+  const std::string said = "Its actuators lag or slip";
+  ActuatorParameters lag;
+  lag.lag_s = 0.5;
+  ActuatorParameters slip;
+  slip.slip_m_per_m = 0.2;
+  slip.slip_rad_per_sqrt_m = 0.1;
+  for (const ActuatorParameters& actuators : {lag, slip}) {
+    DriveRun run = run_with(actuators);
+    run.start();
+    run.step(ahead(0.0));
+    EXPECT_EQ(run.told(true).find(said), std::string::npos);
+    run.step(ahead(0.1));
+    EXPECT_NE(run.told(true).find(said), std::string::npos);
+  }
+}
+
 TEST(DriveComponent, TellsHowFarSlipMayHaveLedItsOdometryAstray) {
   DriftParameters drift;
   drift.m_per_m = -0.1;

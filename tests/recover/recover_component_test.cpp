@@ -102,6 +102,25 @@ TEST_F(RecoverComponentTest, ForgetsTheGoalBeforeWhileTheRobotWaits) {
   EXPECT_EQ(with_a_new_goal, GuidanceMode::kSeek);
 }
 
+// Else nothing would lead out of a trap that it drifts into: control steers by then.
+TEST_F(RecoverComponentTest, WaitsNoMoreOnceTheHeadingWasMetUntilTheRobotWasOutside) {
+  heading_rad_ = 0.0;
+  const auto observes = [&](const Scene& scene) {
+    const int before = detector_->observed;
+    step(scene);
+    return detector_->observed > before;
+  };
+  const Scene turned = Scene().at(4, 5, 60).target(4, 5);
+
+  EXPECT_FALSE(observes(turned));
+  EXPECT_TRUE(observes(Scene().at(4, 5, 3).target(4, 5)));
+  EXPECT_TRUE(observes(turned));  // it has met the heading
+  EXPECT_TRUE(observes(Scene().at(4.5, 5, 60).target(4, 5)));
+  EXPECT_FALSE(observes(turned));  // it comes anew
+  EXPECT_TRUE(observes(Scene().at(4, 5, 3).target(4, 5)));
+  EXPECT_FALSE(observes(Scene().at(4, 5, 60).target(4.1, 5)));  // another target
+}
+
 TEST_F(RecoverComponentTest, StartsDetectorsAfreshAtAWaypoint) {
   step();
   step();

@@ -119,6 +119,13 @@ class RecoverComponentTest : public ::testing::Test {
     std::get<domain::Target>(messages_).x_m = scene.target().x();
     std::get<domain::Target>(messages_).y_m = scene.target().y();
     std::get<domain::Target>(messages_).waypoint = waypoint_;
+    if (heading_rad_) {
+      auto& target = std::get<domain::Target>(messages_);
+      target.radius_m = 0.2;
+      target.has_heading = true;
+      target.heading_rad = *heading_rad_;
+      target.heading_tolerance_rad = 0.1;
+    }
     std::get<domain::Guidance>(messages_) = {};
     std::get<domain::Event>(messages_) = {};
     runtime::TickOutputs outputs(messages_, outputs_);
@@ -146,6 +153,7 @@ class RecoverComponentTest : public ::testing::Test {
   runtime::TopicSet outputs_;
   std::uint64_t tick_ = 0;
   std::uint32_t waypoint_ = 1;
+  std::optional<double> heading_rad_;  // that the mission wants
 };
 
 }  // namespace clew::recover

@@ -57,11 +57,12 @@ void LocalWays::flood() {
   }
 }
 
-bool LocalWays::connect(const core::Vec2& target) const {
+bool LocalWays::connect(const core::Vec2& target, double within_m) const {
   const core::Vec2 target_m = target - place_;
+  const double met_m = std::max(2.0 * kCell_m, within_m);
   return std::any_of(open_.begin(), open_.end(), [&](const Cell& cell) {
     const core::Vec2 at_m = middle(cell);
-    if (core::length(target_m - at_m) <= 2.0 * kCell_m) return true;
+    if (core::length(target_m - at_m) <= met_m) return true;
     return core::length(at_m) >= reach_m_ - kCell_m && sees(at_m, target_m);
   });
 }

@@ -21,9 +21,9 @@ class LocalWays {
   /// Takes what was seen within reach of a place.
   void look(const map::SeenMap& seen, const core::Vec2& place, double reach_m);
 
-  /// Whether a way within reach leads to the target, or to an exit from which the straight line to
-  /// it meets nothing closed within reach.
-  bool connect(const core::Vec2& target) const;
+  /// Whether a way within reach leads to within `within_m` of the target, or of two cells if that
+  /// is more; or to an exit from which the straight line to it meets nothing closed within reach.
+  bool connect(const core::Vec2& target, double within_m = 0.0) const;
   /// Whether an exit lies within that angle of a heading.
   bool lead_on(double heading_rad, double within_rad) const;
 

@@ -26,7 +26,7 @@ struct SurroundedParameters {
 template <typename Visitor>
 void visit_parameters(Visitor& visit, SurroundedParameters& p) {
   visit.number("reach_ratio", p.reach_ratio, "1", {0.1, 1.0},
-               "how far the local model reaches, as share of the sensor's range");
+               "how far the local model reaches, as share of the sensor's range; 10 m at most");
   visit.number("clearance_m", p.clearance_m, "m", {0.0, 0.5},
                "clearance on both sides of the body along a way");
   visit.angle("ahead_deg", p.ahead_rad, {0.0, 180.0},
@@ -73,6 +73,8 @@ class Surrounded final : public TrapDetector {
     bool told = false;                              ///< and no path has connected since
     core::Vec2 stood_odom = core::Vec2::Zero();     ///< near which it has been
     std::int64_t still = 0;                         ///< for so many ticks
+    core::Vec2 mission_odom = core::Vec2::Zero();   ///< the mission's target of the tick before
+    bool afresh = false;                            ///< start_afresh() was called since
   };
 
   /// Refuses scans that leave room between their beams, or see less than 90 degrees.
@@ -82,8 +84,9 @@ class Surrounded final : public TrapDetector {
 
   bool reads_local_map() const override { return true; }
   std::optional<TrapEvidence> observe(const Situation& situation) override;
-  /// A target that has come in force is noticed by itself.
-  void start_afresh() override {}
+  /// Ticks count anew. That a trap was told counts on, as an escape leads out of it or gives up;
+  /// unless the mission's target is another one in the next tick.
+  void start_afresh() override;
   void tell(const Situation& situation, domain::Inside& inside) const override;
   void save(core::StateWriter& writer) const override;
   void load(core::StateReader& reader) override;
@@ -103,7 +106,7 @@ class Surrounded final : public TrapDetector {
 template <typename Visitor>
 void visit_fields(Visitor& visit, Surrounded::State& s) {
   visit(s.has_target, s.target_odom, s.position_odom, s.travelled_m, s.in_a_row, s.told,
-        s.stood_odom, s.still);
+        s.stood_odom, s.still, s.mission_odom, s.afresh);
 }
 
 }  // namespace clew::recover

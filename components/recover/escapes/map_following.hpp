@@ -44,7 +44,8 @@ void visit_parameters(Visitor& visit, MapFollowingParameters& p) {
   visit.angle("turn_first_deg", p.turn_first_rad, {1.0, 180.0},
               "greater turns are made on the spot, so that the sensors see where the step goes");
   visit.number("held_s", p.held_s, "s", {0.1, 1000.0},
-               "a place is closed if the robot is held before it for this time");
+               "a place is closed if the robot is held before it for this time; longer where it is "
+               "slow or its ticks are long");
   visit.number("proof_s", p.proof_s, "s", {0.0, 100000.0},
                "unreachable if the map closes every path for this time");
 }

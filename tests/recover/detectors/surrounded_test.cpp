@@ -152,6 +152,51 @@ TEST_F(SurroundedTest, ARobotThatStandsStillIsInATrapThoughNothingIsInTheWay) {
   EXPECT_EQ(traps(200, 0.01), 0);
 }
 
+TEST_F(SurroundedTest, TellsATrapForEachNewTargetOfTheMission) {
+  see(kDeepU);
+  EXPECT_EQ(traps(10), 1);
+
+  detector_.start_afresh();
+  target_ = pursued_ = {0.5, 3.0};
+  EXPECT_EQ(traps(9), 0);
+  EXPECT_EQ(traps(1), 1);
+
+  // A plan's next subgoal is none: nothing says so.
+  target_ = pursued_ = {0.0, 3.0};
+  EXPECT_EQ(traps(50), 0);
+}
+
+TEST_F(SurroundedTest, TellsATrapOnceThoughAnEscapeFromItHasEnded) {
+  see(kDeepU);
+  EXPECT_EQ(traps(10), 1);
+  pursued_ = {-1.9, 0.0};
+  EXPECT_EQ(traps(5), 0);
+
+  detector_.start_afresh();
+  pursued_ = target_;
+  EXPECT_EQ(traps(50), 0);
+}
+
+TEST_F(SurroundedTest, CountsStandingStillAnewWhereItStartsAfresh) {
+  EXPECT_EQ(traps(100), 0);
+  detector_.start_afresh();
+  EXPECT_EQ(traps(149), 0);
+  EXPECT_EQ(traps(1), 1);
+}
+
+TEST_F(SurroundedTest, IsAtATargetWithinItsRadius) {
+  // The end wall lies at y = 1, and the body fits up to 0.16 m before it: 0.14 m short of this.
+  target_ = pursued_ = {0.0, 0.98};
+  std::vector<Wall> walls = kDeepU;
+  walls.push_back({{-1.3, -1.0}, {1.3, -1.0}});
+  see(walls);
+  EXPECT_EQ(traps(50), 0);  // 0.2 m are near enough
+
+  detector_.start_afresh();
+  target_ = pursued_ = {0.0, 1.1};
+  EXPECT_EQ(traps(50), 1);
+}
+
 TEST_F(SurroundedTest, StandsStillForSecondsHoweverLongATickIs) {
   detector_ = Surrounded({}, setup_of(0.01));
   EXPECT_EQ(traps(1499), 0);
