@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recover/detectors/surrounded.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "domain/held.hpp"
@@ -13,8 +14,14 @@ namespace {
 // A target farther than this from the one before is another one.
 constexpr double kSameTarget_m = 1e-6;
 constexpr double kStill_m = 0.1;
+// The work of a tick grows with the square of the reach.
+constexpr double kMostReach_m = 10.0;
 // More than any run has: a state that counts more is a stranger's.
 constexpr std::int64_t kMostTicks = 1'000'000'000'000'000;
+
+bool is_another(const core::Vec2& target_odom, const core::Vec2& before_odom) {
+  return core::length(target_odom - before_odom) > kSameTarget_m;
+}
 
 bool is_virtual(const Situation& situation) {
   return situation.pursued_odom != situation.target_odom;
@@ -54,15 +61,17 @@ std::optional<TrapEvidence> Surrounded::observe(const Situation& situation) {
   if (!may_judge(situation)) return std::nullopt;
   state_.told = true;
   state_.travelled_m = 0.0;
-  return TrapEvidence{std::nullopt, "surrounded, and no path in view connects to the target"};
+  return TrapEvidence{std::nullopt,
+                      "surrounded, and no path within what was seen connects to the target"};
 }
 
 /// Notes what target is in force, and the travel under it.
 void Surrounded::follow(const Situation& situation) {
   const core::Vec2 position_odom = situation.pose().position();
-  if (!state_.has_target ||
-      core::length(situation.pursued_odom - state_.target_odom) > kSameTarget_m) {
-    state_.told = state_.has_target;
+  const bool is_new_mission = state_.afresh && !is_virtual(situation) &&
+                              is_another(situation.target_odom, state_.mission_odom);
+  if (!state_.has_target || is_another(situation.pursued_odom, state_.target_odom)) {
+    state_.told = state_.has_target && !is_new_mission;
     state_.has_target = true;
     state_.target_odom = situation.pursued_odom;
     state_.travelled_m = 0.0;
@@ -71,6 +80,15 @@ void Surrounded::follow(const Situation& situation) {
     state_.travelled_m += core::length(position_odom - state_.position_odom);
   }
   state_.position_odom = position_odom;
+  state_.mission_odom = situation.target_odom;
+  state_.afresh = false;
+}
+
+void Surrounded::start_afresh() {
+  state_.afresh = true;
+  state_.in_a_row = 0;
+  state_.still = 0;
+  state_.stood_odom = state_.position_odom;
 }
 
 /// Whether it has stayed near a place for too long; it counts anew from there.
@@ -89,8 +107,9 @@ bool Surrounded::stands_still(const Situation& situation) {
 /// Whether a path connects to the target in force, or leads on to a virtual one.
 bool Surrounded::gets_on(const Situation& situation) {
   ways_.look(situation.local_map->seen(), situation.pose().position(),
-             parameters_.reach_ratio * situation.scan.range_max_m);
-  if (ways_.connect(situation.pursued_odom)) return true;
+             std::min(kMostReach_m, parameters_.reach_ratio * situation.scan.range_max_m));
+  const double within_m = is_virtual(situation) ? 0.0 : situation.target_radius_m;
+  if (ways_.connect(situation.pursued_odom, within_m)) return true;
   return is_virtual(situation) &&
          ways_.lead_on(situation.pose().heading_rad, parameters_.ahead_rad);
 }
