@@ -40,7 +40,7 @@ core::Result<std::unique_ptr<RecordingSink>> RecordingSink::create(
 
 core::Result<std::unique_ptr<RecordingSink>> RecordingSink::go_on(const RecordingOrder& order,
                                                                   std::uint64_t least_ticks) {
-  auto recorder = RunRecorder::go_on(order.path, order.description, least_ticks);
+  auto recorder = RunRecorder::go_on(order.path, order.description, least_ticks, order.overwrite);
   if (!recorder.ok()) return recorder.error();
   return std::unique_ptr<RecordingSink>(new RecordingSink(std::move(recorder).value()));
 }

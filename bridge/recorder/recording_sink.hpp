@@ -20,7 +20,7 @@ struct RecordingOrder {
   RunDescription description;
   /// Above 0: a black box, which keeps so much simulated time and writes when something happens.
   double keep_last_s = 0.0;
-  /// Whether a file of the final name may be overwritten.
+  /// Whether files of the final names may be overwritten.
   bool overwrite = true;
 };
 

@@ -2,6 +2,7 @@
 #include "recording/input_file.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,14 +16,20 @@ namespace {
 
 constexpr std::size_t kWindowBytes = 1 << 18;
 
+std::string why_not_opened(int error_number) {
+  const std::string why = std::strerror(error_number);
+  struct rlimit limit {};
+  if (error_number != EMFILE || ::getrlimit(RLIMIT_NOFILE, &limit) != 0) return why;
+  return why + "; this process may have " + std::to_string(limit.rlim_cur) +
+         " (ulimit -n), and a recording that is split has all of its files open";
+}
+
 }  // namespace
 
 core::Result<std::shared_ptr<const InputFile>> InputFile::open(const std::string& path) {
   // A pipe that nobody writes would keep open waiting for ever.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0) {
-    return core::Error{std::string("cannot be read: ") + std::strerror(errno), path};
-  }
+  if (descriptor < 0) return core::Error{"cannot be read: " + why_not_opened(errno), path};
   struct stat status {};
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
     ::close(descriptor);

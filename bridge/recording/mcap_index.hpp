@@ -39,6 +39,7 @@ struct Segment {
 struct Tear {
   std::uint64_t at_byte = 0;  ///< everything before it was read
   std::string reason;
+  bool at_end = false;  ///< nothing is wrong but that the file ends here
 };
 
 /// The schemas and channels of a file. One id means one thing in the whole file.

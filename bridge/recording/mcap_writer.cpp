@@ -179,9 +179,9 @@ core::Result<void> McapWriter::seal() {
   return file_.seal();
 }
 
-core::Result<void> McapWriter::finish() {
+core::Result<void> McapWriter::finish(bool overwrite) {
   CLEW_RETURN_IF_ERROR(append_ending());
-  return file_.publish();
+  return file_.publish(overwrite);
 }
 
 }  // namespace clew::bridge::mcap

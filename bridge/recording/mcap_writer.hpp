@@ -66,8 +66,10 @@ class McapWriter {
   /// Closes the chunk, writes the summary and closes the file, which keeps its temporary name.
   /// Nothing may follow.
   core::Result<void> seal();
-  /// The same, and gives the file its name.
-  core::Result<void> finish();
+  /// The same, and gives the file its name: OutputFile::give_name().
+  core::Result<void> finish(bool overwrite = true);
+  /// OutputFile::share_lock().
+  core::Result<FileLock> share_lock() const { return file_.share_lock(); }
 
  private:
   McapWriter(OutputFile file, WriterOptions options);

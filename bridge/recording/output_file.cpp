@@ -19,7 +19,7 @@ namespace clew::bridge::mcap {
 namespace {
 
 // Of what was written last, so many bytes are looked for again.
-constexpr std::size_t kTailBytes = 64;
+constexpr std::size_t kCheckedBytes = 64;
 
 enum class PathKind { kMissing, kRegularFile, kDirectory, kDevice, kLinkToNothing, kOther };
 
@@ -32,15 +32,6 @@ PathKind kind_of(const std::string& path) {
   if (S_ISREG(status.st_mode)) return PathKind::kRegularFile;
   if (S_ISDIR(status.st_mode)) return PathKind::kDirectory;
   return S_ISCHR(status.st_mode) ? PathKind::kDevice : PathKind::kOther;
-}
-
-/// The file that a path leads to: a symbolic link is written through, as by any program, and stays.
-std::string file_of(const std::string& path) {
-  struct stat status {};
-  if (::lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return path;
-  const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
-                                                         &std::free);
-  return real ? real.get() : path;
 }
 
 core::Error error_at(const std::string& path, const std::string& message) {
@@ -59,6 +50,18 @@ core::Error in_use(const std::string& path) {
 }
 
 }  // namespace
+
+FileLock::~FileLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+std::string OutputFile::file_of(const std::string& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return path;
+  const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
+                                                         &std::free);
+  return real ? real.get() : path;
+}
 
 std::string OutputFile::temporary_name(const std::string& path) {
   return kind_of(path) == PathKind::kDevice ? path : file_of(path) + ".tmp~";
@@ -98,6 +101,20 @@ core::Result<void> OutputFile::reserve(const std::string& path, bool overwrite) 
 void OutputFile::discard(const std::string& path) {
   const std::string written_path = temporary_name(path);
   if (written_path != path) std::remove(written_path.c_str());
+}
+
+core::Result<void> OutputFile::remove(const std::string& path) {
+  const FileLock file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  const bool opened = file.descriptor() >= 0;
+  if (opened && !lock(file.descriptor())) return in_use(path);
+  if (opened && ::unlink(path.c_str()) == 0) return {};
+  return error_at(path, std::string("cannot be removed: ") + std::strerror(errno));
+}
+
+core::Result<FileLock> OutputFile::share_lock() const {
+  const int shared = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+  if (shared < 0) return cannot_be_written(written_path_);
+  return FileLock(shared);
 }
 
 core::Result<OutputFile> OutputFile::go_on(const std::string& path) {
@@ -192,8 +209,8 @@ core::Result<void> OutputFile::release() {
 }
 
 void OutputFile::keep_tail(std::string_view bytes) {
-  tail_ += bytes.substr(bytes.size() - std::min(bytes.size(), kTailBytes));
-  tail_.erase(0, tail_.size() - std::min(tail_.size(), kTailBytes));
+  tail_ += bytes.substr(bytes.size() - std::min(bytes.size(), kCheckedBytes));
+  tail_.erase(0, tail_.size() - std::min(tail_.size(), kCheckedBytes));
 }
 
 core::Result<void> OutputFile::write_ahead(std::string_view bytes) {
@@ -241,7 +258,7 @@ core::Result<void> OutputFile::write_at_end(std::string_view bytes) {
 /// Whether what was written last is still there. A file that is cut and written on has its length
 /// again, with zeros in between.
 bool OutputFile::has_its_tail() const {
-  std::array<char, kTailBytes> found;
+  std::array<char, kCheckedBytes> found;
   const ssize_t got = ::pread(descriptor_, found.data(), tail_.size(),
                               static_cast<off_t>(position_ - tail_.size()));
   return got >= 0 && std::string_view(found.data(), static_cast<std::size_t>(got)) == tail_;
@@ -273,9 +290,9 @@ core::Result<void> OutputFile::seal() {
   return {};
 }
 
-core::Result<void> OutputFile::publish() {
+core::Result<void> OutputFile::publish(bool overwrite) {
   CLEW_RETURN_IF_ERROR(seal());
-  return state_ = give_name(path_);
+  return state_ = give_name(path_, overwrite);
 }
 
 core::Result<void> OutputFile::give_name(const std::string& path, bool overwrite) {

@@ -4,10 +4,29 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/result.hpp"
 
 namespace clew::bridge::mcap {
+
+/// Keeps other processes from writing a file, for as long as it is there.
+class FileLock {
+ public:
+  FileLock() = default;
+  explicit FileLock(int descriptor) : descriptor_(descriptor) {}
+  FileLock(FileLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  FileLock& operator=(FileLock&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
+  ~FileLock();
+
+  int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_ = -1;
+};
 
 /// A file that gets its name only when it is whole: it grows as `<path>.tmp~`, which publish()
 /// renames. A path that names a device or a pipe is written to directly, and a
@@ -45,18 +64,26 @@ class OutputFile {
 
   /// Cuts off what stands behind the end and closes the file, which keeps its temporary name.
   core::Result<void> seal();
-  /// seal(), and gives the file its name. Survives the death of the process, not a power cut: the
-  /// disk is not waited for.
-  core::Result<void> publish();
+  /// seal(), and give_name(). Survives the death of the process, not a power cut: the disk is not
+  /// waited for.
+  core::Result<void> publish(bool overwrite = true);
   /// Gives a sealed file its name. Without `overwrite`, refused if a file of that name has
   /// appeared.
   static core::Result<void> give_name(const std::string& path, bool overwrite = true);
 
+  /// The lock on this file, which outlives seal().
+  core::Result<FileLock> share_lock() const;
+
+  /// Removes a file. Refused: one that another process is writing.
+  static core::Result<void> remove(const std::string& path);
   /// Takes back a reserve(): nothing stays under the temporary name. A device stays.
   static void discard(const std::string& path);
 
   /// Where a file grows until it is whole; the path itself for a device.
   static std::string temporary_name(const std::string& path);
+  /// The file that a path leads to: a symbolic link is written through, as by any program, and
+  /// stays.
+  static std::string file_of(const std::string& path);
 
   /// The name that it gets when it is whole.
   const std::string& path() const { return path_; }

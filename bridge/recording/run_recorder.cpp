@@ -2,11 +2,11 @@
 #include "recording/run_recorder.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <tuple>
 #include <utility>
 
+#include "recording/begun_file.hpp"
 #include "recording/piece_files.hpp"
 #include "recording/run_hash.hpp"
 #include "recording/run_recording.hpp"
@@ -41,8 +41,13 @@ std::string library_of(const RunDescription& description) {
 }  // namespace
 
 core::Result<bool> RunRecorder::holds_samples(const std::string& file) {
-  const auto recording = RunRecording::open(file);
-  if (!recording.ok()) return false;
+  const auto recording = RunRecording::open_file(file);
+  if (!recording.ok()) {
+    const auto begun = is_only_begun(file);
+    if (!begun.ok()) return begun.error();
+    if (*begun) return false;
+    return recording.error();
+  }
   const auto sample = recording->raw_samples().next();
   if (!sample.ok()) return sample.error();
   return sample->has_value();
@@ -52,7 +57,9 @@ core::Result<RunRecorder> RunRecorder::create(const std::string& path,
                                               const RunDescription& description, bool overwrite) {
   auto file = mcap::OutputFile::create(path, overwrite);
   if (!file.ok()) return file.error();
-  return start(std::move(file).value(), description);
+  auto recorder = start(std::move(file).value(), description);
+  if (recorder.ok()) recorder->overwrite_ = overwrite;
+  return recorder;
 }
 
 core::Result<void> RunRecorder::describe(const std::string& path,
@@ -66,25 +73,30 @@ core::Result<void> RunRecorder::describe(const std::string& path,
 
 core::Result<RunRecorder> RunRecorder::go_on(const std::string& path,
                                              const RunDescription& description,
-                                             std::uint64_t least_ticks) {
+                                             std::uint64_t least_ticks, bool overwrite) {
+  const auto too_short = [&](std::uint64_t ticks) {
+    return core::Error{"holds " + std::to_string(ticks) + " ticks of the " +
+                           std::to_string(least_ticks) + " that were written to it",
+                       mcap::OutputFile::temporary_name(path)};
+  };
   const std::string there = mcap::OutputFile::temporary_name(path);
   auto file = mcap::OutputFile::go_on(path);
   if (!file.ok()) return file.error();
   const auto holds = holds_samples(there);
   if (!holds.ok()) return holds.error();
+  // What is written first empties a file without samples.
+  if (!*holds && least_ticks > 0) return too_short(0);
   if (*holds) file->keep(true);
   auto recorder = start(std::move(file).value(), description);
   if (!recorder.ok()) return recorder.error();
+  recorder->overwrite_ = overwrite;
+  recorder->went_on_ = true;
   if (*holds) CLEW_RETURN_IF_ERROR(recorder->keep(there));
   std::uint64_t kept_ticks = 0;
   for (const RecordedTopic& topic : recorder->topics_) {
     kept_ticks = std::max(kept_ticks, topic.next_tick);
   }
-  if (kept_ticks < least_ticks) {
-    return core::Error{"holds " + std::to_string(kept_ticks) + " ticks of the " +
-                           std::to_string(least_ticks) + " that were written to it",
-                       there};
-  }
+  if (kept_ticks < least_ticks) return too_short(kept_ticks);
   return recorder;
 }
 
@@ -167,13 +179,15 @@ void RunRecorder::declare_topics() {
         writer_.add_channel(schema, "/" + std::string(domain::topic_name(recorded.topic)), "cdr",
                             {{"offered_qos_profiles", kOfferedQos}});
   }
+  beginning_bytes_ = writer_.size_bytes();
 }
 
 bool RunRecorder::piece_is_full(std::uint64_t next_tick) const {
   const RecordingSplit& split = description_.split;
   if (!split.any() || !piece_tick_ || next_tick <= *piece_tick_) return false;
   if (description_.piece + 1 >= kMaxPieces) return false;
-  if (split.bytes > 0 && writer_.size_bytes() >= split.bytes) return true;
+  // What every file repeats does not count: a bundle alone may be larger than a file is to be.
+  if (split.bytes > 0 && writer_.size_bytes() >= beginning_bytes_ + split.bytes) return true;
   if (!(split.seconds > 0.0)) return false;
   const auto interval = [&](std::uint64_t tick) {
     return tick_to_ns(tick, tick_s_) / tick_to_ns(1, split.seconds);
@@ -187,23 +201,19 @@ core::Result<void> RunRecorder::close_piece() {
   end.continues = true;
   description_.hash_before = end.hash;
   CLEW_RETURN_IF_ERROR(writer_.write(to_metadata(end)));
-  return description_.piece == 0 ? writer_.seal() : writer_.finish();
+  if (description_.piece > 0) return writer_.finish(overwrite_);
+  // Nobody else may take the recording for one that was left.
+  auto lock = writer_.share_lock();
+  if (!lock.ok()) return lock.error();
+  first_file_ = std::move(lock).value();
+  return writer_.seal();
 }
 
 core::Result<void> RunRecorder::open_next_piece(std::uint64_t first_tick) {
   ++description_.piece;
   const std::string path = piece_path(path_, description_.piece);
-  const std::string there = existing_piece(path_, description_.piece);
-  if (keeps_ && there == path) {
-    // Compared under the name under which it grew, which it had had before.
-    const std::string growing = mcap::OutputFile::temporary_name(path);
-    if (std::rename(there.c_str(), growing.c_str()) != 0) {
-      return core::Error{"cannot be renamed to " + growing, there};
-    }
-  }
-  auto file = keeps_ ? mcap::OutputFile::go_on(path) : mcap::OutputFile::create(path, true);
+  auto file = keeps_ ? kept_piece(path) : new_piece(path, overwrite_, overwrite_ || went_on_);
   if (!file.ok()) return file.error();
-  if (keeps_) file->keep(true);
   auto writer = begin_file(std::move(file).value(), description_);
   if (!writer.ok()) return writer.error();
   writer_ = std::move(writer).value();
@@ -359,13 +369,13 @@ core::Result<void> RunRecorder::seal(const std::string& aborted,
                                      const std::optional<core::Hash128>& run_hash) {
   CLEW_RETURN_IF_ERROR(write_ending(aborted, run_hash));
   // Of a recording that is split, only the first file's name is someone else's to give.
-  return description_.piece == 0 ? writer_.seal() : writer_.finish();
+  return description_.piece == 0 ? writer_.seal() : writer_.finish(overwrite_);
 }
 
 core::Result<void> RunRecorder::finish(const std::string& aborted,
                                        const std::optional<core::Hash128>& run_hash) {
   CLEW_RETURN_IF_ERROR(write_ending(aborted, run_hash));
-  CLEW_RETURN_IF_ERROR(writer_.finish());
+  CLEW_RETURN_IF_ERROR(writer_.finish(description_.piece == 0 || overwrite_));
   return description_.piece == 0 ? core::Result<void>() : mcap::OutputFile::give_name(path_);
 }
 

@@ -34,7 +34,8 @@ namespace clew::bridge {
 /// when it is full.
 class RunRecorder {
  public:
-  /// Errors are those of the file: see mcap::OutputFile.
+  /// Errors are those of the file: see mcap::OutputFile. `overwrite` is meant for every file of a
+  /// recording that is split.
   static core::Result<RunRecorder> create(const std::string& path,
                                           const RunDescription& description, bool overwrite);
 
@@ -45,12 +46,14 @@ class RunRecorder {
   /// Goes on with the file that stands under the temporary name of `path`, reserved only or left by
   /// a recorder of the same run that was cut off: keeps its whole chunks and replaces what follows.
   /// Refused: a file whose whole chunks hold fewer than `least_ticks` ticks, and one that is not of
-  /// this description; it is then left as it is.
+  /// this description; it is then left as it is. Further files of a recording that is split replace
+  /// others of their names if `overwrite`.
   static core::Result<RunRecorder> go_on(const std::string& path, const RunDescription& description,
-                                         std::uint64_t least_ticks = 0);
+                                         std::uint64_t least_ticks = 0, bool overwrite = false);
 
-  /// Whether a file holds at least one sample of a run that a recorder can go on with. One that is
-  /// no recording, since its recorder did not come so far, holds none.
+  /// Whether a file, by itself, holds at least one sample of a run that a recorder can go on with.
+  /// One whose recorder died before it was a recording holds none. Any other that cannot be read
+  /// is an error.
   static core::Result<bool> holds_samples(const std::string& file);
 
   /// Takes a sample and writes what has become complete. A sample of a tick that its topic has
@@ -126,7 +129,11 @@ class RunRecorder {
   RunDescription description_;
   double tick_s_;
   std::optional<std::uint64_t> piece_tick_;        ///< the first one of this file
+  std::uint64_t beginning_bytes_ = 0;              ///< of this file: what every file repeats
   bool keeps_ = false;                             ///< what it writes stands there already
+  bool overwrite_ = false;                         ///< files behind the first one
+  bool went_on_ = false;                           ///< growing files of their names are its own
+  mcap::FileLock first_file_;                      ///< once it is sealed, until all is there
   std::vector<RecordedTopic> topics_;              ///< in the order of their names
   std::array<int, domain::kTopicCount> places_{};  ///< in topics_, by domain::Topic; < 0: none
   std::optional<std::uint64_t> next_tick_;         ///< to be written; none: the first that comes

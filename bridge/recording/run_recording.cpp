@@ -3,6 +3,7 @@
 
 #include <iterator>
 
+#include "recording/begun_file.hpp"
 #include "recording/piece_files.hpp"
 #include "recording/recorded_incident.hpp"
 #include "recording/recorded_intervention.hpp"
@@ -77,10 +78,13 @@ core::Result<void> RunRecording::open_later_files() {
     const std::string next = existing_piece(path_, pieces());
     if (next.empty()) break;
     auto file = open_file(next);
-    // One that is reserved only says nothing yet.
-    const bool growing = next != piece_path(path_, pieces());
-    if (!file.ok() && growing) break;
-    if (!file.ok()) return file.error();
+    if (!file.ok()) {
+      // One that is reserved only says nothing yet.
+      const auto begun = is_only_begun(next);
+      const bool growing = next != piece_path(path_, pieces());
+      if (growing && begun.ok() && *begun) break;
+      return file.error();
+    }
     CLEW_RETURN_IF_ERROR(file->check_follows(last_file()));
     const auto append = [](auto& all, auto& more) {
       all.insert(all.end(), std::make_move_iterator(more.begin()),
@@ -90,7 +94,8 @@ core::Result<void> RunRecording::open_later_files() {
     append(incidents_, file->incidents_);
     later_.push_back(std::move(file).value());
   }
-  const std::optional<RunEnd>& end = last_file().end_;
+  const std::optional<RunEnd> end = last_file().end_;
+  if (end && end->continues) missing_piece_ = piece_path(path_, pieces());
   end_ = end && !end->continues ? end : std::nullopt;
   return {};
 }
@@ -105,9 +110,8 @@ core::Result<void> RunRecording::check_follows(const RunRecording& before) const
   return error("does not follow " + before.path_ + ": it is of another recording");
 }
 
-std::string RunRecording::missing_piece() const {
-  const std::optional<RunEnd>& end = last_file().end_;
-  return end && end->continues ? piece_path(path_, pieces()) : std::string();
+std::string RunRecording::unread_piece() const {
+  return missing_piece_.empty() ? std::string() : next_existing_piece(path_, pieces() + 1);
 }
 
 core::Result<RunRecording> RunRecording::open_file(const std::string& path) {
@@ -244,8 +248,10 @@ bool RunRecording::has_field(domain::Topic topic, std::string_view path) const {
 }
 
 std::string RunRecording::cut_off() const {
-  if (const std::string missing = missing_piece(); !missing.empty()) {
-    return "lacks its next file, " + missing;
+  if (!missing_piece_.empty()) {
+    const std::string unread = unread_piece();
+    const std::string more = "; " + unread + " is there, but is not read: it comes later";
+    return "lacks its next file, " + missing_piece_ + (unread.empty() ? std::string() : more);
   }
   if (!complete()) return "was cut off";
   if (end_->aborted.empty()) return {};

@@ -81,6 +81,8 @@ class RunRecording {
   /// Refused: what mcap::McapReader refuses, files that are no recording of a run, and one whose
   /// description was changed.
   static core::Result<RunRecording> open(const std::string& path);
+  /// One file alone, whatever it is part of.
+  static core::Result<RunRecording> open_file(const std::string& path);
 
   const std::string& path() const { return path_; }
   const RunDescription& description() const { return description_; }
@@ -94,7 +96,9 @@ class RunRecording {
   /// How many files it is in.
   std::size_t pieces() const { return 1 + later_.size(); }
   /// The file in which it should go on, and that is not there; empty if nothing says so.
-  std::string missing_piece() const;
+  const std::string& missing_piece() const { return missing_piece_; }
+  /// The first of its files behind the missing one: it is not read. Empty: there is none.
+  std::string unread_piece() const;
   /// Whether its recorder finished it, and all of it is there.
   bool complete() const { return end_.has_value() && !tear(); }
   /// Why it need not hold its run to the end, nor all topics up to the same tick: `was cut off`, or
@@ -120,7 +124,6 @@ class RunRecording {
 
  private:
   RunRecording(std::string path, mcap::McapReader reader);
-  static core::Result<RunRecording> open_file(const std::string& path);
   core::Result<void> open_later_files();
   core::Result<void> check_follows(const RunRecording& before) const;
   const RunRecording& last_file() const { return later_.empty() ? *this : later_.back(); }
@@ -148,6 +151,7 @@ class RunRecording {
   std::map<std::string, std::string> intervention_files_;  ///< by tick, a slash and the name
   std::map<std::uint16_t, domain::Topic> topics_;          ///< by channel
   std::shared_ptr<const OlderTypes> older_;
+  std::string missing_piece_;
   std::vector<RunRecording> later_;  ///< the other files of one that is split
 };
 

@@ -31,7 +31,7 @@ class Scanner {
   core::Result<void> end_data_section(const RecordView& record);
   void extend_loose_segment(const RecordView& record);
   void end_loose_segment();
-  core::Result<void> tear(std::string reason);
+  core::Result<void> tear(std::string reason, bool at_end = false);
 
   std::shared_ptr<const InputFile> file_;
   ReadLimits limits_;
@@ -61,11 +61,11 @@ core::Result<FileIndex> Scanner::scan() {
 
 core::Result<void> Scanner::step() {
   const std::uint64_t left = file_->size() - offset_;
-  if (left < kRecordHeadBytes) return tear("it ends here, without its closing records");
+  if (left < kRecordHeadBytes) return tear("it ends here, without its closing records", true);
   const auto head = window_.view(offset_, kRecordHeadBytes);
   if (!head.ok()) return head.error();
   const std::uint64_t content_bytes = announced_content_bytes(*head);
-  if (content_bytes > left - kRecordHeadBytes) return tear("a record is cut off");
+  if (content_bytes > left - kRecordHeadBytes) return tear("a record is cut off", true);
   const std::uint64_t total_bytes = kRecordHeadBytes + content_bytes;
   if (total_bytes > limits_.record_bytes) {
     return tear("a record of " + std::to_string(total_bytes) + " bytes; at most " +
@@ -180,8 +180,8 @@ core::Result<void> Scanner::end_data_section(const RecordView& record) {
   return {};
 }
 
-core::Result<void> Scanner::tear(std::string reason) {
-  index_.tear = Tear{offset_, std::move(reason)};
+core::Result<void> Scanner::tear(std::string reason, bool at_end) {
+  index_.tear = Tear{offset_, std::move(reason), at_end};
   done_ = true;
   return {};
 }

@@ -3,6 +3,7 @@
 a reason where topics lack."""
 import os
 import pathlib
+import resource
 import signal
 import tempfile
 import unittest
@@ -80,8 +81,9 @@ class Split(Recordings):
 
         told = self.ran(["info", recording], 1).out
 
-        self.assertIn("cut off: its next file,", told)
-        self.assertIn("a_2.mcap, is not there", told)
+        self.assertIn("cut off: it lacks its next file,", told)
+        self.assertIn("a_2.mcap; ", told)
+        self.assertIn("a_3.mcap is there, but is not read", told)
         self.assertIn("is file 2 of a recording that is split", self.ran(
             ["info", recording.parent / "a_1.mcap"], 2).err)
 
@@ -124,6 +126,62 @@ class Split(Recordings):
         self.assertEqual(self.info(recording)["pieces"], 2)
         self.assertEqual(sorted(path.name for path in recording.parent.iterdir()),
                          ["a.mcap", "a_1.mcap"])
+
+    def test_leaves_files_of_others_behind_a_number_that_is_free(self):
+        recording = self.in_a_folder() / "a.mcap"
+        other = recording.parent / "a_2.mcap"
+        other.write_bytes(b"somebody's")
+        run = ["run", "krishna_kalra", "--layout", "composed", "--split-s", "10", "--record",
+               recording]
+
+        self.assertIn("a_2.mcap: exists; --force overwrites it", self.ran(run, 2).err)
+        self.assertEqual([path.name for path in recording.parent.iterdir()], ["a_2.mcap"])
+        self.assertEqual(other.read_bytes(), b"somebody's")
+        self.ran([*run, "--force"])
+        self.assertTrue(self.info(recording)["complete"])
+
+    def test_does_not_write_a_lost_file_anew_before_one_that_is_there(self):
+        recording = self.record("--layout", "composed", "--split-s", "10")
+        (recording.parent / "a_1.mcap").unlink()
+        files = {path.name: path.read_bytes() for path in recording.parent.iterdir()}
+
+        told = self.ran(["run", "--resume", recording, "--layout", "composed"], 2).err
+
+        self.assertIn("a_2.mcap: exists, and files before it lack", told)
+        self.assertEqual(files,
+                         {path.name: path.read_bytes() for path in recording.parent.iterdir()})
+
+    def test_is_not_overwritten_while_it_is_written(self):
+        for layout in LAYOUTS:
+            with self.subTest(layout=layout):
+                recording = self.in_a_folder() / "a.mcap"
+                process = start(["run", "krishna_kalra", "--layout", layout, "--pace", "20x",
+                                 "--split-s", "10", "--record", recording])
+                self.assertTrue(wait_until((recording.parent / "a_1.mcap").exists))
+                other = ["run", "krishna_kalra", "--layout", "composed", "--force", "--record",
+                         recording]
+
+                told = self.ran([*other, "--split-s", "10"], 2).err
+
+                self.assertIn("is being written by another process", told)
+                self.assertEqual(process.wait(60), 0)
+                self.assertEqual(self.info(recording)["hash"], self.hash)
+
+    def test_stays_whole_if_the_one_that_replaces_it_cannot_begin(self):
+        recording = self.record("--layout", "composed", "--split-s", "10")
+        files = {path.name: path.read_bytes() for path in recording.parent.iterdir()}
+
+        limit = 1000  # as good as a full disk
+        process = start(["run", "krishna_kalra", "--layout", "composed", "--split-s", "10",
+                         "--force", "--record", recording],
+                        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE,
+                                                              (limit, limit)))
+
+        told = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 2, told)
+        self.assertIn("File too large", told)
+        self.assertEqual(files,
+                         {path.name: path.read_bytes() for path in recording.parent.iterdir()})
 
     def test_is_refused_where_it_makes_no_sense(self):
         for arguments, text in (

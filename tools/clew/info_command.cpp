@@ -117,9 +117,7 @@ std::string state_text(const RunRecording& recording, const RecordingFacts& fact
   if (recording.tear()) {
     return fmt::format("torn at byte {}: {}", recording.tear()->at_byte, recording.tear()->reason);
   }
-  if (const std::string missing = recording.missing_piece(); !missing.empty()) {
-    return fmt::format("cut off: its next file, {}, is not there", missing);
-  }
+  if (!recording.missing_piece().empty()) return "cut off: it " + recording.cut_off();
   if (!recording.complete()) return "cut off: its recorder did not finish it";
   if (!facts.no_plan.empty()) return "cannot be replayed: " + facts.no_plan;
   if (facts.missing_at_end > 0) {

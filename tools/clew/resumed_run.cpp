@@ -115,6 +115,10 @@ Result<ResumedRun> resume_run(const RunOptions& options) {
   if (order.description.split.any() && !options.record.empty()) {
     return Error{"is split, and is gone on with where it is: leave out --record", file};
   }
+  if (const std::string there = recording->unread_piece(); !there.empty()) {
+    return Error{"exists, and files before it lack, which would be written anew: move it away",
+                 there};
+  }
   return ResumedRun{std::move(plan).value(), std::move(order), std::move(resumption).value(), file};
 }
 

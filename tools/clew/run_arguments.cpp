@@ -88,7 +88,9 @@ void add_recording(CLI::App& app, RunOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false);
   add("--split-size", options.split_bytes,
-      "go on in another file, NAME_1.mcap, ..., when one is as large: bytes, or with kB, MB, GB")
+      "go on in another file, NAME_1.mcap, ..., when one is as large, not counting what each "
+      "repeats "
+      "of the run's description: bytes, or with kB, MB, GB")
       ->transform(size_in_bytes(kLeastSplit));
   add("--split-s", options.split_s, "the same after so much simulated time, in seconds")
       ->check(number_between(0.001, 1e6));

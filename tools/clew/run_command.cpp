@@ -138,16 +138,22 @@ Result<void> claim_recording(const RunOptions& options, Job& job) {
   if (job.resumption) return claim_resumed(options, job.resumed_from, job.recording->path);
   if (!job.recording) return {};
   CLEW_RETURN_IF_ERROR(bridge::mcap::OutputFile::reserve(options.record, options.force));
-  if (job.recording->description.split.any()) {
-    const auto cleared = bridge::clear_pieces(options.record, options.force);
-    if (!cleared.ok()) bridge::mcap::OutputFile::discard(options.record);
-    CLEW_RETURN_IF_ERROR(cleared);
+  const bool splits = job.recording->description.split.any();
+  if (splits && !options.force) {
+    const auto free = bridge::check_no_pieces(options.record);
+    if (!free.ok()) bridge::mcap::OutputFile::discard(options.record);
+    CLEW_RETURN_IF_ERROR(free);
   }
   if (job.recording->keep_last_s > 0.0) return {};
   const bool is_device = bridge::mcap::OutputFile::temporary_name(options.record) == options.record;
   if (is_device) return {};
   const auto described = bridge::RunRecorder::describe(options.record, job.recording->description);
-  if (described.ok()) return {};
+  if (described.ok()) {
+    // Not before: an older recording keeps all of its files if this one cannot begin.
+    const auto removed = splits ? bridge::remove_pieces(options.record) : Result<void>();
+    if (!removed.ok()) bridge::mcap::OutputFile::discard(options.record);
+    return removed;
+  }
   bridge::mcap::OutputFile::discard(options.record);
   if (options.on_record_error == "stop") return described.error();
   logs::warning("the run is not recorded: {}", described.error().text());
