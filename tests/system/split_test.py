@@ -75,6 +75,16 @@ class Split(Recordings):
         for path in recording.parent.glob("*.mcap"):
             self.assertLess(path.stat().st_size, 100000)
 
+    def test_is_refused_where_only_its_first_file_would_be_shown(self):
+        recording = self.record("--layout", "composed", "--split-s", "20")
+        report = recording.parent / "report.html"
+
+        self.assertIn("a.mcap: is split into files, and a page shows one",
+                      self.ran(["view", recording], 2).err)
+        self.assertIn("a.mcap: is split into files, and a report shows one",
+                      self.ran(["report", recording, "-o", report], 2).err)
+        self.assertFalse(report.exists())
+
     def test_names_the_file_that_is_gone(self):
         recording = self.record("--layout", "composed", "--split-s", "20")
         (recording.parent / "a_2.mcap").unlink()

@@ -24,6 +24,7 @@ struct ReportOptions {
 Result<view::ReportedFile> read_recording(const std::string& path) {
   const auto recording = bridge::RunRecording::open(path);
   if (!recording.ok()) return recording.error();
+  if (recording->pieces() > 1) return Error{"is split into files, and a report shows one", path};
   auto bytes = files::read_file(path);
   if (!bytes.ok()) return bytes.error();
   return view::ReportedFile{std::filesystem::path(path).filename().string(),

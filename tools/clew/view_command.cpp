@@ -76,6 +76,8 @@ Result<std::vector<bridge::ServedFile>> open_all(const std::vector<std::string>&
   for (const std::string& path : paths) {
     const auto recording = bridge::RunRecording::open(path);
     if (!recording.ok()) return recording.error();
+    if (recording->pieces() > 1)
+      return core::Error{"is split into files, and a page shows one", path};
     auto file = bridge::ServedFile::open(path);
     if (!file.ok()) return file.error();
     files.push_back(std::move(file).value());
