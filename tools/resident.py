@@ -2,6 +2,7 @@
 """How much memory each process of a run takes at its peak."""
 import pathlib
 import subprocess
+import tempfile
 import time
 
 # In this world nobody arrives, and without a detector nobody gives up: every run has all ticks.
@@ -29,7 +30,8 @@ def session_of(pid):
 def role(pid):
     """What a process of a run is: `run`, `recorder`, or its stage; empty before it is any of these."""
     words = command_line(pid)
-    if words[1:2] == ["component"]:
+    # Between fork and exec a process has the words of the one that started it.
+    if words[1:2] == ["component"] and len(words) > 3:
         return words[3]
     return words[1] if words[1:2] in (["run"], ["recorder"]) else ""
 
@@ -46,17 +48,19 @@ def peak_kib(pid):
 
 def peaks_kib(clew, arguments):
     """The peak of each process of a run that ends at its last tick, by role; `clew` is the command."""
-    process = subprocess.Popen([clew, *map(str, arguments)], text=True, stdin=subprocess.DEVNULL,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                               start_new_session=True)
-    peaks = {}
-    while process.poll() is None:
-        for pid in [int(entry.name) for entry in pathlib.Path("/proc").iterdir()
-                    if entry.name.isdigit()]:
-            peak = peak_kib(pid) if session_of(pid) == process.pid else None
-            if peak and role(pid):
-                peaks[role(pid)] = peak
-        time.sleep(PERIOD_S)
-    _, err = process.communicate()
-    assert process.returncode == 3, err
+    # A pipe that nobody empties would hold up a run that says much.
+    with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as said:
+        process = subprocess.Popen([clew, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=said, start_new_session=True)
+        peaks = {}
+        while process.poll() is None:
+            for pid in [int(entry.name) for entry in pathlib.Path("/proc").iterdir()
+                        if entry.name.isdigit()]:
+                peak = peak_kib(pid) if session_of(pid) == process.pid else None
+                called = role(pid) if peak else ""
+                if called:
+                    peaks[called] = peak
+            time.sleep(PERIOD_S)
+        said.seek(0)
+        assert process.returncode == 3, said.read()
     return peaks

@@ -16,12 +16,12 @@ sys.path.insert(0, str(SOURCE / "tools"))
 import chaos_cases  # noqa: E402
 
 TOOL = SOURCE / "tools" / "chaos"
-# A few cases, the same as long as graphs and worlds are, or as many as an hour takes.
 # In soak: kind and cases.
 COUNTS = [("storms", 1000), ("realtime", 1000)]
 # At a restart; while 10 MB are read; of all processes, and then of a new recorder.
 FREEZES = [["--seed", "1", "--cases", "1000"]] if SOAK else [["--seed", "17", "--cases", "2"],
                                                              ["--seed", "25", "--cases", "1"]]
+# A few cases, the same as long as graphs and worlds are, or as many as an hour takes.
 EXTENT = ["--seed", "1000", "--minutes", "60"] if SOAK else ["--seed", "1", "--cases", "6"]
 
 

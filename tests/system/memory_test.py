@@ -37,7 +37,7 @@ class Memory(unittest.TestCase):
 
     @unittest.skipUnless(SOAK, "takes half an hour")
     def test_a_long_secured_run_grows_by_a_megabyte_at_most(self):
-        short, long = (peaks_kib([*ENDLESS, *LAYOUTS["cyclonedds"], "--secure", "--max-ticks", ticks])
+        short, long = (peaks_kib(CLEW, [*ENDLESS, *LAYOUTS["cyclonedds"], "--secure", "--max-ticks", ticks])
                        for ticks in (20_000, 864_000))
 
         self.assertEqual(len(long), 6)
