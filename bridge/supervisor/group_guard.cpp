@@ -22,7 +22,10 @@ bool hears(int patience_ms) {
   const int ready = ::poll(&pipe, 1, patience_ms);
   if (ready < 0) return errno == EINTR;
   char bytes[64];
-  return ready > 0 && (::read(STDIN_FILENO, bytes, sizeof bytes) > 0 || errno == EINTR);
+  if (ready == 0) return false;
+  const ssize_t got = ::read(STDIN_FILENO, bytes, sizeof bytes);
+  // At the end of the pipe errno is that of an earlier call.
+  return got > 0 || (got < 0 && errno == EINTR);
 }
 
 // Runs in the child, without exec: only calls that are safe there. It must hold nothing of its
