@@ -30,6 +30,9 @@ using Clock = std::chrono::steady_clock;
 using core::Error;
 using core::Result;
 
+/// How long the other host is tried, after the first: together they get no more than one alone.
+constexpr auto kOtherHostPatience = kHostPatience - kFallBackAfter;
+
 Result<std::string> read_file(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return Error{"cannot be read", path};
@@ -91,12 +94,13 @@ class Relay {
     auto run_id = run_of_parent();
     if (!run_id.ok()) return fail_run(run_id.error().text());
     run_id_ = *std::move(run_id);
-    Connection connection = find_host();
+    const bool has_other = other_address_ || order_.fallback == kFallbackHere;
+    Connection connection = find_host(has_other ? Clock::duration(kFallBackAfter) : kHostPatience);
     if (!connection.line && !connection.refused && other_address_) {
       warn("does not answer: " + connection.why + "; the component runs on " + order_.fallback);
       host_ = order_.fallback;
       address_ = *std::exchange(other_address_, std::nullopt);
-      connection = find_host();
+      connection = find_host(kOtherHostPatience);
     }
     if (connection.line) {
       line_ = std::move(connection.line);
@@ -115,11 +119,8 @@ class Relay {
     logs::warning("host {} ({}) {}", host_, address_.text(), text);
   }
 
-  Connection find_host() {
-    const auto begin = Clock::now();
-    const bool waits = !other_address_ && order_.fallback != kFallbackHere;
-    const auto deadline =
-        begin + (waits ? Clock::duration(kHostPatience) : Clock::duration(kFallBackAfter));
+  Connection find_host(Clock::duration patience) {
+    const auto deadline = Clock::now() + patience;
     bool told = false;
     while (true) {
       Connection connection = connect(std::min(deadline, Clock::now() + kHostLostAfter));
