@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
+#include <functional>
+#include <map>
 
 namespace clew::bridge {
 namespace {
@@ -115,6 +116,7 @@ class IdlParser {
       if (!enumerator.ok()) return enumerator.error();
       enumeration.enumerators.push_back(*std::move(enumerator));
     } while (take_if(","));
+    enumeration_of_.emplace(enumeration.name, types_.enumerations_.size());
     types_.enumerations_.push_back(std::move(enumeration));
     CLEW_RETURN_IF_ERROR(expect("}"));
     return expect(";");
@@ -145,6 +147,7 @@ class IdlParser {
       declared.members.push_back({*std::move(member), *type});
     } while (word() != "}");
     if (declared.depth > kMostDepth) return Error{"its structs lie too deep within each other"};
+    struct_of_.emplace(declared.name, types_.structs_.size());
     types_.structs_.push_back(std::move(declared));
     CLEW_RETURN_IF_ERROR(expect("}"));
     return expect(";");
@@ -181,24 +184,24 @@ class IdlParser {
   }
 
   Result<IdlType> parse_declared_type() {
-    const auto find = [&](const auto& declared) -> std::optional<std::size_t> {
-      for (std::size_t i = 0; i < declared.size(); ++i) {
-        if (declared[i].name == word()) return i;
-      }
-      return std::nullopt;
-    };
-    const auto in_structs = find(types_.structs_);
-    const auto in_enumerations = find(types_.enumerations_);
-    if (!in_structs && !in_enumerations) return unexpected("a type");
+    const auto in_structs = struct_of_.find(word());
+    const auto in_enumerations = enumeration_of_.find(word());
+    if (in_structs != struct_of_.end()) {
+      ++next_;
+      return IdlType{IdlType::Kind::kStruct, 0, in_structs->second};
+    }
+    if (in_enumerations == enumeration_of_.end()) return unexpected("a type");
     ++next_;
-    if (in_structs) return IdlType{IdlType::Kind::kStruct, 0, *in_structs};
-    return IdlType{IdlType::Kind::kEnumeration, 4, *in_enumerations};
+    return IdlType{IdlType::Kind::kEnumeration, 4, in_enumerations->second};
   }
 
   std::vector<std::string_view> words_;
   std::size_t next_ = 0;
   std::size_t depth_ = 0;
   IdlTypes types_;
+  /// By name; of several with one name the first counts.
+  std::map<std::string, std::size_t, std::less<>> struct_of_;
+  std::map<std::string, std::size_t, std::less<>> enumeration_of_;
 };
 
 Result<IdlTypes> IdlTypes::parse(std::string_view idl) {

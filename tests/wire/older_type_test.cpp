@@ -9,6 +9,7 @@
 #include <string>
 
 #include "wire/codec.hpp"
+#include "wire/idl_types.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -112,6 +113,20 @@ TEST(OlderType, KeepsEnumeratorsByTheirNamesAndListsOfStructs) {
   EXPECT_TRUE(type.has_field("entries[2].rule"));
   EXPECT_TRUE(type.has_field("entries.length"));
   EXPECT_FALSE(type.has_field("entries[2].text"));
+}
+
+TEST(OlderType, FindsTypesAmongManyByTheirNamesTheFirstOfOneName) {
+  std::string idl = "module m { enum Last { A };";
+  for (int i = 0; i < 10000; ++i) idl += "enum E" + std::to_string(i) + "{A};";
+  idl += "enum E9999{B,C};@final struct Many {";
+  for (int i = 0; i < 20000; ++i) idl += "E9999 m" + std::to_string(i) + ';';
+  idl += "}; };";
+
+  const auto types = IdlTypes::parse(idl);
+
+  ASSERT_TRUE(types.ok()) << types.error().text();
+  EXPECT_EQ(types->structs().back().members.back().type.index, 10000U);
+  EXPECT_EQ(types->enumerations()[10000].enumerators.size(), 1U);
 }
 
 TEST(OlderType, OfTodayGivesTheSameBytes) {
