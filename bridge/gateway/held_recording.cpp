@@ -25,8 +25,10 @@ class Folder {
  public:
   static Result<Folder> make() {
     std::error_code code;
-    std::string path = (std::filesystem::temp_directory_path(code) / "clew-held-XXXXXX").string();
-    if (code || ::mkdtemp(path.data()) == nullptr) {
+    const auto place = std::filesystem::temp_directory_path(code);
+    if (code) return Error{"is no folder for temporary files: " + code.message(), "TMPDIR"};
+    std::string path = (place / "clew-held-XXXXXX").string();
+    if (::mkdtemp(path.data()) == nullptr) {
       return Error{std::string("cannot be made: ") + std::strerror(errno), path};
     }
     return Folder(std::move(path));

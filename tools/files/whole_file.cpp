@@ -15,6 +15,9 @@
 namespace clew::files {
 namespace {
 
+/// How many names beside a file are tried.
+constexpr int kMostNames = 100;
+
 core::Error cannot(const char* what, int number, const std::string& path) {
   return {std::string("cannot be ") + what + ": " + std::strerror(number), path};
 }
@@ -29,15 +32,22 @@ int write_and_close(int file, const std::string& bytes) {
 
 /// A file beside `path` that can take its place, with its rights; -1 if nothing should: `path` is a
 /// link, a device or a pipe, has other names or another owner, must not be written, or there is no
-/// room for a file more in that directory.
-int open_beside(const std::string& path, const std::string& beside) {
+/// room for a file more in that directory. `beside` becomes its name: one that nothing had, so that
+/// no link of others is followed.
+int open_beside(const std::string& path, std::string& beside) {
   struct stat status {};
   const bool is_there = ::lstat(path.c_str(), &status) == 0;
   if (is_there && (!S_ISREG(status.st_mode) || status.st_nlink > 1 ||
                    status.st_uid != ::geteuid() || ::access(path.c_str(), W_OK) != 0)) {
     return -1;
   }
-  const int file = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const std::string stem = path + '~' + std::to_string(::getpid()) + '-';
+  int file = -1;
+  for (int i = 0; i < kMostNames && file < 0; ++i) {
+    beside = stem + std::to_string(i);
+    file = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (file < 0 && errno != EEXIST) return -1;
+  }
   if (file >= 0 && is_there) ::fchmod(file, status.st_mode & 07777);
   return file;
 }
@@ -64,7 +74,7 @@ bool write_all(int file, const std::string& bytes) {
 }
 
 core::Result<void> write_file(const std::string& path, const std::string& bytes) {
-  const std::string beside = path + '~' + std::to_string(::getpid());
+  std::string beside;
   const int file = open_beside(path, beside);
   if (file < 0) return write_in_place(path, bytes);
   int failed = write_and_close(file, bytes);

@@ -2,15 +2,11 @@
 #include "hunt/case_run.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
 #include <limits>
-#include <memory>
 
 #include "bench/trap_judge.hpp"
 #include "clew/run_output.hpp"
+#include "files/scratch_folder.hpp"
 #include "recorder/recording_sink.hpp"
 #include "recording/output_file.hpp"
 #include "recording/run_recording.hpp"
@@ -185,27 +181,6 @@ Result<void> check_is_ours(const RunPlan& plan) {
   return {};
 }
 
-/// A directory that is gone with this.
-class ScratchDirectory {
- public:
-  static Result<std::unique_ptr<ScratchDirectory>> make() {
-    std::string path = (std::filesystem::temp_directory_path() / "clew-XXXXXX").string();
-    if (mkdtemp(path.data()) == nullptr) return core::Error{std::strerror(errno), path};
-    return std::unique_ptr<ScratchDirectory>(new ScratchDirectory(std::move(path)));
-  }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-  ~ScratchDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  const std::string& path() const { return path_; }
-
- private:
-  explicit ScratchDirectory(std::string path) : path_(std::move(path)) {}
-  std::string path_;
-};
-
 /// `run` runs the plan and shows each of its samples to the witness.
 template <typename RunIt>
 Result<std::optional<CaseOutcome>> judged_run(const RunPlan& plan, const Property* property,
@@ -270,9 +245,9 @@ Result<std::optional<CaseOutcome>> run_as_processes(const RunPlan& plan,
                                                     const bridge::ProcessLayout& layout,
                                                     const Property* property,
                                                     bridge::SampleSink* trace) {
-  const auto scratch = ScratchDirectory::make();
+  const auto scratch = files::ScratchFolder::make("clew-run");
   if (!scratch.ok()) return scratch.error();
-  const std::string file = (*scratch)->path() + "/run.mcap";
+  const std::string file = scratch->path() + "/run.mcap";
   return judged_run(plan, property, trace, [&](Witness& witness) -> Result<bridge::RunReport> {
     CLEW_RETURN_IF_ERROR(bridge::mcap::OutputFile::reserve(file, true));
     const bridge::RecordingOrder order{file, bridge::describe_run(plan), 0.0};
