@@ -191,6 +191,8 @@ class Hunt(unittest.TestCase):
                 (["bisect", "krishna_kalra", "--ticks"], "--ticks needs the change"),
                 (["bisect", "krishna_kalra", "--ticks", "--with", "recover.detector=none"],
                  "krishna_kalra"),
+                (["bisect", "a.mcap", "--ticks", "--set", "sense.range_m=1", "--max-ticks", 9],
+                 "found another: leave it out"),
                 (["bisect", "a.mcap", "b.mcap", "--ticks"], "takes one run; found a second"),
                 (["bisect", "a.mcap", "b.mcap", "--set", "sense.range_m=1"], "found no --ticks"),
                 (["bisect", "krishna_kalra", "--other-version", "nix"],

@@ -152,6 +152,11 @@ Result<void> check_options(const BisectCommandOptions& options) {
   if (options.ticks && (overrides.world || overrides.robot || overrides.seed)) {
     return core::Error{"--ticks goes on from a recording: --world, --robot and --seed are its own"};
   }
+  if (options.ticks && overrides.max_ticks) {
+    return core::Error{
+        "--ticks compares with the recorded run, which has its own --max-ticks; found "
+        "another: leave it out"};
+  }
   return {};
 }
 

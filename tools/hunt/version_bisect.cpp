@@ -119,6 +119,19 @@ class VersionBisection {
   VersionBisectEnd end_;
 };
 
+/// A process has one program: which of its stages is another version could not be chosen.
+Result<void> check_has_no_groups(const runtime::RunPlan& plan) {
+  for (const runtime::GraphStage& stage : plan.graph.stages) {
+    const runtime::Deployment& deployment = stage.deployment;
+    if (deployment.group.empty()) continue;
+    return deployment.group_place.error("stage '" + stage.info->name + "' shares the process '" +
+                                        deployment.group +
+                                        "', which has one version as a whole; --other-version "
+                                        "takes graphs in which each stage has its own process");
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<VersionBisectEnd> bisect_versions(const runtime::RunPlan& plan, const TwoVersions& versions,
@@ -126,6 +139,7 @@ Result<VersionBisectEnd> bisect_versions(const runtime::RunPlan& plan, const Two
   if (access(versions.other.c_str(), X_OK) != 0) {
     return core::Error{"is no program that can be started", versions.other};
   }
+  CLEW_RETURN_IF_ERROR(check_has_no_groups(plan));
   return VersionBisection(plan, versions, property).run();
 }
 

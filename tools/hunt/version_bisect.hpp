@@ -44,7 +44,7 @@ struct VersionBisectEnd {
 /// holds, or else the outcome.
 ///
 /// Refused: an other version that cannot be started or has other messages (all its runs are
-/// aborted), and stages of somebody else's.
+/// aborted), stages that share a process, and stages of somebody else's.
 core::Result<VersionBisectEnd> bisect_versions(const runtime::RunPlan& plan,
                                                const TwoVersions& versions,
                                                const std::optional<Property>& property);
