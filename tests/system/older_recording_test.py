@@ -48,6 +48,14 @@ class OlderRecording(unittest.TestCase):
 
     def test_it_is_drawn_and_exported(self):
         self.good("plot", OLDER, "-o", self.directory / "run.svg")
+        self.good("plot", OLDER, "--field", "odometry.pose_odom_robot.x_m", "-o",
+                  self.directory / "field.svg")
+        self.assertIn("odometry.pose_odom_robot.x_m",
+                      (self.directory / "field.svg").read_text(encoding="utf-8"))
+        refused = Run(["plot", OLDER, "--field", "odometry.covariance[0]", "-o",
+                       self.directory / "none.svg"])
+        self.assertEqual(refused.status, 2)
+        self.assertIn("unknown number of odometry 'covariance[0]'", refused.err)
         self.good("export", OLDER, "--csv", self.directory / "tables")
         self.good("export", OLDER, "--foxglove", self.directory / "run.mcap")
         self.good("export", OLDER, "--rosbag2", self.directory / "bag")

@@ -13,7 +13,6 @@
 #include "plot/line_chart.hpp"
 #include "plot/plot.hpp"
 #include "replay/live_checks.hpp"
-#include "replay/recorded_plan.hpp"
 
 namespace clew::tools {
 namespace {
@@ -57,6 +56,7 @@ Result<std::vector<plot::Point>> read_values(const bridge::RunRecording& recordi
     if (!*sample) break;
     auto fields = reader.fields_of(**sample);
     if (!fields.ok()) return Error{fields.error().message, recording.path()};
+    keep_recorded(recording, (*sample)->topic, *fields);
     const auto found = std::find_if(fields->begin(), fields->end(),
                                     [&](const Field& field) { return field.path == path; });
     const auto value = found == fields->end() ? std::nullopt : number_of(found->value);
@@ -93,7 +93,6 @@ Result<void> plot_fields(const std::vector<std::string>& recordings,
   for (const std::string& path : recordings) {
     const auto recording = bridge::RunRecording::open(path);
     if (!recording.ok()) return recording.error();
-    CLEW_RETURN_IF_ERROR(bridge::check_message_types(*recording));
     for (const std::string& field : fields) {
       const std::size_t dot = field.find('.');
       if (dot == std::string::npos) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/quoted.hpp"
+
 namespace clew::tools {
 namespace {
 
@@ -46,12 +48,7 @@ ordered_json& place_of(ordered_json& root, std::string_view path) {
 }
 
 struct CellText {
-  std::string operator()(const std::string& value) const {
-    if (value.find_first_of(",\"\r\n") == std::string::npos) return value;
-    std::string text = "\"";
-    for (const char c : value) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return text + '"';
-  }
+  std::string operator()(const std::string& value) const { return core::csv_field(value); }
   std::string operator()(std::string_view value) const { return std::string(value); }
   std::string operator()(double value) const { return fmt::format("{}", value); }
   std::string operator()(bool value) const { return value ? "true" : "false"; }
