@@ -7,6 +7,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "clew/json_line.hpp"
+#include "clew/print_text.hpp"
 #include "clew/terminal.hpp"
 #include "clew/version.hpp"
 #include "doctor/doctor.hpp"
@@ -24,8 +25,10 @@ void print(const doctor::Finding& finding, bool json) {
   }
   fmt::print("{}  {:24}  {}\n",
              finding.ok ? in_colour("good", Tone::kGood) : in_colour("BAD ", Tone::kBad),
-             finding.check, finding.found);
-  if (!finding.fix.empty()) fmt::print("      {:24}  what to do: {}\n", "", finding.fix);
+             terminal_text(finding.check), terminal_text(finding.found));
+  if (!finding.fix.empty()) {
+    fmt::print("      {:24}  what to do: {}\n", "", terminal_text(finding.fix));
+  }
 }
 
 int doctor_command(bool json) {

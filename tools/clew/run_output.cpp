@@ -11,6 +11,7 @@
 #include "clew/json_line.hpp"
 #include "clew/seed_note.hpp"
 #include "clew/terminal.hpp"
+#include "core/terminal_text.hpp"
 #include "world/world.hpp"
 
 namespace clew::tools {
@@ -224,13 +225,14 @@ std::string report_json(const RunReport& report, const runtime::RunPlan& plan,
 std::string report_line(const RunReport& report, const runtime::RunPlan& plan) {
   const RunTruth truth = truth_of(report);
   const auto shortest_m = shortest_path_m(report, plan);
+  const std::string world = core::terminal_text(plan.graph.world);
   std::string line =
-      fmt::format("{} in {}: {} ticks ({:.1f} s), path {:.2f} m", outcome_in_colour(report),
-                  plan.graph.world, truth.tick, truth.sim_time_s, truth.path_length_m);
+      fmt::format("{} in {}: {} ticks ({:.1f} s), path {:.2f} m", outcome_in_colour(report), world,
+                  truth.tick, truth.sim_time_s, truth.path_length_m);
   const bool has_outcome = report.aborted.empty() && truth.outcome != Outcome::kRunning;
   if (!has_outcome && truth.tick == 0) {
-    line = fmt::format("{} in {}: before the first tick had ended", outcome_in_colour(report),
-                       plan.graph.world);
+    line =
+        fmt::format("{} in {}: before the first tick had ended", outcome_in_colour(report), world);
   } else if (!has_outcome) {
     line += fmt::format(", at ({:.2f}, {:.2f})", truth.x_m, truth.y_m);
   }
