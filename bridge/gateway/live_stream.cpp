@@ -45,7 +45,7 @@ bool LiveStream::add(std::string_view spool) {
     incidents_.push_back(incident);
   };
   const bool whole = for_each_spooled(spool, {on_sample, on_state, on_intervention, on_incident});
-  while (held_bytes_ > most_bytes_ && ticks_.size() > 1) forget_oldest();
+  while (held_bytes_ > most_bytes_ / 4 * 3 && ticks_.size() > 1) forget_oldest();
   while (state_bytes_ > most_bytes_ / 4 && states_.size() > 1) forget_states();
   return whole;
 }

@@ -42,7 +42,7 @@ class AHeldRun : public ::testing::Test {
     stream_.add(spool);
   }
 
-  LiveStream stream_{1000};  // some seventeen ticks
+  LiveStream stream_{1340};  // some seventeen ticks
 };
 
 TEST_F(AHeldRun, IsARecordingUpToTheTickThatIsAsked) {
