@@ -106,16 +106,29 @@ void LiveFeed::send() {
   }
 }
 
-void LiveFeed::end(const std::string& how) {
+bool LiveFeed::turn_until(Clock::time_point deadline, EndSignals& signals) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+  if (left.count() <= 0) return false;
+  pollfd ends[] = {{link_->socket(), link_->poll_events(), 0}, {signals.descriptor(), POLLIN, 0}};
+  ::poll(ends, 2, static_cast<int>(left.count()));
+  asked_to_end_ = asked_to_end_ || signals.take() != 0;
+  return !asked_to_end_ && link_->flush() && link_->receive();
+}
+
+bool LiveFeed::end(const std::string& how, EndSignals& signals) {
   const auto deadline = Clock::now() + kGatewayEndPatience;
-  while (!waiting_.empty() && link_->flush_until(deadline) && Clock::now() < deadline) send();
+  for (send(); !waiting_.empty() && turn_until(deadline, signals);) send();
   link_->post(FrameType::kRecordingEnd, RecordingEnd{how, {}});
   // Until viewers have what they are still to get: with this process the gateway ends.
   const auto last = Clock::now() + kGatewayMostEndPatience;
-  for (;;) {
-    const auto said = link_->wait_for_frame(std::min(Clock::now() + kGatewayEndPatience, last));
-    if (!said.ok() || said->as<Text>().value_or(Text{}).text == kPassedOn) return;
+  auto silent_until = std::min(Clock::now() + kGatewayEndPatience, last);
+  while (!asked_to_end_ && turn_until(silent_until, signals)) {
+    while (const auto said = link_->next()) {
+      if (said->as<Text>().value_or(Text{}).text == kPassedOn) return true;
+      silent_until = std::min(Clock::now() + kGatewayEndPatience, last);
+    }
   }
+  return !asked_to_end_;
 }
 
 void LiveFeed::wait(EndSignals& signals) {

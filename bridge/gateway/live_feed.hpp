@@ -48,8 +48,8 @@ class LiveFeed {
   /// Takes what a component spooled. Does not wait.
   void add(std::string_view spool);
   /// Tells how the run ended, and waits until viewers have it all: for three seconds in which none
-  /// gets anything, for thirty at most.
-  void end(const std::string& how);
+  /// gets anything, for thirty at most, and not once a signal asks for an end. False if one did.
+  bool end(const std::string& how, EndSignals& signals);
   /// Until a signal asks for an end, or the gateway ends; then it is gone.
   void wait(EndSignals& signals);
   std::uint64_t dropped_batches() const { return dropped_batches_; }
@@ -59,6 +59,9 @@ class LiveFeed {
       : link_(std::move(link)), child_(std::move(child)) {}
   core::Result<void> take_address(const Frame& frame);
   void send();
+  /// Waits until something comes or goes. False: it is too late, a signal asks for an end, or the
+  /// gateway is gone.
+  bool turn_until(std::chrono::steady_clock::time_point deadline, EndSignals& signals);
 
   std::unique_ptr<Link> link_;
   ChildProcess child_;
@@ -67,6 +70,7 @@ class LiveFeed {
   std::deque<std::string> waiting_;
   std::size_t waiting_bytes_ = 0;
   std::uint64_t dropped_batches_ = 0;
+  bool asked_to_end_ = false;
 };
 
 /// Lets a page see what goes to another sink, or to none.

@@ -43,12 +43,12 @@ void end_view(const RunOptions& options, const bridge::RunView& view,
               const bridge::RunReport& report, bridge::EndSignals& signals) {
   bridge::LiveFeed* const feed = view.feed();
   if (feed == nullptr) return;
-  feed->end(outcome_word(report));
+  const bool shown = feed->end(outcome_word(report), signals);
   if (feed->dropped_batches() > 0) {
     logs::warning("the view was too slow: {} batches of samples were not shown",
                   feed->dropped_batches());
   }
-  const bool asked_to_end = report.interrupted_by != 0 || !options.view;
+  const bool asked_to_end = !shown || report.interrupted_by != 0 || !options.view;
   if (asked_to_end || ::isatty(STDIN_FILENO) == 0 || ::isatty(STDOUT_FILENO) == 0) return;
   logs::info("the page stays until Ctrl-C");
   feed->wait(signals);
