@@ -309,7 +309,7 @@ class Steered(Published):
         terminal.press(b" ")
         terminal.wait_for(b" s  1x", TIMEOUT_S)
         terminal.press(b"q")
-        terminal.wait_for(b"ticks identical", TIMEOUT_S)
+        terminal.wait_for(b"ticks \x1b[32midentical", TIMEOUT_S)
 
         self.assertEqual(process.wait(TIMEOUT_S), 0, terminal.shown)
         self.assertEqual(termios.tcgetattr(terminal.end), before)

@@ -35,9 +35,9 @@ class Rogues(unittest.TestCase):
             self.assertEqual(run.report["refused_samples"], 1)
 
     def test_a_command_of_a_wrong_size(self):
-        # A Command is 84 bytes with its header; DDS pads samples to multiples of 4.
-        for other, what in (("target", "52 bytes: too short for its content"),
-                            ("state", "96 bytes: too long; allowed: at most 84")):
+        # A Command without virtual targets is 88 bytes with its header.
+        for other, what in (("target", "84 bytes: too short for its content; it ends in virtual_targets"),
+                            ("state", "96 bytes: too long; its content ends after 88")):
             for vendor in ("cyclonedds", "fastdds"):
                 with self.subTest(other=other, vendor=vendor):
                     run = Run(["run", self.control("straight_control", "--write-as", other),
