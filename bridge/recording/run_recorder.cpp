@@ -2,6 +2,7 @@
 #include "recording/run_recorder.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -41,6 +42,8 @@ std::string library_of(const RunDescription& description) {
 }  // namespace
 
 core::Result<bool> RunRecorder::holds_samples(const std::string& file) {
+  std::error_code code;
+  if (!std::filesystem::exists(file, code) && !code) return false;
   const auto recording = RunRecording::open_file(file);
   if (!recording.ok()) {
     const auto begun = is_only_begun(file);
