@@ -5,6 +5,8 @@
 #include <mrpt/core/Clock.h>
 #include <mrpt/kinematics/CVehicleVelCmd_DiffDriven.h>
 #include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/nav/holonomic/CHolonomicFullEval.h>
+#include <mrpt/nav/holonomic/CHolonomicND.h>
 #include <mrpt/nav/reactive/CReactiveNavigationSystem.h>
 #include <stdlib.h>
 
@@ -123,13 +125,25 @@ class Robot final : public mrpt::nav::CRobot2NavInterface {
   Velocities command_{};
 };
 
+/// MRPT's navigator, without the table of times that it would print at its end.
+class QuietSystem final : public mrpt::nav::CReactiveNavigationSystem {
+ public:
+  explicit QuietSystem(Robot& robot) : CReactiveNavigationSystem(robot, false, false) {
+    setMinLoggingLevel(mrpt::system::LVL_ERROR);
+    enableTimeLog(false);
+    m_timlog_delays.disable();
+    m_timlog_delays.clear(true);
+    m_timlog_delays.setMinLoggingLevel(mrpt::system::LVL_ERROR);
+  }
+};
+
 }  // namespace
 
 struct Navigator::Parts {
-  explicit Parts(double tick_s) : robot(tick_s), system(robot, false, false) {}
+  explicit Parts(double tick_s) : robot(tick_s), system(robot) {}
 
   Robot robot;
-  mrpt::nav::CReactiveNavigationSystem system;
+  QuietSystem system;
   std::array<double, 3> target{};
   bool has_target = false;
 };
@@ -139,9 +153,12 @@ Navigator::Navigator(const NavigatorSettings& settings, double tick_s) {
   mrpt::Clock::setSimulatedTime(mrpt::Clock::fromDouble(1.0e9));
   mrpt::Clock::setActiveClock(mrpt::Clock::Source::Simulated);
   parts_ = std::make_unique<Parts>(tick_s);
-  parts_->system.setMinLoggingLevel(mrpt::system::LVL_ERROR);
-  parts_->system.enableTimeLog(false);
-  parts_->system.loadConfigFile(mrpt::config::CConfigFileMemory(configuration(settings)));
+  // Of its methods MRPT wants every setting written: its own defaults.
+  mrpt::config::CConfigFileMemory defaults;
+  mrpt::nav::CHolonomicFullEval().saveConfigFile(defaults);
+  mrpt::nav::CHolonomicND().saveConfigFile(defaults);
+  parts_->system.loadConfigFile(
+      mrpt::config::CConfigFileMemory(defaults.getContent() + '\n' + configuration(settings)));
   // It keeps tables of its paths in files: in a folder of this process's own.
   static const Folder folder;
   parts_->system.params_abstract_ptg_navigator.ptg_cache_files_directory = folder.path();

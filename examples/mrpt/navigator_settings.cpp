@@ -7,7 +7,8 @@
 namespace clew_mrpt {
 namespace {
 
-constexpr double kDegrees = 57.29577951308232;
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kDegrees = 180.0 / kPi;
 
 std::string line(const char* key, double value) {
   char text[96];
@@ -27,6 +28,23 @@ std::string family(int index, const char* type, const NavigatorSettings& setting
          line((name + "num_paths").c_str(), settings.path_count) +
          line((name + "v_max_mps").c_str(), settings.speed_mps) +
          line((name + "w_max_dps").c_str(), settings.turn_rate_radps * kDegrees);
+}
+
+/// The robot as MRPT's tables of collisions want it: a polygon around its circle.
+std::string shape(double radius_m) {
+  constexpr int kCorners = 24;
+  const double corner_m = radius_m / std::cos(kPi / kCorners);
+  std::string xs;
+  std::string ys;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle_rad = 2.0 * kPi * i / kCorners;
+    char text[64];
+    std::snprintf(text, sizeof text, "%.9f ", corner_m * std::cos(angle_rad));
+    xs += text;
+    std::snprintf(text, sizeof text, "%.9f ", corner_m * std::sin(angle_rad));
+    ys += text;
+  }
+  return line("RobotModel_shape2D_xs", xs) + line("RobotModel_shape2D_ys", ys);
 }
 
 }  // namespace
@@ -49,7 +67,6 @@ std::string configuration(const NavigatorSettings& settings) {
   text += line("secure_distance_end", 0.20) + line("use_delays_model", std::string("false"));
   text += line("enable_obstacle_filtering", std::string("false"));
   text += line("evaluate_clearance", std::string("true"));
-  text += "[CPointCloudFilterByDistance]\n[CHolonomicFullEval]\n[CHolonomicND]\n[CHolonomicVFF]\n";
   text += "[CMultiObjectiveMotionOptimizerBase]\n";
   text += line("score1_name", std::string("free_way"));
   text += line("score1_formula", std::string("collision_free_distance * ptg_priority"));
@@ -65,7 +82,7 @@ std::string configuration(const NavigatorSettings& settings) {
                std::string("0.3*free_way + 1.5*nearness + 0.1*under_way + 1.0*direction"));
   text += "[CReactiveNavigationSystem]\n";
   text += line("min_obstacles_height", -1) + line("max_obstacles_height", 1);
-  text += line("RobotModel_circular_shape_radius", settings.radius_m);
+  text += shape(settings.radius_m);
   text += line("PTG_COUNT", 3);
   text += family(0, "CPTG_DiffDrive_C", settings) + line("PTG0_K", 1);
   text += line("PTG0_score_priority", 1.0);

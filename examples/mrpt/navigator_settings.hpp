@@ -7,7 +7,7 @@ namespace clew_mrpt {
 
 /// What MRPT's reactive navigation is told. Values that are not here are MRPT's own defaults.
 struct NavigatorSettings {
-  std::string holonomic;  ///< CHolonomicFullEval, CHolonomicND or CHolonomicVFF
+  std::string holonomic;  ///< CHolonomicFullEval or CHolonomicND
   double speed_mps = 0.6;
   double turn_rate_radps = 0.8;
   double radius_m = 0.15;     ///< of the robot, with what is kept free around it

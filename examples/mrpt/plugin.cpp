@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// MRPT's reactive navigators as controllers of Clew: one behaviour for each of its three methods to
+// MRPT's reactive navigators as controllers of Clew: one behaviour for each of two methods to
 // choose a direction.
 #include "plugin/plugin.hpp"
 
@@ -143,7 +143,6 @@ class MrptNavigator final : public control::Controller {
 
 constexpr char kFullEval[] = "CHolonomicFullEval";
 constexpr char kNearnessDiagram[] = "CHolonomicND";
-constexpr char kForceField[] = "CHolonomicVFF";
 
 }  // namespace
 
@@ -152,6 +151,4 @@ CLEW_PLUGIN("mrpt", "0.1.0") {
       "mrpt_full_eval", "MRPT 2.5's reactive navigation with CHolonomicFullEval");
   plugin.controller<MrptNavigator<kNearnessDiagram>>(
       "mrpt_nd", "MRPT 2.5's reactive navigation with CHolonomicND");
-  plugin.controller<MrptNavigator<kForceField>>(
-      "mrpt_vff", "MRPT 2.5's reactive navigation with CHolonomicVFF");
 }

@@ -10,7 +10,7 @@ from clew_command import SOURCE
 from installed import Installation
 
 EXAMPLE = SOURCE / "examples" / "mrpt"
-GRAPHS = ("mrpt_full_eval", "mrpt_nd", "mrpt_vff")
+GRAPHS = ("mrpt_full_eval", "mrpt_nd")
 
 
 def version_of_mrpt():
