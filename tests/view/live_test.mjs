@@ -77,7 +77,7 @@ for (const layout of ["processes", "composed"]) {
     const first = await page.evaluate(() => window.clew.session.first_tick);
     assert.ok(first > 0);
     // Two checkpoints lie behind it by then.
-    await page.waitForFunction((tick) => window.clew.session.last_tick > tick + 140, first);
+    await page.waitForFunction((tick) => window.clew.session.last_tick > tick + 300, first);
     assert.equal(clew("pause", name).status, 0);
     await page.keyboard.press("x");
     await page.waitForFunction((tick) => Number(document.querySelector("#insides").dataset.tick) > tick + 100, first, { timeout: 60000 });
