@@ -84,7 +84,7 @@ for (const layout of ["processes", "composed"]) {
     // What the rule base refuses is told with its place, and the run goes on as it was.
     await editor.getByLabel("target_turn_deg: 4", { exact: true }).or(editor.getByLabel("target_turn_deg: 9", { exact: true })).first().fill("nonsense");
     await editor.getByRole("button", { name: "Use these rules from now on" }).click();
-    await page.waitForFunction(() => /rules-\d+\.yaml:\d+/.test(document.querySelector(".rule-editor [role=alert]").textContent));
+    await page.waitForFunction(() => /rules-\d+\.yaml:\d+/.test(document.querySelector("[data-rules='control.rules'] [role=alert]").textContent));
     assert.equal(clew("resume", name).status, 0);
     await page.waitForFunction((from) => window.clew.session.last_tick > from + 20, tick);
     const events = await page.evaluate(() => window.clew.session.runs[0].events.filter(({ kind }) => kind === "change")
