@@ -63,6 +63,15 @@ class RecorderProcess : public testing::Test {
     }
   }
 
+  /// Until the recorder has reported that it keeps so many ticks.
+  void wait_until_kept(std::uint64_t ticks) {
+    while (kept_.ticks < ticks) {
+      const auto frame = link_->wait_for_frame(Clock::now() + kPatient);
+      ASSERT_TRUE(frame.ok()) << frame.error().text();
+      if (frame->type == FrameType::kKept) kept_ = *frame->as<Kept>();
+    }
+  }
+
   int status() { return status_.get(); }
 
   recording_test::ScratchDirectory directory_;
@@ -163,10 +172,12 @@ TEST_F(RecorderProcess, ReportsWhatItHasKept) {
   // A black box that nothing has made write forgets what it cannot need.
   assign(order_at(path_, 1.0));
   send(quiet_ticks(0, 200));
+  wait_until_kept(200);
+  EXPECT_EQ(kept_.ticks, 200U);
+
   link_->post(FrameType::kRecordingEnd, Text{""});
 
   EXPECT_TRUE(account().nothing);
-  EXPECT_EQ(kept_.ticks, 200U);
   EXPECT_EQ(status(), 0);
 }
 
