@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Runs shipped graphs in shipped worlds composed, as tools/hashes has the command do it, and replays
-/// recordings.
+/// Runs shipped graphs in shipped worlds composed, as tools/hashes has the command do it, and
+/// replays recordings.
 ///   composed-run CONFIGS run GRAPH WORLD TICKS [RECORDING]    prints ticks and hash
 ///   composed-run CONFIGS replay RECORDING...                  prints what differs; status 1 if so
+#include "run/composed_run.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +17,6 @@
 #include "recorder/recording_sink.hpp"
 #include "replay/component_replay.hpp"
 #include "replay/recorded_plan.hpp"
-#include "run/composed_run.hpp"
 #include "stages/all.hpp"
 
 namespace clew::composed_test {

@@ -133,7 +133,8 @@ TEST(AStarPlanner, ClosesAPlaceBeforeWhichItIsHeld) {
   ASSERT_GT(into_gap.x(), 2.9);
   for (int ticks = 0; ticks < 11; ++ticks) ASSERT_EQ(room.step(before_gap).place, into_gap);
 
-  // Held for more than a second and for 12 ticks, whatever the map says: it leads there another way.
+  // Held for more than a second and for 12 ticks, whatever the map says: it leads
+  // there another way.
   EXPECT_NE(room.step(before_gap).place, into_gap);
 }
 

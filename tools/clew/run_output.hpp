@@ -15,11 +15,11 @@ namespace clew::tools {
 struct RunFacts {
   std::string layout;
   std::string middleware;
-  std::string recording;    ///< the file, or empty
+  std::string recording;  ///< the file, or empty
   /// Where the run branched off a recorded one; none: it did not.
   std::optional<std::uint64_t> branch_tick = std::nullopt;
-  std::vector<std::uint64_t> planned_changes =
-      {};  ///< their ticks, in the order in which they came
+  /// Their ticks, in the order in which they came.
+  std::vector<std::uint64_t> planned_changes = {};
   bool seed_given = false;  ///< by who started it
 };
 

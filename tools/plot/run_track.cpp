@@ -194,9 +194,9 @@ void keep_what_differs(const bridge::RunDescription& description, RunTrack& trac
 
 core::Result<void> read_samples(const bridge::RunRecording& recording, RunTrack& track) {
   TrackReader reader;
-  auto samples = recording.samples({{Topic::kState, Topic::kOdometry, Topic::kGuidance,
-                                     Topic::kCommand, Topic::kLandmark, Topic::kEvent,
-                                     Topic::kTarget}});
+  auto samples =
+      recording.samples({{Topic::kState, Topic::kOdometry, Topic::kGuidance, Topic::kCommand,
+                          Topic::kLandmark, Topic::kEvent, Topic::kTarget}});
   std::optional<std::uint64_t> tick;
   for (;;) {
     const auto sample = samples.next();

@@ -236,7 +236,8 @@ TEST_P(RememberedWayTest, TakesAPlaceThatItDoesNotGetToForClosed) {
   for (std::uint64_t tick = 1; tick < 30; ++tick) step(*escape, blocked_at(tick));
   const Answer later = step(*escape, blocked_at(31));
 
-  // It has not moved for 2 s, and for longer than a free one needs: the way begins in another direction.
+  // It has not moved for 2 s, and for longer than a free one needs: the way begins in
+  // another direction.
   const core::Vec2 before(first.guidance.target_x_m, first.guidance.target_y_m);
   const core::Vec2 now(later.guidance.target_x_m, later.guidance.target_y_m);
   EXPECT_GT(core::length(now - before), 0.03);
