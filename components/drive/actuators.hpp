@@ -49,6 +49,9 @@ void visit_parameters(Visitor& visit, ActuatorParameters& p) {
 /// of their turn and by slip_rad_per_sqrt_m sqrt(|s|) N_4 more, with N_i standard normal.
 class Actuators {
  public:
+  /// Chance does not owe more than this.
+  static constexpr double kMostOwed_m = 1e9;
+
   /// Everything that lasts from one tick to the next.
   struct State {
     double turn_rad = 0.0;  ///< on the spot, of the wheels, in the last tick
@@ -58,8 +61,6 @@ class Actuators {
     double owed_m = 0.0;      ///< of chance, that did not fit into it
 
     void add(const Leg& leg);
-    /// Whether it is one that motions lead to, and not a stranger's.
-    bool is_sound() const;
   };
   /// How the robot's motion differed from its wheels', in the last tick.
   struct Slip {

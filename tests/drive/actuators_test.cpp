@@ -42,18 +42,5 @@ TEST(Actuators, SlipByChanceAlikeHoweverLongATickIs) {
   }
 }
 
-TEST(Actuators, KnowAStateThatIsNone) {
-  Actuators::State state;
-  EXPECT_TRUE(state.is_sound());
-  state.step_m = HUGE_VAL;
-  EXPECT_FALSE(state.is_sound());
-  state = {};
-  state.duration_s = -0.1;
-  EXPECT_FALSE(state.is_sound());
-  state = {};
-  state.owed_m = -1e10;
-  EXPECT_FALSE(state.is_sound());
-}
-
 }  // namespace
 }  // namespace clew::drive
