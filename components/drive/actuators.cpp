@@ -38,17 +38,17 @@ Legs Actuators::act(const Legs& legs, bool brakes, const core::Random& random) {
   state_.owed_m = owed_m;
   if (!slips()) return wheels;
   const double way_m = std::fabs(state_.step_m);
-  slip_ = {1.0 - parameters_.slip_m_per_m, 1.0 - parameters_.slip_rad_per_rad, 0.0};
-  if (way_m > 0.0 && parameters_.slip_m_per_sqrt_m > 0.0) {
+  slip_ = {1.0 - parameters_.slip.m_per_m, 1.0 - parameters_.slip.rad_per_rad, 0.0};
+  if (way_m > 0.0 && parameters_.slip.m_per_sqrt_m > 0.0) {
     const double chance_m =
-        owed_m + parameters_.slip_m_per_sqrt_m * std::sqrt(way_m) * random.normal(3);
+        owed_m + parameters_.slip.m_per_sqrt_m * std::sqrt(way_m) * random.normal(3);
     const double wanted_m = slip_.way_share * way_m + chance_m;
     const double gone_m = std::clamp(wanted_m, kLeastShare * way_m, kGreatestShare * way_m);
     slip_.way_share = std::clamp(gone_m / way_m, kLeastShare, kGreatestShare);
     state_.owed_m = std::clamp(wanted_m - gone_m, -kMostOwed_m, kMostOwed_m);
   }
-  if (way_m > 0.0 && parameters_.slip_rad_per_sqrt_m > 0.0) {
-    slip_.error_rad = parameters_.slip_rad_per_sqrt_m * std::sqrt(way_m) * random.normal(4);
+  if (way_m > 0.0 && parameters_.slip.rad_per_sqrt_m > 0.0) {
+    slip_.error_rad = parameters_.slip.rad_per_sqrt_m * std::sqrt(way_m) * random.normal(4);
   }
   for (Leg& leg : wheels) {
     const double part = way_m > 0.0 ? std::fabs(leg.step_m) / way_m : 0.0;

@@ -19,21 +19,6 @@ Mission mission_of(const runtime::RunSetup& setup, const ArrivalParameters& arri
   return mission;
 }
 
-/// What odometry may be off by: its own errors, and those that come of wheels that slip.
-DriftParameters with_slip(DriftParameters drift, const ActuatorParameters& actuators) {
-  const auto both = [](double size, double slip) {
-    return slip == 0.0 ? size : std::fabs(size) + slip;
-  };
-  const auto together = [](double deviation, double slip) {
-    return slip == 0.0 ? deviation : std::sqrt(deviation * deviation + slip * slip);
-  };
-  drift.m_per_m = both(drift.m_per_m, actuators.slip_m_per_m);
-  drift.rad_per_rad = both(drift.rad_per_rad, actuators.slip_rad_per_rad);
-  drift.m_per_sqrt_m = together(drift.m_per_sqrt_m, actuators.slip_m_per_sqrt_m);
-  drift.rad_per_sqrt_m = together(drift.rad_per_sqrt_m, actuators.slip_rad_per_sqrt_m);
-  return drift;
-}
-
 }  // namespace
 
 std::vector<runtime::PortInfo> DriveComponent::ports() {
@@ -51,11 +36,11 @@ DriveComponent::DriveComponent(std::unique_ptr<DriveModel> model, const SafetyPa
       world_(setup.world),
       seed_(setup.seed),
       robot_index_(setup.robot_index),
-      counts_(drift.any() || actuators.slips()),
+      counts_(drift.any() || actuators.slip.any()),
       referee_(mission_of(setup, arrival)),
       body_(world_->start(), setup.behaviour.robot.radius_m, safety),
       actuators_(actuators),
-      reckoning_(world_->start(), drift, with_slip(drift, actuators)) {}
+      reckoning_(world_->start(), drift, drift.with(actuators.slip)) {}
 
 void DriveComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto* command = inputs.find<domain::Command>();

@@ -49,8 +49,8 @@ TEST(ActuatedDrive, StopsAtOnceWithLagWhenItIsToldToStop) {
 
 TEST(ActuatedDrive, GoesLessFarThanItsWheelsWhenTheySlip) {
   ActuatorParameters actuators;
-  actuators.slip_m_per_m = 0.25;
-  actuators.slip_rad_per_rad = 0.5;
+  actuators.slip.m_per_m = 0.25;
+  actuators.slip.rad_per_rad = 0.5;
   DriveRun run = run_with(actuators);
   run.start();
   Motion motion = ahead(0.1);
@@ -70,8 +70,8 @@ TEST(ActuatedDrive, GoesLessFarThanItsWheelsWhenTheySlip) {
 
 TEST(ActuatedDrive, SlipsByChanceAroundWhatItSlipsAlways) {
   ActuatorParameters actuators;
-  actuators.slip_m_per_sqrt_m = 0.05;
-  actuators.slip_rad_per_sqrt_m = 0.1;
+  actuators.slip.m_per_sqrt_m = 0.05;
+  actuators.slip.rad_per_sqrt_m = 0.1;
   DriveRun run = run_with(actuators);
   run.start();
   double way_m = 0.0;
@@ -99,8 +99,8 @@ TEST(ActuatedDrive, TellsOfLagAndSlipOnlyWhereTheyShow) {
   ActuatorParameters lag;
   lag.lag_s = 0.5;
   ActuatorParameters slip;
-  slip.slip_m_per_m = 0.2;
-  slip.slip_rad_per_sqrt_m = 0.1;
+  slip.slip.m_per_m = 0.2;
+  slip.slip.rad_per_sqrt_m = 0.1;
   for (const ActuatorParameters& actuators : {lag, slip}) {
     DriveRun run = run_with(actuators);
     run.start();
@@ -116,9 +116,9 @@ TEST(ActuatedDrive, TellsHowFarSlipMayHaveLedItsOdometryAstray) {
   drift.m_per_m = -0.1;
   drift.m_per_sqrt_m = 0.03;
   ActuatorParameters actuators;
-  actuators.slip_m_per_m = 0.2;
-  actuators.slip_rad_per_rad = 0.5;
-  actuators.slip_m_per_sqrt_m = 0.04;
+  actuators.slip.m_per_m = 0.2;
+  actuators.slip.rad_per_rad = 0.5;
+  actuators.slip.m_per_sqrt_m = 0.04;
   DriveRun run("", true, 100, drift, {}, std::nullopt, actuators);
   run.start();
   run.step(ahead(0.1));
@@ -182,8 +182,8 @@ TEST(ActuatedDrive, RefusesAStateWhoseMotionNoDriveLeadsTo) {
 TEST(ActuatedDrive, GoesOnAsBeforeAfterSaveAndLoadWithLagAndSlip) {
   ActuatorParameters actuators;
   actuators.lag_s = 0.5;
-  actuators.slip_m_per_m = 0.1;
-  actuators.slip_rad_per_sqrt_m = 0.1;
+  actuators.slip.m_per_m = 0.1;
+  actuators.slip.rad_per_sqrt_m = 0.1;
   DriveRun run = run_with(actuators);
   run.start();
   run.step(ahead(0.1));

@@ -16,7 +16,7 @@ Legs ahead(double step_m) {
 
 TEST(Actuators, SlipByChanceAlikeHoweverLongATickIs) {
   ActuatorParameters parameters;
-  parameters.slip_m_per_sqrt_m = 0.2;
+  parameters.slip.m_per_sqrt_m = 0.2;
   // In ticks of 1 cm the way of each would vary by twice itself: most of that must wait.
   for (const int ticks : {2, 10, 100}) {
     constexpr int kRuns = 1000;
