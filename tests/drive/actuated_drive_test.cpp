@@ -153,7 +153,7 @@ std::string with_number(const std::string& state, double from, double to, bool l
 TEST(ActuatedDrive, RefusesAStateWhoseMotionNoDriveLeadsTo) {
   ActuatorParameters actuators;
   actuators.lag_s = 0.5;
-  actuators.slip_m_per_sqrt_m = 0.1;
+  actuators.slip.m_per_sqrt_m = 0.1;
   DriveRun run = run_with(actuators);
   run.start();
   run.step(ahead(0.1));

@@ -131,6 +131,7 @@ class Import(unittest.TestCase):
     def test_a_source_is_refused_with_its_place(self):
         bad = self.directory / "bad.yaml"
         bad.write_text(MAP + "mode: other\n")
+        (self.directory / "room.pgm").write_text(PICTURE)
         for source, words in ((bad, "bad.yaml:7"), (self.directory / "none.map", "No such file"),
                               (self.directory / "a.txt", ".scen (MovingAI)")):
             run = Run(["world", "import", source, "-o", self.directory / "w.yaml"])
