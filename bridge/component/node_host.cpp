@@ -326,7 +326,7 @@ void NodeHost::flush() {
 void NodeHost::spool() {
   const std::lock_guard<std::mutex> lock(mutex_);
   account_.spool();
-  if (!shown_from_) shown_from_ = buffer_.next_tick();
+  shown_from_ = buffer_.next_tick();
 }
 
 std::optional<Finished> NodeHost::finished(std::uint64_t last_tick) const {

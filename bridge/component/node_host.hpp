@@ -150,7 +150,7 @@ class NodeHost {
   const bool lockstep_;
   const double tick_s_;
   const bool spools_states_;
-  std::optional<std::uint64_t> shown_from_;  ///< the tick from which on somebody looks on
+  std::optional<std::uint64_t> shown_from_;  ///< the tick from which on somebody looks on anew
   const bool waits_for_go_;
   const bool has_lead_;
   Handlers handlers_;

@@ -118,12 +118,25 @@ ordered_json text_json(const Vec2& place, const std::string& text, const Colour&
           {"text", text}};
 }
 
-/// Way-points with their radius; several are joined in their order, and have their numbers.
+/// The heading that a robot is to have at a place.
+ordered_json arrow_json(const world::Waypoint& waypoint) {
+  constexpr double kLength_m = 0.5;
+  return {{"pose", pose_json(waypoint.place, kHeight_m, waypoint.heading->heading_rad)},
+          {"shaft_length", 0.7 * kLength_m},
+          {"shaft_diameter", 0.05},
+          {"head_length", 0.3 * kLength_m},
+          {"head_diameter", 0.12},
+          {"color", colour_json(kTarget)}};
+}
+
+/// Way-points with their radius and heading; several are joined in their order, and have their
+/// numbers.
 void add_mission(const GivenMission& mission, ordered_json& entity) {
   ordered_json way = ordered_json::array();
   for (const world::Waypoint& waypoint : mission.waypoints) {
     entity["cylinders"].push_back(
         cylinder_json(waypoint.place, std::max(waypoint.radius_m, 0.05), kTarget));
+    if (waypoint.heading) entity["arrows"].push_back(arrow_json(waypoint));
     way.push_back(point_json(waypoint.place));
     if (mission.waypoints.size() == 1) return;
     entity["texts"].push_back(text_json(waypoint.place, std::to_string(way.size()), kWall));

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "core/archive.hpp"
-#include "gateway/held_recording.hpp"
 #include "gateway/insides_answer.hpp"
 #include "gateway/json_text.hpp"
 #include "gateway/live_feed.hpp"
@@ -78,7 +77,7 @@ class InsidesDesk {
   void take(const std::string& body, const WebContent::Answer& answer) {
     const auto asked = page_.read_question(body);
     if (!asked.ok()) return answer(json_response(400, {{"error", asked.error().message}}));
-    auto held = HeldRecording::write(stream_, asked->tick);
+    auto held = HeldRecording::write(stream_, asked->tick, page_.changed);
     if (!held.ok()) return answer(json_response(409, {{"error", held.error().text()}}));
     const auto recording = std::make_shared<HeldRecording>(std::move(held).value());
     std::vector<std::string> words = page_.explain;

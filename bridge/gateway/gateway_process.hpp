@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "gateway/held_recording.hpp"
 #include "line/frames.hpp"
 #include "recording/run_description.hpp"
 
@@ -37,6 +38,8 @@ struct GatewayPage {
   std::function<core::Result<PageQuestion>(const std::string& body)> read_question;
   /// How many of the run's stages hand over states at a checkpoint; 0: that is not known.
   std::function<std::size_t(const RunDescription& description)> count_stages;
+  /// The texts of a run, once these changes are in force.
+  HeldRecording::Changed changed;
   /// The program that explains a tick of a recording, and its first arguments.
   std::vector<std::string> explain;
 };

@@ -59,10 +59,27 @@ Result<LiveStream::Start> find_start(const LiveStream& stream, std::uint64_t las
                "tick, or clew explain once the run is recorded"};
 }
 
-Result<void> record(const LiveStream& stream, LiveStream::Start start, std::uint64_t last_tick,
-                    const std::string& path) {
+/// The description of the run from `start` on: what was changed before is in its texts.
+Result<RunDescription> described_from(const LiveStream& stream, std::uint64_t start,
+                                      const HeldRecording::Changed& changed) {
   RunDescription description = *stream.description();
   description.compression = mcap::Compression::kNone;  // it is read once
+  const auto is_past = [&](const domain::Intervention& each) { return each.tick < start; };
+  std::vector<domain::Intervention> past;
+  for (const domain::Intervention& each : stream.interventions()) {
+    if (is_past(each) && !each.changes.empty()) past.push_back(each);
+  }
+  auto& planned = description.planned;
+  planned.erase(std::remove_if(planned.begin(), planned.end(), is_past), planned.end());
+  if (past.empty()) return description;
+  auto texts = changed(description, past);
+  if (!texts.ok()) return texts.error();
+  description.bundle = std::move(texts).value();
+  return description;
+}
+
+Result<void> record(const LiveStream& stream, LiveStream::Start start, std::uint64_t last_tick,
+                    RunDescription description, const std::string& path) {
   const std::uint64_t first = start.tick - std::min<std::uint64_t>(start.tick, 1);
   if (start.tick > 0) {
     description.black_box = {start.tick, "somebody looked on", std::move(start.states)};
@@ -70,7 +87,7 @@ Result<void> record(const LiveStream& stream, LiveStream::Start start, std::uint
   auto recorder = RunRecorder::create(path, description, false);
   if (!recorder.ok()) return recorder.error();
   for (const domain::Intervention& each : stream.interventions()) {
-    if (each.tick <= last_tick) recorder->add_intervention(each);
+    if (start.tick <= each.tick && each.tick <= last_tick) recorder->add_intervention(each);
   }
   Result<void> written;
   const auto add = [&](const SampleView& sample) {
@@ -86,13 +103,17 @@ Result<void> record(const LiveStream& stream, LiveStream::Start start, std::uint
 
 }  // namespace
 
-Result<HeldRecording> HeldRecording::write(const LiveStream& stream, std::uint64_t last_tick) {
+Result<HeldRecording> HeldRecording::write(const LiveStream& stream, std::uint64_t last_tick,
+                                           const Changed& changed) {
   auto start = find_start(stream, last_tick);
   if (!start.ok()) return start.error();
+  auto description = described_from(stream, start->tick, changed);
+  if (!description.ok()) return description.error();
   const auto folder = Folder::make();
   if (!folder.ok()) return folder.error();
   const std::string path = folder->path() + "/held.mcap";
-  CLEW_RETURN_IF_ERROR(record(stream, std::move(start).value(), last_tick, path));
+  CLEW_RETURN_IF_ERROR(
+      record(stream, std::move(start).value(), last_tick, std::move(description).value(), path));
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return Error{std::strerror(errno), path};
   return HeldRecording(descriptor);

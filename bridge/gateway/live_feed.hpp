@@ -89,6 +89,7 @@ class FedSink : public SampleSink {
   void add_state(const SpooledState& state) override;
   void add_intervention(const domain::Intervention& intervention) override {
     page_.add_intervention(intervention);
+    if (page_.is_open() && !intervention.changes.empty()) shown_from_ = intervention.tick;
     if (next_ != nullptr) next_->add_intervention(intervention);
   }
   void add_incident(const domain::Incident& incident) override {
@@ -103,8 +104,9 @@ class FedSink : public SampleSink {
   SampleSink* next_;
   RunPage& page_;
   std::string spool_;
-  std::uint64_t next_tick_ = 0;              ///< behind that of the last sample
-  std::optional<std::uint64_t> shown_from_;  ///< the tick of the first sample that the page got
+  std::uint64_t next_tick_ = 0;  ///< behind that of the last sample
+  /// The tick of the first sample that the page got, or of the last change.
+  std::optional<std::uint64_t> shown_from_;
   std::chrono::steady_clock::time_point handed_on_at_{};
 };
 

@@ -103,12 +103,10 @@ std::optional<std::uint64_t> LiveStream::unbroken_until(std::uint64_t last) cons
   return first;
 }
 
-std::uint64_t LiveStream::fed_from(std::uint64_t tick) const {
-  std::uint64_t first = UINT64_MAX;
-  for (const domain::Intervention& each : interventions_) {
-    if (each.tick <= tick && !each.changes.empty()) first = std::min(first, each.fed_from);
-  }
-  return first;
+bool LiveStream::is_changing(std::uint64_t tick, std::uint64_t last) const {
+  return std::any_of(interventions_.begin(), interventions_.end(), [&](const auto& each) {
+    return each.tick <= last && !each.changes.empty() && each.fed_from < tick && tick <= each.tick;
+  });
 }
 
 // A component hands over its state before what it then writes: where a tick is whole, the states
@@ -119,7 +117,7 @@ std::optional<LiveStream::Start> LiveStream::start_before(std::uint64_t tick) co
   for (auto at = states_.upper_bound(tick); at != states_.begin();) {
     --at;
     if (at->first <= *first) break;  // what is taken a tick later comes from the tick before
-    if (at->first > fed_from(tick)) continue;
+    if (is_changing(at->first, tick)) continue;
     if (stages_ > 0 && at->second.size() == stages_) return Start{at->first, at->second};
   }
   return *first == 0 ? std::optional(Start{}) : std::nullopt;

@@ -75,7 +75,8 @@ class LiveStream {
     std::map<std::string, std::string> states;  ///< by stage; none at tick 0
   };
   /// The newest start that is no later than `tick`, and from which on all ticks up to it are held;
-  /// none if there is none.
+  /// none if there is none. No behaviour is on its way in at it: what was put in before is in the
+  /// states, and what is put in later is fed from there on.
   std::optional<Start> start_before(std::uint64_t tick) const;
 
   bool has_followers() const { return !followers_.empty(); }
@@ -93,8 +94,9 @@ class LiveStream {
   };
 
   bool complete(const HeldTick& tick) const { return tick.samples >= topics_; }
-  /// The first tick that a behaviour which was put in by `tick` was fed with.
-  std::uint64_t fed_from(std::uint64_t tick) const;
+  /// Whether a behaviour that was put in by `last` was fed before the checkpoint at `tick`, and
+  /// took over no sooner than that.
+  bool is_changing(std::uint64_t tick, std::uint64_t last) const;
   /// The first tick from which on all up to `last` are held; none if that is not.
   std::optional<std::uint64_t> unbroken_until(std::uint64_t last) const;
   void forget_oldest();

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/check.hpp"
 #include "gateway/web_limits.hpp"
 
 namespace clew::bridge {
@@ -68,6 +69,17 @@ core::Result<ServedFile> ServedFile::open(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return core::Error{std::strerror(errno), path};
   return ServedFile(descriptor, std::filesystem::path(path).filename().string());
+}
+
+core::Result<ServedRecording> ServedRecording::open(const std::vector<std::string>& paths) {
+  std::vector<ServedFile> files;
+  for (const std::string& path : paths) {
+    auto file = ServedFile::open(path);
+    if (!file.ok()) return file.error();
+    files.push_back(std::move(file).value());
+  }
+  CLEW_CHECK(!files.empty(), "a recording has a file");
+  return ServedRecording(std::move(files));
 }
 
 ServedFile::~ServedFile() {

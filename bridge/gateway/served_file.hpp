@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/result.hpp"
 #include "gateway/web_server.hpp"
@@ -41,6 +42,21 @@ class ServedFile {
 
   int descriptor_;
   std::string name_;
+};
+
+/// The files of a recording, in their order; more than one if it is split.
+class ServedRecording {
+ public:
+  /// At least one path.
+  static core::Result<ServedRecording> open(const std::vector<std::string>& paths);
+
+  const std::string& name() const { return files_.front().name(); }
+  const std::vector<ServedFile>& files() const { return files_; }
+
+ private:
+  explicit ServedRecording(std::vector<ServedFile> files) : files_(std::move(files)) {}
+
+  std::vector<ServedFile> files_;
 };
 
 }  // namespace clew::bridge

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "gateway/foxglove_client.hpp"
@@ -19,6 +20,13 @@ constexpr std::string_view kRecordings = "/recordings/";
 
 WebResponse not_here() { return {404, "text/plain; charset=utf-8", "not here\n", {}}; }
 
+std::optional<std::size_t> index_of(std::string_view text, std::size_t size) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  if (error != std::errc() || end != text.data() + text.size() || index >= size) return {};
+  return index;
+}
+
 WebResponse json_response(const ordered_json& json) {
   return {200, "application/json", json_text(json), {}};
 }
@@ -33,7 +41,7 @@ std::string policy_of(std::string_view page) {
   return std::string(page.substr(0, page.find('"')));
 }
 
-ViewContent::ViewContent(std::string_view page, std::vector<ServedFile> recordings)
+ViewContent::ViewContent(std::string_view page, std::vector<ServedRecording> recordings)
     : page_(page), policy_(policy_of(page)), recordings_(std::move(recordings)) {}
 
 void ViewContent::answer(const WebRequest& request, Answer answer) {
@@ -53,7 +61,7 @@ void ViewContent::answer(const WebRequest& request, Answer answer) {
                               : WebResponse{200, "application/json", text->second, {}});
 }
 
-std::size_t ViewContent::add_recording(ServedFile recording) {
+std::size_t ViewContent::add_recording(ServedRecording recording) {
   recordings_.push_back(std::move(recording));
   return recordings_.size() - 1;
 }
@@ -95,18 +103,22 @@ WebResponse ViewContent::session() const {
   ordered_json json;
   json["recordings"] = ordered_json::array();
   for (std::size_t i = 0; i < recordings_.size(); ++i) {
-    json["recordings"].push_back({{"id", i}, {"name", recordings_[i].name()}});
+    json["recordings"].push_back(
+        {{"id", i}, {"name", recordings_[i].name()}, {"files", recordings_[i].files().size()}});
   }
   json["live"] = is_live_;
   return json_response(json);
 }
 
-WebResponse ViewContent::recording(std::string_view number, const std::string& range) const {
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), index);
-  if (error != std::errc() || end != number.data() + number.size()) return not_here();
-  if (index >= recordings_.size()) return not_here();
-  return recordings_[index].answer(range);
+WebResponse ViewContent::recording(std::string_view place, const std::string& range) const {
+  const std::size_t slash = place.find('/');
+  const auto number = index_of(place.substr(0, slash), recordings_.size());
+  if (!number) return not_here();
+  const std::vector<ServedFile>& files = recordings_[*number].files();
+  const bool is_first = slash == std::string_view::npos;
+  const auto file =
+      is_first ? std::optional(std::size_t{0}) : index_of(place.substr(slash + 1), files.size());
+  return file ? files[*file].answer(range) : not_here();
 }
 
 }  // namespace clew::bridge

@@ -23,10 +23,10 @@ class ViewContent : public WebContent {
   using Handler = std::function<void(const std::string& body, Answer answer)>;
 
   /// `page` is HTML that carries its own policy, and must outlive this.
-  ViewContent(std::string_view page, std::vector<ServedFile> recordings);
+  ViewContent(std::string_view page, std::vector<ServedRecording> recordings);
 
   /// Serves one more; its number.
-  std::size_t add_recording(ServedFile recording);
+  std::size_t add_recording(ServedRecording recording);
   std::size_t recordings() const { return recordings_.size(); }
   /// Serves a text of JSON at `path`.
   void offer(const std::string& path, std::string json) { texts_[path] = std::move(json); }
@@ -50,11 +50,12 @@ class ViewContent : public WebContent {
  private:
   WebResponse page() const;
   WebResponse session() const;
-  WebResponse recording(std::string_view number, const std::string& range) const;
+  /// `3`: a recording, or its first file if it is split; `3/1`: the file behind that one.
+  WebResponse recording(std::string_view place, const std::string& range) const;
 
   std::string_view page_;
   std::string policy_;
-  std::vector<ServedFile> recordings_;
+  std::vector<ServedRecording> recordings_;
   LiveStream* live_ = nullptr;
   bool is_live_ = false;
   std::function<void()> fill_;  ///< of a stream that is not live

@@ -110,6 +110,12 @@ core::Result<void> RunRecording::check_follows(const RunRecording& before) const
   return error("does not follow " + before.path_ + ": it is of another recording");
 }
 
+std::vector<std::string> RunRecording::files() const {
+  std::vector<std::string> files = {path_};
+  for (const RunRecording& later : later_) files.push_back(later.path_);
+  return files;
+}
+
 std::string RunRecording::unread_piece() const {
   return missing_piece_.empty() ? std::string() : next_existing_piece(path_, pieces() + 1);
 }

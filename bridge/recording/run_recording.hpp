@@ -95,6 +95,8 @@ class RunRecording {
   const std::optional<mcap::Tear>& tear() const { return last_file().reader_.tear(); }
   /// How many files it is in.
   std::size_t pieces() const { return 1 + later_.size(); }
+  /// Their names, in order.
+  std::vector<std::string> files() const;
   /// The file in which it should go on, and that is not there; empty if nothing says so.
   const std::string& missing_piece() const { return missing_piece_; }
   /// The first of its files behind the missing one: it is not read. Empty: there is none.

@@ -189,13 +189,15 @@ void Supervisor::serve_commands(Time now) {
   if (!shown_ && page() != nullptr && page()->is_open()) show();
   for (const domain::Intervention& change : live_control_.take_interventions()) {
     if (page() != nullptr) page()->add_intervention(change);
+    if (shown_ && !change.changes.empty()) show();
     if (recording_) recording_->add(spooled(change), change.tick + 1);
   }
   if (live_control_.holds()) got_on(now);
   if (!live_control_.stopped().empty()) end_at_rest(live_control_.stopped(), now);
 }
 
-/// From now on somebody looks on, who was not there before.
+/// From now on somebody looks on, who was not there before; or is to get states anew, since another
+/// behaviour was put in.
 void Supervisor::show() {
   shown_ = true;
   launcher_.spool();

@@ -4,7 +4,7 @@
 // In each round a run of five processes goes alone, recorded, watched, and recorded and watched, in
 // turn; told are the medians of the rates, and of the rounds' ratios, with their range.
 import { spawn, spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import path from "node:path";
@@ -85,6 +85,16 @@ async function measure_costs() {
   console.log(`view/cost/viewer less recorder, beside a run alone: ${told(more)} (at most 5 %)`);
 }
 
+/// The file of a report beside the recording, packed as it comes.
+function measure_report() {
+  const packed = path.join(directory, "packed.mcap");
+  const output = path.join(directory, "report.html");
+  spawnSync(kClew, [...kRun, "--layout", "composed", "--max-ticks", ticks, "--compression", "zstd", "--record", packed], { stdio: "ignore" });
+  spawnSync(kClew, ["report", packed, "-o", output], { stdio: "inherit" });
+  const [of_report, of_recording] = [output, packed].map((file) => statSync(file).size);
+  console.log(`view/report of ${ticks} ticks: ${(of_report / 1000).toFixed(0)} kB (at most ${((1.5 * of_recording + 400000) / 1000).toFixed(0)} kB: 1.5 times the recording and 400 kB)`);
+}
+
 /// From the press of the key to the frame in which the new path is drawn, in milliseconds.
 async function measure_branch() {
   spawnSync(kClew, [...kRun, "--layout", "composed", "--max-ticks", "1200", "--record", recording, "--force"], { stdio: "ignore" });
@@ -123,6 +133,7 @@ async function measure_branch() {
 try {
   const size = gzipSync(readFileSync(path.join(page_directory, "page.html")), { level: 9 }).length;
   console.log(`view/page: ${(size / 1000).toFixed(0)} kB compressed (at most 250 kB)`);
+  measure_report();
   await measure_costs();
   await measure_branch();
 } finally {

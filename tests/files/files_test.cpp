@@ -57,6 +57,24 @@ TEST(ScratchFolder, GoesWithItsFiles) {
   EXPECT_FALSE(fs::exists(path));
 }
 
+TEST(ScratchFolder, RemovesThoseOfProcessesThatAreGone) {
+  const auto used = ScratchFolder::make("clew-test-left");
+  ASSERT_TRUE(used.ok()) << used.error().text();
+  const fs::path left = used->path().substr(0, used->path().rfind('.')) + ".aaaaaa";
+  const fs::path other = left.string() + 'a';
+  fs::create_directories(left / "folder");
+  fs::create_directories(other);
+  ASSERT_TRUE(write_file((left / "rules.yaml").string(), "format: rules").ok());
+
+  const auto next = ScratchFolder::make("clew-test-left");
+
+  ASSERT_TRUE(next.ok()) << next.error().text();
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_TRUE(fs::exists(used->path()));
+  EXPECT_TRUE(fs::exists(next->path()));
+  EXPECT_TRUE(fs::remove(other)) << "a folder of another kind was removed";
+}
+
 TEST(WholeFile, FollowsNoLinkBesideIt) {
   const auto folder = ScratchFolder::make("clew-test");
   ASSERT_TRUE(folder.ok()) << folder.error().text();

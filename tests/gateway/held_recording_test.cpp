@@ -42,6 +42,17 @@ class AHeldRun : public ::testing::Test {
     stream_.add(spool);
   }
 
+  /// The texts once changes are in force name them.
+  core::Result<HeldRecording> write(std::uint64_t last_tick) const {
+    return HeldRecording::write(stream_, last_tick,
+                                [](const auto& description, const auto& changes) {
+                                  auto texts = description.bundle;
+                                  for (const auto& each : changes)
+                                    texts["graph.yaml"] += each.changes.front() + '\n';
+                                  return core::Result<std::map<std::string, std::string>>(texts);
+                                });
+  }
+
   LiveStream stream_{1340};  // some seventeen ticks
 };
 
@@ -50,7 +61,7 @@ TEST_F(AHeldRun, IsARecordingUpToTheTickThatIsAsked) {
   stream_.add(spooled({4, 4, {"goal=1,2"}, {}, {}}));
   stream_.add(spooled({9, 9, {"goal=3,4"}, {}, {}}));
 
-  const auto held = HeldRecording::write(stream_, 6);
+  const auto held = write(6);
   ASSERT_TRUE(held.ok()) << held.error().text();
   const auto recording = RunRecording::open(held->path());
   ASSERT_TRUE(recording.ok()) << recording.error().text();
@@ -67,7 +78,7 @@ TEST_F(AHeldRun, LeavesNoFile) {
   add_tick(0);
   std::string path;
   {
-    const auto held = HeldRecording::write(stream_, 0);
+    const auto held = write(0);
     ASSERT_TRUE(held.ok()) << held.error().text();
     path = held->path();
     EXPECT_TRUE(std::filesystem::exists(path) || std::filesystem::is_symlink(path));
@@ -77,16 +88,16 @@ TEST_F(AHeldRun, LeavesNoFile) {
 }
 
 TEST_F(AHeldRun, IsRefusedBeforeItsFirstTickAndBeyondItsNewest) {
-  EXPECT_EQ(HeldRecording::write(stream_, 0).error().message, "the run has not begun");
+  EXPECT_EQ(write(0).error().message, "the run has not begun");
 
   add_tick(0);
-  EXPECT_EQ(HeldRecording::write(stream_, 1).error().message, "the run is at tick 0");
+  EXPECT_EQ(write(1).error().message, "the run is at tick 0");
 }
 
 TEST_F(AHeldRun, IsRefusedWhenItsBeginningIsForgotten) {
   for (std::uint64_t tick = 0; tick < 100; ++tick) add_tick(tick);
 
-  const auto held = HeldRecording::write(stream_, 99);
+  const auto held = write(99);
   ASSERT_FALSE(held.ok());
   EXPECT_EQ(held.error().message.find("what came before tick 99 is not held here"), 0U);
 }
@@ -98,7 +109,7 @@ TEST_F(AHeldRun, BeginsAtTheNewestCheckpointOfWhichAllStatesAreHeld) {
     add_tick(tick);
   }
 
-  const auto held = HeldRecording::write(stream_, 98);
+  const auto held = write(98);
   ASSERT_TRUE(held.ok()) << held.error().text();
   const auto recording = RunRecording::open(held->path());
   ASSERT_TRUE(recording.ok()) << recording.error().text();
@@ -113,19 +124,40 @@ TEST_F(AHeldRun, BeginsAtTheNewestCheckpointOfWhichAllStatesAreHeld) {
   EXPECT_EQ(survey->topics.at(Topic::kState).last_tick, 98U);
 }
 
-TEST_F(AHeldRun, BeginsBeforeWhatABehaviourThatWasPutInWasFedWith) {
+TEST_F(AHeldRun, BeginsWhereNoBehaviourIsOnItsWayIn) {
   for (std::uint64_t tick = 0; tick < 10; ++tick) {
     if (tick == 4 || tick == 8) add_states(tick, {"drive", "sense"});
     add_tick(tick);
   }
   ASSERT_EQ(stream_.start_before(9)->tick, 8U);
 
-  stream_.add(spooled({7, 5, {"recover.detector=none"}, {}, {}}));
+  stream_.add(spooled({8, 5, {"recover.detector=none"}, {}, {}}));
 
   EXPECT_EQ(stream_.start_before(9)->tick, 4U);
   EXPECT_EQ(stream_.start_before(6)->tick, 4U);
   stream_.add(spooled({9, 0, {"recover.detector=none"}, {}, {}}));
   EXPECT_EQ(stream_.start_before(9)->tick, 0U);
+}
+
+TEST_F(AHeldRun, HasWhatWasChangedBeforeItInItsTexts) {
+  stream_.add(spooled({5, 2, {"recover.detector=none"}, {}, {}}));
+  stream_.add(spooled({6, 6, {}, "pause", {}}));
+  stream_.add(spooled({9, 9, {"goal=1,2"}, {}, {}}));
+  for (std::uint64_t tick = 0; tick < 10; ++tick) {
+    if (tick == 8) add_states(tick, {"drive", "sense"});
+    add_tick(tick);
+  }
+
+  const auto held = write(9);
+  ASSERT_TRUE(held.ok()) << held.error().text();
+  const auto recording = RunRecording::open(held->path());
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
+
+  ASSERT_TRUE(recording->description().black_box.has_value());
+  EXPECT_EQ(recording->description().black_box->tick, 8U);
+  EXPECT_EQ(recording->description().bundle.at("graph.yaml"), "recover.detector=none\n");
+  ASSERT_EQ(recording->interventions().size(), 1U);
+  EXPECT_EQ(recording->interventions()[0].tick, 9U);
 }
 
 TEST_F(AHeldRun, IsRefusedBeforeItsOnlyCheckpoint) {
@@ -134,8 +166,8 @@ TEST_F(AHeldRun, IsRefusedBeforeItsOnlyCheckpoint) {
     add_tick(tick);
   }
 
-  EXPECT_FALSE(HeldRecording::write(stream_, 89).ok());
-  EXPECT_TRUE(HeldRecording::write(stream_, 90).ok());
+  EXPECT_FALSE(write(89).ok());
+  EXPECT_TRUE(write(90).ok());
 }
 
 TEST_F(AHeldRun, TakesNoCheckpointBehindALostTick) {
@@ -144,7 +176,7 @@ TEST_F(AHeldRun, TakesNoCheckpointBehindALostTick) {
     if (tick != 89) add_tick(tick);
   }
 
-  EXPECT_FALSE(HeldRecording::write(stream_, 98).ok());
+  EXPECT_FALSE(write(98).ok());
 }
 
 TEST_F(AHeldRun, HoldsStatesUpToAQuarterOfItsRoom) {
@@ -163,7 +195,7 @@ TEST_F(AHeldRun, IsRefusedWhenATickBetweenWasLost) {
   add_tick(0);
   add_tick(2);
 
-  const auto held = HeldRecording::write(stream_, 2);
+  const auto held = write(2);
   ASSERT_FALSE(held.ok());
   EXPECT_EQ(held.error().message.find("what came before tick 2 is not held here"), 0U);
 }

@@ -2,7 +2,7 @@
 // Foxglove viewers: npm's client reads every channel, the schemas' own validation accepts every
 // message, and exported files pass npm's reader with all checks on.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 
@@ -96,6 +96,32 @@ test("npm's Foxglove client reads every channel of a recording", async (context)
     assert.ok(messages.get("/foxglove/log").received.length > 0);
     check_seen(file, messages.get("/foxglove/seen").received);
   }
+});
+
+test("way-points and their headings are in scenes that the schemas accept", async (context) => {
+  const directory = scratch_directory(context);
+  const [file, world] = [path.join(directory, "a.mcap"), path.join(directory, "rounds.yaml")];
+  writeFileSync(world, "format: clew-world/1\nname: rounds\nbounds: [0, 0, 10, 8]\nstart: [1, 1, 1.57]\n" +
+    "waypoints: [[1.2, 6.5], [5, 6.5, ~, 0, 0.6]]\ntarget: [9, 7]\ntarget_heading: 1.57\ntarget_radius: 0.3\n");
+  clew("run", "default", "--world", world, "--layout", "composed", "--max-ticks", "80", "--at", "50:goal=9,1", "--record", file);
+  const { address } = await serve(context, "view", file);
+  const messages = await read_all(address, "foxglove.sdk.v1", BigInt(ticks_of(file) - 1) * 300000000n);
+  check(messages);
+  const mission_at = (tick) => {
+    const { bytes } = messages.get("/foxglove/scene").received.find(({ timestamp }) => timestamp === BigInt(tick) * 300000000n);
+    return JSON.parse(new TextDecoder().decode(bytes)).entities.find(({ id }) => id === "run");
+  };
+  const { cylinders, texts, lines, arrows } = mission_at(10);
+  assert.deepEqual(cylinders.slice(0, -1).map(({ pose: { position }, size }) => [position.x, position.y, size.x]), [[1.2, 6.5, 0.6], [5, 6.5, 0.6], [9, 7, 0.6]]);
+  assert.deepEqual(texts.map(({ text }) => text), ["1", "2", "3"]);
+  assert.equal(lines[0].points.length, 3);
+  assert.deepEqual(arrows.map(({ pose: { position, orientation } }) => [position.x, 2 * Math.atan2(orientation.z, orientation.w)].map((value) => Number(value.toFixed(3)))),
+    [[5, 0], [9, 1.57]]);
+  assert.deepEqual(mission_at(60).cylinders.slice(0, -1).map(({ pose: { position } }) => [position.x, position.y]), [[9, 1]]);
+  const target = messages.get("/target");
+  const reader = new MessageReader(target.channel.schemaName, parseIDL(target.channel.schema));
+  const first = reader.readMessage(target.received[10].bytes);
+  assert.deepEqual([first.waypoint, first.waypoints], [1, 3]);
 });
 
 test("npm's Foxglove client reads a run under way", async (context) => {

@@ -70,17 +70,23 @@ for (const layout of ["processes", "composed"]) {
     const browser = await open_browser(context);
     const run = start(context, "run", "default", "--world", "unsolvable-behind-wall", "--set", "recover.escape.remembered_map.proof_s=10000",
       "--layout", layout, "--pace", "100x", "--name", name, "--record", recording, "--json");
-    await new Promise((resolve) => setTimeout(resolve, 1500));
+    await new Promise((resolve) => setTimeout(resolve, 1200));
+    // Another behaviour before the page, and another while it looks on; the page has no tick that either was fed with.
+    assert.equal(clew("swap", name, "recover.detector=none").status, 0);
+    await new Promise((resolve) => setTimeout(resolve, 300));
     const served = await serve(context, "view", name);
     const { page, complaints } = await open_page(browser, served.address);
     await page.waitForFunction(() => window.clew.session.runs[0].ticks.length > 0);
     const first = await page.evaluate(() => window.clew.session.first_tick);
     assert.ok(first > 0);
     // Two checkpoints lie behind it by then.
-    await page.waitForFunction((tick) => window.clew.session.last_tick > tick + 300, first);
+    await page.waitForFunction((tick) => window.clew.session.last_tick > tick + 150, first);
+    assert.equal(clew("swap", name, "recover.detector=known_detour").status, 0);
+    const swapped = await page.evaluate(() => window.clew.session.last_tick);
+    await page.waitForFunction((tick) => window.clew.session.last_tick > tick + 160, swapped);
     assert.equal(clew("pause", name).status, 0);
     await page.keyboard.press("x");
-    await page.waitForFunction((tick) => Number(document.querySelector("#insides").dataset.tick) > tick + 100, first, { timeout: 60000 });
+    await page.waitForFunction((tick) => Number(document.querySelector("#insides").dataset.tick) > tick + 100, swapped, { timeout: 60000 });
     const { tick, texts } = await page.evaluate(() => ({
       tick: Number(document.querySelector("#insides").dataset.tick),
       texts: [...document.querySelectorAll("#insides section")].map((each) => [each.dataset.stage, each.querySelector(".told").textContent]),

@@ -65,6 +65,26 @@ test("a mission, and another one on the way", async (context) => {
   assert.deepEqual(complaints, []);
 });
 
+test("with odometry that drifts, way-points and headings are those that the robot took them for", async (context) => {
+  const directory = scratch_directory(context);
+  const file = path.join(directory, "drift.mcap");
+  const world = path.join(directory, "turns.yaml");
+  writeFileSync(world, kWorld.replace("[5, 6.5, 0.4]", "[5, 6.5, ~, 0, 0.6]").replace("target: ", "target_heading: [1.57, 0.8]\ntarget: "));
+  clew("run", "default", "--world", world, "--layout", "composed", "--set", "drive.drift_m_per_m=0.05", "--max-ticks", "400", "--record", file);
+  const { page, complaints } = await open_page(await open_browser(context), (await serve(context, "view", file)).address);
+
+  const told = json_lines(clew("events", file, "--json").out).filter(({ kind }) => kind === "waypoint").map(({ tick, text }) => ({ tick, text }));
+  assert.ok(told.length >= 2);
+  assert.deepEqual(await page.evaluate(() => window.clew.session.runs[0].events.filter((each) => each.kind === "waypoint")
+    .map(({ tick, text }) => ({ tick, text }))), told);
+  // The place, the radius where none is given, and the heading of the second one.
+  assert.deepEqual(await page.evaluate(() => window.clew.session.runs[0].world.waypoints[1]), { place: [5, 6.5], radius_m: 0.3 });
+  await go_to(page, told[0].tick + 1);
+  assert.match(await page.textContent("#now"), /sent toway-point 2: 5\.00, 6\.50 m, heading 0 ± 34°/);
+  if (process.env.CLEW_SCREENSHOT) await page.screenshot({ path: process.env.CLEW_SCREENSHOT });
+  assert.deepEqual(complaints, []);
+});
+
 test("the robots of a fleet lie over each other, each with its own way", async (context) => {
   const directory = path.join(scratch_directory(context), "gap");
   assert.equal(clew("run", "two_at_a_gap", "--record", directory).status, 0);

@@ -2,12 +2,12 @@
 // `clew report`: one file that opens without a server, is small, and lets no text of a recording
 // become HTML.
 import assert from "node:assert/strict";
-import { copyFileSync, readFileSync, statSync } from "node:fs";
+import { copyFileSync, readFileSync, readdirSync, statSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { clew, open_browser, open_page, scratch_directory, ticks_of } from "./view_server.mjs";
+import { clew, open_browser, open_page, request, scratch_directory, serve, ticks_of } from "./view_server.mjs";
 
 test("a report holds the run and needs nobody", async (context) => {
   const directory = scratch_directory(context);
@@ -32,6 +32,43 @@ test("a report holds the run and needs nobody", async (context) => {
   assert.equal(await page.evaluate(() => window.clew.session.last_tick), ticks_of(recordings[0]) - 1);
   assert.deepEqual(requests, []);
   assert.deepEqual(complaints, []);
+});
+
+test("a recording that is split is shown as one, by a report and by the server", async (context) => {
+  const directory = scratch_directory(context);
+  const whole = path.join(directory, "whole.mcap");
+  const split = path.join(directory, "split.mcap");
+  assert.equal(clew("run", "default", "--layout", "composed", "--at", "60:recover.detector=none", "--record", whole).status, 0);
+  assert.equal(clew("run", "default", "--layout", "composed", "--at", "60:recover.detector=none", "--record", split, "--split-s", "5").status, 0);
+  const files = readdirSync(directory).filter((name) => name.startsWith("split"));
+  assert.ok(files.length >= 3, `${files}`);
+  const output = path.join(directory, "split.html");
+  assert.equal(clew("report", split, "-o", output).status, 0);
+  assert.equal(clew("report", split, "-o", path.join(directory, "split_1.mcap")).status, 2);
+  const { address, port, token } = await serve(context, "view", split, whole);
+  const browser = await open_browser(context);
+  const facts = (page) => page.evaluate(() => window.clew.session.runs.map(({ ticks, events, outcome, recording }) =>
+    ({ ticks: ticks.length, last: ticks[ticks.length - 1], events, outcome, end: recording.end, changes: recording.changes })));
+
+  const { page: served, complaints } = await open_page(browser, address);
+  const [of_split, of_whole] = await facts(served);
+  assert.deepEqual(of_split, of_whole);
+  assert.equal(of_split.ticks, ticks_of(whole));
+  assert.equal(of_split.end.hash, JSON.parse(clew("info", whole, "--json").out).hash);
+  await served.keyboard.press("d");
+  assert.match(await served.textContent("#notice"), /the two recordings hold the same samples/);
+  // A branch and insides of it go by its first file.
+  await served.keyboard.press("b");
+  await served.waitForFunction(() => window.clew.session.runs.length === 3, undefined, { timeout: 60000 });
+  assert.deepEqual(complaints, []);
+
+  const { page } = await open_page(browser, pathToFileURL(output));
+  assert.deepEqual(await facts(page), [of_split]);
+  const cookie = { Cookie: `clew_view_${port}=${token}` };
+  assert.equal((await request(port, `/recordings/0/${files.length - 1}`, cookie)).status, 200);
+  for (const place of [`0/${files.length}`, "0/", "0/-1", "0/1/0", "9/0", "/0"]) {
+    assert.equal((await request(port, `/recordings/${place}`, cookie)).status, 404, place);
+  }
 });
 
 test("a name that is HTML stays a name", async (context) => {

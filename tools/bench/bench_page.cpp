@@ -192,7 +192,7 @@ core::Result<std::string> bench_page(std::string_view page, const BenchResults& 
   }
   json["runs"] = runs_json(results, kept);
   const std::string text = json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  return view::report(page, {{"bench.json", text}});
+  return view::report(page, {{"bench.json", {text}}});
 }
 
 }  // namespace clew::bench

@@ -63,7 +63,7 @@ Result<void> write_report(const std::string& recording, const std::string& repor
   auto bytes = files::read_file(recording);
   if (!bytes.ok()) return bytes.error();
   const auto text =
-      view::report(page, {{fs::path(recording).filename().string(), std::move(bytes).value()}});
+      view::report(page, {{fs::path(recording).filename().string(), {std::move(bytes).value()}}});
   if (!text.ok()) return text.error();
   return files::write_file(report, *text);
 }

@@ -20,6 +20,8 @@
 #include "plugins/plugin_loader.hpp"
 #include "runtime/config_source.hpp"
 #include "runtime/graph.hpp"
+#include "runtime/intervention.hpp"
+#include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
 #include "view/page_file.hpp"
 #include "view/page_order.hpp"
@@ -96,6 +98,15 @@ std::size_t count_stages(const bridge::RunDescription& description) {
                     [](const auto& stage) { return stage.deployment.is_ours(); }));
 }
 
+core::Result<runtime::Bundle> changed_texts(const bridge::RunDescription& description,
+                                            const std::vector<domain::Intervention>& changes) {
+  const auto first = runtime::prepare_run(description.bundle, stages::all());
+  if (!first.ok()) return first.error();
+  const auto plans = runtime::change_all(*first, changes, stages::all());
+  if (!plans.ok()) return plans.error();
+  return plans->empty() ? first->bundle : plans->back()->bundle;
+}
+
 struct Ends {
   int socket = -1;
   int port = 0;
@@ -122,6 +133,7 @@ int gateway_command(const Ends& ends) {
                                  read,
                                  read_question,
                                  count_stages,
+                                 changed_texts,
                                  explain};
   return bridge::run_gateway_process(ends.socket, ends.port, page);
 }

@@ -145,7 +145,7 @@ void PageRuns::start(std::vector<std::string> words, const Answer& answer,
 void PageRuns::finish(const bridge::ProgramEnd& end, const std::string& line,
                       const std::string& file, const std::string& what, const Answer& answer) {
   const ordered_json report = last_object(end.out);
-  auto recording = bridge::ServedFile::open(file);
+  auto recording = bridge::ServedRecording::open({file});
   if (report.is_null() || !recording.ok()) {
     return answer(refusal(end.err.empty() ? "status " + std::to_string(end.status) : end.err));
   }

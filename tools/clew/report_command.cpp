@@ -21,29 +21,31 @@ struct ReportOptions {
   std::string output;
 };
 
-Result<view::ReportedFile> read_recording(const std::string& path) {
+Result<view::ReportedRecording> read_recording(const std::string& path, const std::string& output) {
   const auto recording = bridge::RunRecording::open(path);
   if (!recording.ok()) return recording.error();
-  if (recording->pieces() > 1) return Error{"is split into files, and a report shows one", path};
-  auto bytes = files::read_file(path);
-  if (!bytes.ok()) return bytes.error();
-  return view::ReportedFile{std::filesystem::path(path).filename().string(),
-                            std::move(bytes).value()};
+  view::ReportedRecording reported{std::filesystem::path(path).filename().string(), {}};
+  std::error_code ignored;
+  for (const std::string& file : recording->files()) {
+    if (std::filesystem::equivalent(file, output, ignored)) {
+      return Error{"is a recording that the report is made of", output};
+    }
+    auto bytes = files::read_file(file);
+    if (!bytes.ok()) return bytes.error();
+    reported.bytes.push_back(std::move(bytes).value());
+  }
+  return reported;
 }
 
 Result<void> write_report(const ReportOptions& options) {
   if (view::page().empty()) return Error{view::kNoPage};
-  std::error_code ignored;
-  std::vector<view::ReportedFile> files;
+  std::vector<view::ReportedRecording> recordings;
   for (const std::string& path : options.recordings) {
-    if (std::filesystem::equivalent(path, options.output, ignored)) {
-      return Error{"is a recording that the report is made of", options.output};
-    }
-    auto file = read_recording(path);
-    if (!file.ok()) return file.error();
-    files.push_back(std::move(file).value());
+    auto recording = read_recording(path, options.output);
+    if (!recording.ok()) return recording.error();
+    recordings.push_back(std::move(recording).value());
   }
-  const auto text = view::report(view::page(), files);
+  const auto text = view::report(view::page(), recordings);
   if (!text.ok()) return text.error();
   return files::write_file(options.output, *text);
 }

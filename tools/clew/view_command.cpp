@@ -71,18 +71,16 @@ int view_run(const std::string& run) {
 }
 
 /// Refused is here what a page could only fail to read.
-Result<std::vector<bridge::ServedFile>> open_all(const std::vector<std::string>& paths) {
-  std::vector<bridge::ServedFile> files;
+Result<std::vector<bridge::ServedRecording>> open_all(const std::vector<std::string>& paths) {
+  std::vector<bridge::ServedRecording> opened;
   for (const std::string& path : paths) {
     const auto recording = bridge::RunRecording::open(path);
     if (!recording.ok()) return recording.error();
-    if (recording->pieces() > 1)
-      return core::Error{"is split into files, and a page shows one", path};
-    auto file = bridge::ServedFile::open(path);
-    if (!file.ok()) return file.error();
-    files.push_back(std::move(file).value());
+    auto served = bridge::ServedRecording::open(recording->files());
+    if (!served.ok()) return served.error();
+    opened.push_back(std::move(served).value());
   }
-  return files;
+  return opened;
 }
 
 /// Foxglove viewers get all of the first recording, as if it were a run.
@@ -115,9 +113,9 @@ int view_command(const ViewOptions& options) {
   }
   const auto loaded = bridge::load_plugins(options.plugins);
   if (!loaded.ok()) return complain(loaded.error());
-  auto files = open_all(options.recordings);
-  if (!files.ok()) return complain(files.error());
-  bridge::ViewContent content(view::page(), std::move(files).value());
+  auto opened = open_all(options.recordings);
+  if (!opened.ok()) return complain(opened.error());
+  bridge::ViewContent content(view::page(), std::move(opened).value());
   bridge::LiveStream stream(kMostHeldBytes);
   if (!options.recordings.empty()) {
     content.offer_to_foxglove(stream, [&] { fill(stream, options.recordings.front()); });

@@ -23,15 +23,20 @@ core::Result<std::string> packed(const std::string& bytes) {
 
 }  // namespace
 
-core::Result<std::string> report(std::string_view page, const std::vector<ReportedFile>& files) {
+core::Result<std::string> report(std::string_view page,
+                                 const std::vector<ReportedRecording>& recordings) {
   const std::size_t place = page.find(kPlace);
   if (place == std::string_view::npos) return core::Error{"the page has no place for recordings"};
   std::string text(page.substr(0, place));
-  for (const ReportedFile& file : files) {
-    const auto bytes = packed(file.bytes);
-    if (!bytes.ok()) return bytes.error();
-    text += "<script type=\"text/plain\" data-name=\"" + core::base64(file.name) + "\">";
-    text += core::base64(*bytes) + "</script>\n";
+  for (const ReportedRecording& recording : recordings) {
+    std::string attribute = "data-name=\"" + core::base64(recording.name) + '"';
+    for (const std::string& bytes : recording.bytes) {
+      const auto frame = packed(bytes);
+      if (!frame.ok()) return frame.error();
+      text +=
+          "<script type=\"text/plain\" " + attribute + '>' + core::base64(*frame) + "</script>\n";
+      attribute = "data-further";
+    }
   }
   text += page.substr(place + kPlace.size());
   return text;

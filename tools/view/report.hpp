@@ -10,13 +10,14 @@
 namespace clew::view {
 
 /// A recording on its way into a report.
-struct ReportedFile {
-  std::string name;   ///< for people
-  std::string bytes;  ///< of the file
+struct ReportedRecording {
+  std::string name;                ///< for people
+  std::vector<std::string> bytes;  ///< of each of its files
 };
 
 /// `page` with recordings inside: one file that needs neither server nor network. Names and bytes
 /// stand in it in base64, so that no text of a recording is ever HTML.
-core::Result<std::string> report(std::string_view page, const std::vector<ReportedFile>& files);
+core::Result<std::string> report(std::string_view page,
+                                 const std::vector<ReportedRecording>& recordings);
 
 }  // namespace clew::view

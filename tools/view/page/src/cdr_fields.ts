@@ -36,6 +36,8 @@ export class Schema {
   private readonly enumerators = new Map<string, Map<number, string>>();
   private readonly reader: MessageReader;
   private readonly places = new Map<string, Place>();
+  /// The first list of a sample, if it is one of doubles: where its length is.
+  private first_list: { path: string; offset: number } | undefined;
 
   constructor(readonly type: string, readonly text: string) {
     const parsed = parseIDL(text);
@@ -62,16 +64,31 @@ export class Schema {
     return found;
   }
 
-  /// The number at `path`, or NaN where this sample has none.
+  /// The number at `path`, or NaN where this sample has none, or is no message of the type.
   number(bytes: Uint8Array, path: string): number {
     const place = this.places.get(path);
     if (place) return read_number(bytes, place);
-    let value: unknown = this.message(bytes);
+    let value: unknown;
+    try {
+      value = this.message(bytes);
+    } catch {
+      return NaN;
+    }
     for (const part of path.split(/[.[\]]+/).filter((word) => word !== "")) {
       if (value == null) return NaN;
       value = (value as Record<string, unknown>)[part];
     }
     return typeof value === "object" || value === undefined ? NaN : Number(value);
+  }
+
+  /// The doubles of a list, without those of the rest of the sample; nothing where they are not there.
+  doubles(bytes: Uint8Array, path: string): Float64Array | undefined {
+    const list = this.first_list;
+    if (list?.path !== path) return undefined;
+    const length = read_number(bytes, { offset: list.offset, type: "uint32" });
+    const begin = 4 + Math.ceil(list.offset / 8) * 8;
+    if (Number.isNaN(length) || begin + 8 * length > bytes.length) return undefined;
+    return new Float64Array(bytes.slice(begin, begin + 8 * length).buffer);
   }
 
   // The leaves in front of the first string or list lie at the same place in every sample.
@@ -81,7 +98,11 @@ export class Schema {
     let offset = start;
     for (const field of definition.definitions) {
       const path = prefix + field.name;
-      if (field.isArray === true || field.arrayLengths) return NaN;
+      if (field.isArray === true || field.arrayLengths) {
+        // A head of four bytes lies before what is aligned.
+        if (!field.arrayLengths && field.type === "float64") this.first_list = { path, offset: 4 + Math.ceil(offset / 4) * 4 };
+        return NaN;
+      }
       if (field.isComplex === true) {
         offset = this.find_places(field.type, `${path}.`, offset);
         if (Number.isNaN(offset)) return NaN;

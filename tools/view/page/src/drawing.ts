@@ -34,11 +34,13 @@ export class Drawing implements MapTool {
   private from: Point | undefined;
   private to: Point | undefined;
 
-  constructor(private readonly map: MapView) {
+  /// `begin`: somebody goes on drawing.
+  constructor(private readonly map: MapView, begin: () => void) {
     const parts: [Part, string][] = [["wall", "Drag on the map: a wall"], ["start", "Click: where the robot starts; drag for its heading"],
       ["target", "Click: the target"], ["erase", "Click: the nearest wall goes"]];
     for (const [part, title] of parts) {
       const choose = button(part, title, () => {
+        begin();
         this.choose(part);
         map.ask_for_place();
       });

@@ -36,6 +36,22 @@ export function fit_canvas(canvas: HTMLCanvasElement): { g: CanvasRenderingConte
   return { g, width, height };
 }
 
+let on_trouble: (error: unknown) => void = console.error;
+
+/// Who is told when something of a recording cannot be drawn.
+export function tell_trouble_to(listener: (error: unknown) => void): void {
+  on_trouble = listener;
+}
+
+/// Does it as far as it can be done: what a recording holds may be anything.
+export function attempt(work: () => void): void {
+  try {
+    work();
+  } catch (error) {
+    on_trouble(error);
+  }
+}
+
 /// At most once a frame.
 export function once_a_frame(work: () => void): () => void {
   let waits = false;
@@ -44,7 +60,7 @@ export function once_a_frame(work: () => void): () => void {
     waits = true;
     requestAnimationFrame(() => {
       waits = false;
-      work();
+      attempt(work);
     });
   };
 }

@@ -65,7 +65,7 @@ export class Inspector {
     const by_path = new Map(ours.map((field) => [field.path, field]));
     const table = element("table");
     if (other) {
-      table.append(element("tr", {}, element("th", {}, "field"), element("th", {}, run.recording.name), element("th", {}, other.recording.name)));
+      table.append(element("tr", {}, element("th", {}, "field"), head_of(run), head_of(other)));
     }
     const rows = paths.filter((path) => `${name}.${path}`.toLowerCase().includes(wanted));
     for (const path of rows.slice(0, kMostRows)) table.append(this.row(name, path, by_path.get(path), other ? theirs.get(path) : null));
@@ -94,6 +94,12 @@ export class Inspector {
     if (other !== null && field_text(ours) !== field_text(other)) row.classList.add("differs");
     return row;
   }
+}
+
+/// The number that the run has on the page, and its name as far as there is room.
+function head_of(run: Run): HTMLElement {
+  const { name } = run.recording;
+  return element("th", { class: "run-name", title: name }, element("b", {}, String(run.index + 1)), ` ${name.replace(/\.mcap$/, "")}`);
 }
 
 /// Short; the whole number is in the title.

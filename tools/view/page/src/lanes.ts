@@ -133,10 +133,10 @@ export class Lanes {
     const topic = run.recording.topic(lane.topic ?? "");
     if (!topic) return 0;
     if (lane.stage === "sense") {
-      const scan = topic.schema.message(sample) as { ranges_m: ArrayLike<number>; range_max_m: number };
-      let least = scan.range_max_m;
-      for (let i = 0; i < scan.ranges_m.length; i++) least = Math.min(least, scan.ranges_m[i] ?? least);
-      return 0.7 * (1 - least / Math.max(1e-9, scan.range_max_m));
+      const farthest = topic.schema.number(sample, "range_max_m");
+      let least = farthest;
+      for (const range of topic.schema.doubles(sample, "ranges_m") ?? []) least = Math.min(least, range);
+      return 0.7 * (1 - least / Math.max(1e-9, farthest));
     }
     const value = topic.schema.number(sample, lane.path ?? "");
     if (lane.stage === "plan") return index > 0 && !Number.isNaN(before) && before !== value ? 0.9 : 0;

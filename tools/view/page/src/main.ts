@@ -6,8 +6,8 @@ import { field_text } from "./cdr_fields";
 import { Control } from "./control";
 import { first_difference } from "./difference";
 import type { Difference } from "./difference";
-import { button, by_id, element } from "./elements";
-import { embedded } from "./embedded";
+import { attempt, button, by_id, element, tell_trouble_to } from "./elements";
+import { embedded, has_embedded } from "./embedded";
 import { Insides } from "./insides";
 import { Inspector } from "./inspector";
 import { listen_to_keys } from "./keys";
@@ -19,12 +19,15 @@ import { Plots } from "./plots";
 import { Recording } from "./recording";
 import type { Run } from "./run";
 import { Session } from "./session";
-import { read_embedded, read_served } from "./sources";
-import type { Served } from "./sources";
+import { read_embedded, read_served, read_session } from "./sources";
 import { run_colour, run_dash, theme, toggle_theme } from "./theme";
 import { read_choices } from "./server";
 import { Transport } from "./transport";
 import { WhatIf } from "./what_if";
+
+/// What there is to show is asked for before anything else is done.
+const served = location.protocol.startsWith("http") && !has_embedded() ? read_session() : undefined;
+served?.catch(() => undefined);
 
 const session = new Session();
 const map = new MapView(session);
@@ -35,6 +38,8 @@ const plots = new Plots(session);
 function notice(text: string): void {
   by_id("notice").textContent = text;
 }
+const message_of = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+tell_trouble_to((error) => notice(`not all of it can be shown: ${message_of(error)}`));
 
 // ---- panels ----
 
@@ -61,7 +66,7 @@ function show_panel(name: string): void {
 
 new Overview(session, add_panel("overview", "Overview"));
 new Inspector(session, plots, add_panel("messages", "Messages"));
-const insides = new Insides(session, map, add_panel("insides", "Insides"), location.protocol.startsWith("http") && embedded().length === 0);
+const insides = new Insides(session, map, add_panel("insides", "Insides"), location.protocol.startsWith("http") && !has_embedded());
 show_panel("overview");
 
 // ---- runs ----
@@ -123,8 +128,9 @@ function follow(): void {
   if (following) return;
   following = true;
   const turn = (): void => {
-    const more = session.runs.map((run) => run.follow(12)).some((waits) => waits);
-    session.tell("data");
+    let more = false;
+    for (const run of session.runs) attempt(() => { more = run.follow(12) || more; });
+    attempt(() => session.tell("data"));
     following = more;
     if (more) requestAnimationFrame(turn);
     else show_runs();
@@ -138,15 +144,16 @@ export async function open(name: string, read: (recording: Recording, on_piece: 
   try {
     await read(run.recording, follow);
   } catch (error) {
-    notice(`${name}: ${error instanceof Error ? error.message : String(error)}; shown is what came before`);
+    notice(`${name}: ${message_of(error)}; shown is what came before`);
   }
   follow();
+  if (run.recording.complaint !== "") notice(`${name}: ${run.recording.complaint}`);
   return run;
 }
 
 async function add_what_if(): Promise<void> {
   const choices = await read_choices();
-  what_if = new WhatIf(session, map, add_panel("what-if", "What if"), choices, ({ recording, name }) => open_served(recording, name));
+  what_if = new WhatIf(session, map, add_panel("what-if", "What if"), choices, ({ recording, name }) => open_served(recording, name, 1));
   const asked = what_if;
   insides.let_edit(choices, {
     label: "Branch with these rules", title: "Go on from the chosen tick with the rule base as it is written here",
@@ -158,8 +165,8 @@ async function add_what_if(): Promise<void> {
   show_panel(session.runs.length === 0 ? "what-if" : "overview");
 }
 
-async function open_served(id: number, name: string): Promise<Run> {
-  const run = await open(name, (recording, on_piece) => read_served(id, recording, on_piece));
+async function open_served(id: number, name: string, files: number): Promise<Run> {
+  const run = await open(name, (recording, on_piece) => read_served(id, files, recording, on_piece));
   run.served = id;
   session.tell("runs");
   return run;
@@ -201,13 +208,12 @@ async function watch(): Promise<void> {
 async function begin(): Promise<void> {
   // The address carried the token once; now the cookie does.
   if (location.protocol.startsWith("http") && location.search !== "") history.replaceState(null, "", location.pathname);
-  const inside = embedded();
-  if (inside.length > 0) {
-    for (const { name, bytes } of inside) await open(name, (recording, on_piece) => read_embedded(bytes, recording, on_piece));
-  } else if (location.protocol.startsWith("http")) {
-    const served = (await (await fetch("session")).json()) as Served;
-    for (const { id, name } of served.recordings) await open_served(id, name);
-    if (served.live) await watch();
+  if (has_embedded()) {
+    for (const { name, files } of embedded()) await open(name, (recording, on_piece) => read_embedded(files, recording, on_piece));
+  } else if (served) {
+    const { recordings, live } = await served;
+    for (const { id, name, files } of recordings) await open_served(id, name, files);
+    if (live) await watch();
     else await add_what_if();
   }
   session.go_to(session.last_tick);
@@ -277,4 +283,4 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => sess
 
 /// For tests: what the page knows, in its own words.
 Object.assign(window, { clew: { session, plots, compare, map } });
-begin().catch((error: unknown) => notice(String(error)));
+begin().catch((error: unknown) => notice(message_of(error)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where robots are sent, on the map.
+// Where robots are sent, on the map: their missions, and what the topic `target` says besides.
 
 import type { Scene } from "./map_layers";
 import type { Standing, Waypoint } from "./missions";
@@ -29,6 +29,80 @@ export function draw_mission(scene: Scene, { mission, from, passed }: Standing, 
   });
   const target = waypoints[waypoints.length - 1];
   if (target) whose.forEach((run, i) => name_target(scene, target, run, i));
+}
+
+/// Where the chosen robot steers for at a tick, where that is a subgoal of the plan on its way: a small
+/// square, joined to the robot. And the heading that it is to have there: an arrow between the two
+/// bounds that it may have.
+export function draw_steering(scene: Scene, run: Run): void {
+  const target = run.recording.topic("target")?.message_at(scene.tick) as Steering | undefined;
+  const standing = run.progress.at(scene.tick);
+  if (!target || !standing || target.waypoint === 0) return;
+  const { g, view, theme } = scene;
+  g.strokeStyle = theme.target;
+  const [x, y] = view.at(...run.to_world(scene.tick, target.x_m, target.y_m));
+  const next = standing.mission.waypoints[standing.passed];
+  const [goal_x, goal_y] = next ? view.at(...next.place) : [x, y];
+  // Where odometry is off, way-points of its frame lie a little beside those of the world.
+  const off_m = Math.hypot(x - goal_x, y - goal_y) / view.scale;
+  if (off_m > kSubgoal_m && run.graph["plan"] !== undefined) draw_subgoal(scene, run, x, y);
+  if (target.has_heading !== true) return;
+  const truth = run.truth[run.index_at(scene.tick)]?.heading ?? 0;
+  const belief = run.belief[run.index_at(scene.tick)]?.heading ?? truth;
+  const heading = (target.heading_rad ?? 0) + truth - belief;
+  const tolerance = Math.min(Math.PI, target.heading_tolerance_rad ?? 0);
+  g.lineWidth = 1.5;
+  const arm = (angle: number, length: number): void => {
+    g.moveTo(goal_x, goal_y);
+    g.lineTo(goal_x + length * Math.cos(angle), goal_y - length * Math.sin(angle));
+  };
+  g.beginPath();
+  arm(heading, 26);
+  g.stroke();
+  draw_arrow_head(g, goal_x + 26 * Math.cos(heading), goal_y - 26 * Math.sin(heading), heading);
+  g.setLineDash([2, 3]);
+  g.beginPath();
+  arm(heading - tolerance, 20);
+  arm(heading + tolerance, 20);
+  g.stroke();
+  g.setLineDash([]);
+}
+
+/// Nearer than this it is the way-point itself.
+const kSubgoal_m = 0.05;
+
+interface Steering {
+  x_m: number;
+  y_m: number;
+  waypoint?: number;
+  has_heading?: boolean;
+  heading_rad?: number;
+  heading_tolerance_rad?: number;
+}
+
+function draw_subgoal({ g, view, theme, tick }: Scene, run: Run, x: number, y: number): void {
+  const pose = run.truth[run.index_at(tick)];
+  g.lineWidth = 1;
+  if (pose) {
+    g.setLineDash([1, 3]);
+    g.beginPath();
+    g.moveTo(...view.at(pose.x, pose.y));
+    g.lineTo(x, y);
+    g.stroke();
+    g.setLineDash([]);
+  }
+  g.fillStyle = theme.field;
+  g.fillRect(x - 4, y - 4, 8, 8);
+  g.strokeRect(x - 4, y - 4, 8, 8);
+}
+
+function draw_arrow_head(g: CanvasRenderingContext2D, x: number, y: number, heading: number): void {
+  g.beginPath();
+  for (const side of [-1, 1]) {
+    g.moveTo(x, y);
+    g.lineTo(x - 8 * Math.cos(heading + side * 0.4), y + 8 * Math.sin(heading + side * 0.4));
+  }
+  g.stroke();
 }
 
 /// The number of a robot below the place where it goes.

@@ -5,8 +5,11 @@ import type { Run, RunEvent } from "./run";
 import { draw_mark, run_colour, run_dash } from "./theme";
 import type { Theme } from "./theme";
 import { thinned } from "./thinned";
-import { place_at } from "./world";
+import { corners_at, place_at } from "./world";
 import type { MovingObstacle, Point, World } from "./world";
+
+/// How thick the sides of a moving shape are.
+const kSide_m = 0.04;
 
 export const kLayers: [string, string][] = [
   ["grid", "Grid"], ["path", "Path"], ["ahead", "Path still to come"], ["belief", "Believed path"],
@@ -127,8 +130,23 @@ function draw_moving(scene: Scene, world: World, time_s: number, robots: World[]
     g.fillStyle = theme.moving;
     g.strokeStyle = theme.wall;
     g.lineWidth = 1.5;
-    disc(scene, place_at(obstacle, time_s), obstacle.radius_m, true);
+    const corners = corners_at(obstacle, time_s);
+    if (corners.length > 0) draw_sides(scene, corners);
+    else disc(scene, place_at(obstacle, time_s), obstacle.radius_m, true);
   }
+}
+
+/// Doors and polygons that move have thick sides, and nothing within.
+function draw_sides({ g, view, theme }: Scene, corners: Point[]): void {
+  g.beginPath();
+  for (const corner of corners) g.lineTo(...view.at(...corner));
+  g.closePath();
+  g.strokeStyle = theme.wall;
+  g.lineWidth = Math.max(4, kSide_m * view.scale);
+  g.stroke();
+  g.strokeStyle = theme.moving;
+  g.lineWidth -= 2;
+  g.stroke();
 }
 
 export function draw_paths(scene: Scene, run: Run): void {
@@ -284,7 +302,7 @@ export function draw_scan(scene: Scene, run: Run): void {
     const range = scan.ranges_m[i] ?? 0;
     const far = range >= scan.range_max_m;
     const angle = -(pose.heading + scan.bearing_first_rad + i * scan.bearing_step_rad);
-    const radius = (range + run.radius_m) * view.scale;
+    const radius = Math.max(0, range + run.radius_m) * view.scale;
     g.globalAlpha = far ? 0.08 : 0.28;
     if (scan.beam_width_rad > 0) {
       g.beginPath();

@@ -5,12 +5,12 @@ import { by_id, button, element, fit_canvas, once_a_frame } from "./elements";
 import { InsideLayers } from "./inside_layers";
 import type { ToldTick } from "./inside_layers";
 import { MapCursor } from "./map_cursor";
-import { draw_mission } from "./map_goals";
+import { draw_mission, draw_steering } from "./map_goals";
 import {
   draw_events, draw_paths, draw_robot, draw_scan, draw_start, draw_virtual_obstacles, draw_virtual_targets, draw_world, kLayers,
-  round_up,
 } from "./map_layers";
 import type { Scene, View } from "./map_layers";
+import { draw_ruler, draw_scale } from "./map_measures";
 import { mission_of_world } from "./missions";
 import type { Standing } from "./missions";
 import type { Run, RunEvent } from "./run";
@@ -21,6 +21,8 @@ import type { Point, World } from "./world";
 
 /// Their height: the world is shown below them.
 const kButtons = 40;
+/// How much smaller the world may be shown for the sake of the legend.
+const kLeastBeside = 0.75;
 
 /// What takes the pointer in place of panning, and a world to show in place of the runs'.
 export interface MapTool {
@@ -61,13 +63,19 @@ export class MapView {
       if (change === "data" || change === "runs") this.fit_if_new();
       this.draw();
     });
-    new ResizeObserver(() => {
-      if (this.scale > 0 && this.fitted) this.fit();
+    const resized = new ResizeObserver(() => {
+      if (this.scale > 0 && this.fitted) this.fit(false);
       this.draw();
-    }).observe(this.canvas);
+    });
+    resized.observe(this.canvas);
+    resized.observe(this.legend);
   }
 
   private fitted = true;
+  private readonly legend = by_id("map-legend");
+  /// What the legend takes of the width. It comes and goes while somebody scrubs; the world stays
+  /// beside it.
+  private legend_width = 0;
 
   use(tool: MapTool | undefined): void {
     if (tool === this.tool) return;
@@ -142,15 +150,19 @@ export class MapView {
     if (this.scale === 0 && this.world) this.fit();
   }
 
-  /// Shows the whole world.
-  fit(): void {
+  /// Shows the whole world; beside the legend, if it need not be much smaller for that.
+  fit(anew = true): void {
     const world = this.world;
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
     if (!world || width === 0) return;
+    const legend_width = this.legend.clientWidth > 0 ? this.legend.clientWidth + 20 : 0;
+    this.legend_width = anew ? legend_width : Math.max(this.legend_width, legend_width);
     const [left, bottom, right, top] = world.bounds;
-    this.scale = Math.min((width - 80) / (right - left), (height - kButtons - 55) / (top - bottom));
-    this.centre = [(left + right) / 2, (bottom + top) / 2 + (kButtons / 2 - 10) / this.scale];
+    const scale_in = (room: number): number => Math.min((room - 80) / (right - left), (height - kButtons - 55) / (top - bottom));
+    const beside = scale_in(width - this.legend_width) >= kLeastBeside * scale_in(width) ? this.legend_width : 0;
+    this.scale = scale_in(width - beside);
+    this.centre = [(left + right + beside / this.scale) / 2, (bottom + top) / 2 + (kButtons / 2 - 10) / this.scale];
     this.fitted = true;
     this.draw();
   }
@@ -218,8 +230,8 @@ export class MapView {
     this.draw_goals(scene, world, shown);
     if (this.tool) draw_start(scene, world);
     else this.draw_runs(scene, shown);
-    this.draw_ruler(g);
-    this.draw_scale(g, height);
+    if (this.ruler) draw_ruler(scene, this.ruler.from, this.ruler.to);
+    draw_scale(scene, height);
     this.cursor.draw(g, colours);
   }
 
@@ -229,6 +241,7 @@ export class MapView {
     if (has_insides) this.inside_layers.draw_areas(scene);
     for (const run of shown) draw_paths(scene, run);
     const chosen = shown.find((run) => run.index === this.session.chosen) ?? shown[0];
+    if (chosen) draw_steering(scene, chosen);
     if (chosen && this.layers.has("obstacles")) draw_virtual_obstacles(scene, chosen);
     if (chosen && this.layers.has("scan")) draw_scan(scene, chosen);
     for (const run of shown) {
@@ -248,51 +261,6 @@ export class MapView {
       at_place.set(place, nth + 1);
       draw_robot(scene, run, shown.length > 1 ? nth : undefined);
     }
-  }
-
-  private draw_scale(g: CanvasRenderingContext2D, height: number): void {
-    const length = round_up(60 / this.scale);
-    const pixels = length * this.scale;
-    const colours = theme();
-    g.strokeStyle = g.fillStyle = colours.text;
-    g.lineWidth = 1.5;
-    g.beginPath();
-    g.moveTo(16, height - 22);
-    g.lineTo(16, height - 16);
-    g.lineTo(16 + pixels, height - 16);
-    g.lineTo(16 + pixels, height - 22);
-    g.stroke();
-    g.font = "11px system-ui, sans-serif";
-    g.textAlign = "left";
-    g.textBaseline = "middle";
-    g.fillText(`${length} m`, 22 + pixels, height - 18);
-  }
-
-  private draw_ruler(g: CanvasRenderingContext2D): void {
-    if (!this.ruler) return;
-    const colours = theme();
-    const view = this.view();
-    const [x1, y1] = view.at(...this.ruler.from);
-    const [x2, y2] = view.at(...this.ruler.to);
-    g.strokeStyle = colours.text;
-    g.lineWidth = 1.5;
-    g.beginPath();
-    g.moveTo(x1, y1);
-    g.lineTo(x2, y2);
-    g.stroke();
-    const dx = this.ruler.to[0] - this.ruler.from[0];
-    const dy = this.ruler.to[1] - this.ruler.from[1];
-    const text = `${Math.hypot(dx, dy).toFixed(3)} m, ${(Math.atan2(dy, dx) * 180 / Math.PI).toFixed(1)}°`;
-    g.font = "600 12px system-ui, sans-serif";
-    const width = g.measureText(text).width;
-    g.fillStyle = colours.ground;
-    // Beside the line, so that neither it nor the cross at its end lies on the text.
-    const [x, y] = [(x1 + x2) / 2 + (Math.abs(y2 - y1) > Math.abs(x2 - x1) ? 12 : -width / 2), (y1 + y2) / 2 - 24];
-    g.fillRect(x - 4, y - 9, width + 8, 18);
-    g.fillStyle = colours.text;
-    g.textAlign = "left";
-    g.textBaseline = "middle";
-    g.fillText(text, x, y);
   }
 
   private add_controls(): void {

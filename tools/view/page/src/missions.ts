@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a robot is sent: the way-points of its world or its graph, and those that it was given while
-// the run went on. Which of them were reached follows from where it was.
+// the run went on. Which of them were reached the topic `target` says; of a recording without it, or
+// of a version that did not say so, it follows from where the robot was.
 
 import type { Change } from "./recording";
 import type { Pose } from "./run";
@@ -23,6 +24,13 @@ export interface Reached {
   of: number;
 }
 
+/// What the topic `target` says of a mission: the way-point that the robot is on the way to, from 1,
+/// and how many there are.
+export interface NextWaypoint {
+  number: number;
+  of: number;
+}
+
 /// The mission in force from a tick on, where the robot was when it was given, and how many of its
 /// way-points were reached.
 export interface Standing {
@@ -34,12 +42,13 @@ export interface Standing {
 
 const kGoalChange = "goal=";
 
-/// `[x, y]` or `[x, y, radius]`; nothing if it is no place.
+/// `[x, y]`, `[x, y, radius]`, or more behind that; in place of a radius there may be none. Nothing if
+/// it is no place.
 function waypoint_of(numbers: unknown, radius_m: number): Waypoint | undefined {
   if (!Array.isArray(numbers)) return undefined;
   const [x, y, radius] = numbers.map(Number);
   if (x === undefined || y === undefined || !Number.isFinite(x) || !Number.isFinite(y)) return undefined;
-  return { place: [x, y], radius_m: radius !== undefined && Number.isFinite(radius) ? radius : radius_m };
+  return { place: [x, y], radius_m: radius !== undefined && radius > 0 && Number.isFinite(radius) ? radius : radius_m };
 }
 
 function waypoints_of(list: unknown, radius_m: number): Waypoint[] {
@@ -91,15 +100,19 @@ export class Progress {
     this.mission = this.last = undefined;
   }
 
-  /// Those that are reached with this pose; the last one only as the run ends. A mission of one
-  /// place has none: the outcome says all of it.
-  see(tick: number, pose: Pose, ends_there: boolean): Reached[] {
+  /// Those that are reached at this tick, with this pose; the last one only as the run ends. A mission
+  /// of one place has none: the outcome says all of it.
+  see(tick: number, pose: Pose, next: NextWaypoint, ends_there: boolean): Reached[] {
     const { mission, from } = this;
     if (!mission || mission.waypoints.length < 2) return [];
     const reached: Reached[] = [];
     const of = mission.waypoints.length;
     const before = this.passed;
-    while (this.passed + 1 < of && this.is_at(mission.waypoints[this.passed], tick, pose)) this.passed++;
+    if (next.of === of) {
+      this.passed = Math.max(before, Math.min(next.number, of) - 1);
+    } else {
+      while (this.passed + 1 < of && this.is_at(mission.waypoints[this.passed], tick, pose)) this.passed++;
+    }
     if (ends_there) this.passed = of;
     for (let number = before + 1; number <= this.passed; number++) reached.push({ number, of });
     if (reached.length > 0) this.steps.push({ tick, mission, from, passed: this.passed });

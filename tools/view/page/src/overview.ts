@@ -57,6 +57,8 @@ export class Overview {
     }
     const now = run.progress.at(tick);
     if (now && now.mission.waypoints.length > 1) rows.push(["way-points reached", `${now.passed} of ${now.mission.waypoints.length}`]);
+    const target = message("target") as Target | undefined;
+    if (target) rows.push(["sent to", target_text(target)]);
     const command = message("command") as { motion: Motion } | undefined;
     if (command) rows.push(["command", motion_text(command.motion)]);
     return rows;
@@ -80,12 +82,34 @@ export class Overview {
   }
 
   private entry(event: RunEvent): HTMLElement {
-    const text = `${kKindNames[event.kind]}${event.shadow ? " (in shadow)" : ""}${event.rule ? ` · ${event.rule}` : ""}`;
+    const kind = kKindNames[event.kind];
+    // What the kind says already is not said twice.
+    const rule = kind.replaceAll(" ", "_").includes(event.rule) ? "" : ` · ${event.rule}`;
+    const text = `${kind}${event.shadow ? " (in shadow)" : ""}${rule}`;
     const link = element("button", { type: "button" }, element("b", {}, String(event.tick)), ` ${text}`);
     if (event.text) link.append(element("small", {}, event.text));
     link.addEventListener("click", () => this.session.go_to(event.tick));
     return element("li", { "data-tick": String(event.tick), "data-kind": event.kind }, link);
   }
+}
+
+/// As it is recorded; older versions have neither heading nor way-points.
+interface Target {
+  x_m: number;
+  y_m: number;
+  has_heading?: boolean;
+  heading_rad?: number;
+  heading_tolerance_rad?: number;
+  waypoint?: number;
+  waypoints?: number;
+}
+
+function target_text(target: Target): string {
+  const { has_heading, heading_rad = 0, heading_tolerance_rad = 0, waypoint, waypoints = 0 } = target;
+  if (waypoint === 0) return "nowhere: it waits";
+  const way = waypoints > 1 ? `way-point ${waypoint}: ` : "";
+  const heading = has_heading ? `, heading ${(heading_rad * kDegrees).toFixed(0)} ± ${(heading_tolerance_rad * kDegrees).toFixed(0)}°` : "";
+  return `${way}${target.x_m.toFixed(2)}, ${target.y_m.toFixed(2)} m${heading}`;
 }
 
 interface Motion {

@@ -60,7 +60,16 @@ export class Topic {
 
   message_at(tick: number): Record<string, unknown> | undefined {
     const index = this.index_at(tick);
-    return index < 0 ? undefined : this.schema.message(this.sample(index));
+    return index < 0 ? undefined : this.message(index);
+  }
+
+  /// Nothing where the bytes are no message of the topic's type.
+  message(index: number): Record<string, unknown> | undefined {
+    try {
+      return this.schema.message(this.sample(index));
+    } catch {
+      return undefined;
+    }
   }
 
   number_at(tick: number, path: string): number {
@@ -92,6 +101,8 @@ export class Recording {
   seed = "";
   /// What its recorder wrote at the end; nothing of one that was cut off or is not read yet.
   end: { hash: string; ticks: number; lost: number; aborted: string } | undefined;
+  /// What of it cannot be read, and is left out; empty if all can.
+  complaint = "";
 
   constructor(public name: string) {}
 
@@ -107,9 +118,14 @@ export class Recording {
     return this.topics.get(name);
   }
 
+  /// The first complaint stays: what follows may come of it.
+  complain(text: string): void {
+    this.complaint ||= text;
+  }
+
   /// Takes what a file says, as far as it is what we know.
   add_change(tick: number, said: unknown): void {
-    const { changes, order } = (said ?? {}) as Partial<Change>;
+    const { changes, order } = (said ?? {}) as Partial<Record<keyof Change, unknown>>;
     this.changes.push({
       tick, changes: Array.isArray(changes) ? changes.map(String) : [], order: typeof order === "string" ? order : "",
     });
@@ -183,9 +199,19 @@ export class McapFeed {
   private take_side(channel: number, tick: number, data: Uint8Array): void {
     const side = this.sides.get(channel);
     if (side === undefined) return;
-    const said: unknown = JSON.parse(kText.decode(data));
+    const said = this.read_json(side, tick, data);
+    if (said === undefined) return;
     if (side === kChanges) this.recording.add_change(tick, said);
     else this.recording.add_incident(tick, said);
+  }
+
+  private read_json(side: string, tick: number, data: Uint8Array): unknown {
+    try {
+      return JSON.parse(kText.decode(data));
+    } catch {
+      this.recording.complain(`${side} at tick ${tick} is no JSON: what it says is left out`);
+      return undefined;
+    }
   }
 
   private take_channel(channel: McapTypes.Channel): void {
@@ -193,7 +219,12 @@ export class McapFeed {
     const schema = this.schemas.get(channel.schemaId);
     if (this.channels.has(channel.id) || schema?.encoding !== "omgidl") return;
     const name = channel.topic.replace(/^\//, "");
-    this.channels.set(channel.id, this.recording.add_topic(name, schema.name, kText.decode(schema.data)));
+    try {
+      this.channels.set(channel.id, this.recording.add_topic(name, schema.name, kText.decode(schema.data)));
+    } catch (error) {
+      const why = String(error instanceof Error ? error.message : error).split("\n")[0] ?? "";
+      this.recording.complain(`the schema of topic '${name}' cannot be read (${why}): the topic is left out`);
+    }
   }
 
   private take_metadata(record: McapTypes.Metadata): void {
@@ -201,7 +232,7 @@ export class McapFeed {
     if (record.name === "clew") {
       this.recording.tick_s = Number(value("tick_s")) || this.recording.tick_s;
       this.recording.seed = value("seed");
-    } else if (record.name === "clew_end") {
+    } else if (record.name === "clew_end" && value("continues") !== "true") {
       this.recording.end = {
         hash: value("hash"), ticks: Number(value("ticks")), lost: Number(value("lost_samples")),
         aborted: value("aborted"),

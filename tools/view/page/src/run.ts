@@ -224,7 +224,8 @@ export class Run {
     if (number("state", "command_late") === 1) this.add(tick, "drive", "late", place, "the command came too late");
     const outcome = kOutcomes[number("state", "outcome")] ?? "running";
     const [x, y] = place;
-    for (const { number: reached, of } of this.progress.see(tick, { x, y, heading: 0 }, outcome === "reached")) {
+    const next = { number: number("target", "waypoint"), of: number("target", "waypoints") };
+    for (const { number: reached, of } of this.progress.see(tick, { x, y, heading: 0 }, next, outcome === "reached")) {
       this.add(tick, "drive", "waypoint", place, `${reached} of ${of}`);
     }
     if (outcome !== "running" && this.outcome === "running") this.add(tick, "drive", "end", place, outcome);
@@ -247,8 +248,9 @@ export class Run {
     const index = topic?.index_at(tick) ?? -1;
     // A stamp, and no entry: nothing to decode in nearly every tick.
     if (!topic || index < 0 || topic.sample(index).length <= 32) return;
-    const entries = topic.schema.message(topic.sample(index))["entries"] as EventEntry[];
-    for (const entry of entries) {
+    const message = topic.message(index);
+    if (!message) this.recording.complain(`topic 'event' at tick ${tick} is no message of its type: its events are left out`);
+    for (const entry of (message?.["entries"] ?? []) as EventEntry[]) {
       const kind = kKinds[entry.kind] ?? "reflex";
       const event: RunEvent = {
         tick, stage: kind === "landmark" ? "classify" : "recover", kind, rule: entry.rule, text: entry.text,

@@ -143,7 +143,15 @@ export function draw_mark(g: CanvasRenderingContext2D, kind: EventKind, x: numbe
   }
   g.fill();
   g.stroke();
+  if (kind === "trap") draw_exclamation(g, s, hollow ? colour : ground);
   g.restore();
+}
+
+/// Without colour, too, a trap differs from what lies at the same tick.
+function draw_exclamation(g: CanvasRenderingContext2D, s: number, colour: string): void {
+  g.fillStyle = colour;
+  g.fillRect(-s * 0.14, -s * 0.5, s * 0.28, s * 0.7);
+  g.fillRect(-s * 0.14, s * 0.35, s * 0.28, s * 0.28);
 }
 
 function polygon(g: CanvasRenderingContext2D, points: (number[] | undefined)[]): void {

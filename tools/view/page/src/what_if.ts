@@ -4,7 +4,7 @@
 
 import { ChangesForm } from "./changes_form";
 import { Drawing } from "./drawing";
-import { button, element } from "./elements";
+import { button, by_id, element } from "./elements";
 import type { MapView } from "./map_view";
 import type { Run } from "./run";
 import { ask_for } from "./server";
@@ -22,11 +22,17 @@ export class WhatIf {
   private readonly graph = element("select", { "aria-label": "Graph", id: "run-graph" });
   private readonly world = element("select", { "aria-label": "World", id: "run-world" });
   private readonly drawing: Drawing;
+  /// What there is to go on from, and what there is not without a run.
+  private readonly branching = element("div");
+  private readonly running = element("h2");
+  private readonly hint = element("p", { id: "first-steps" },
+    "Choose a graph and a world, or draw one: drag walls on the map, or move a cross there by the arrow keys. Then press Run, and see where the robot goes.");
   private readonly form: ChangesForm;
+  private is_drawing: boolean;
 
   constructor(private readonly session: Session, private readonly map: MapView, private readonly panel: HTMLElement,
     choices: Choices, private readonly open: Open) {
-    this.drawing = new Drawing(map);
+    this.drawing = new Drawing(map, () => this.let_draw());
     this.form = new ChangesForm(choices, (stage, part) => this.current(stage, part));
     const branch = button("Branch", "Go on from this tick with these changes (b)", () => void this.branch());
     branch.id = "branch";
@@ -39,20 +45,28 @@ export class WhatIf {
     this.world.append(element("option", { value: "" }, "draw one"));
     for (const name of choices.worlds) this.world.append(element("option", { value: name }, name));
     this.world.value = choices.worlds.includes("u-trap") ? "u-trap" : "";
-    this.world.addEventListener("change", () => this.show_drawing());
-    panel.append(
+    this.world.addEventListener("change", () => this.let_draw());
+    this.branching.append(
       element("h2", {}, "What if"), element("p", {}, "From tick ", this.at, " on:"), this.form.box,
-      element("div", { class: "row" }, element("label", {}, "at most ", this.max_ticks, " ticks"), branch), this.message, this.told,
-      element("h2", {}, "Another run"),
+      element("div", { class: "row" }, element("label", {}, "at most ", this.max_ticks, " ticks"), branch));
+    this.is_drawing = session.runs.length === 0;
+    if (this.is_drawing) this.world.value = "";
+    panel.append(
+      this.branching, this.message, this.told, this.running, this.hint,
       element("div", { class: "row" }, this.graph, " in ", this.world, run), this.drawing.box);
     this.show_drawing();
     session.listen((change) => this.refresh(change === "runs"));
     this.refresh(true);
   }
 
-  /// Whether the map shows the world that is drawn.
+  private let_draw(): void {
+    this.is_drawing = true;
+    this.show_drawing();
+  }
+
+  /// Whether the map shows the world that is drawn: while somebody draws, and not once it was run.
   show_drawing(): void {
-    const draws = this.world.value === "" && !this.panel.hidden;
+    const draws = this.is_drawing && this.world.value === "" && !this.panel.hidden;
     this.drawing.box.hidden = this.world.value !== "";
     this.map.use(draws ? this.drawing : undefined);
   }
@@ -77,13 +91,16 @@ export class WhatIf {
     const world = drawn ? this.drawing.drawn : this.world.value;
     const request = { graph: this.graph.value, world, max_ticks: Number(this.max_ticks.value) };
     if (!await this.say_errors(() => this.ask("run", request))) return;
-    this.map.use(undefined);
     this.map.fit();
+    // A space then pauses, and runs nothing again.
+    by_id("play").focus();
   }
 
   private async ask(what: "branch" | "run", request: object): Promise<Started> {
     const started = await ask_for(what, request);
     const { report } = started;
+    this.is_drawing = false;
+    this.show_drawing();
     const run = await this.open(started);
     this.told.prepend(element("li", {}, element("b", {}, started.name), ` ${report.outcome} after ${report.ticks} ticks`,
       element("code", { title: "The same on the command line" }, started.command)));
@@ -117,6 +134,10 @@ export class WhatIf {
 
   private refresh(others: boolean): void {
     this.at.textContent = String(this.session.tick);
+    const first = this.session.runs.length === 0;
+    this.branching.hidden = first;
+    this.hint.hidden = !first;
+    this.running.textContent = first ? "A first run" : "Another run";
     if (others) this.form.refresh();
   }
 }

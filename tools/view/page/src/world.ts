@@ -5,9 +5,14 @@ import { load } from "js-yaml";
 
 export type Point = [number, number];
 
+/// A disc, a polygon or a door.
 export interface MovingObstacle {
   radius_m: number;
-  /// Time and place, by rising time.
+  /// Of a polygon, from its first one; none: it is no polygon.
+  corners: Point[];
+  /// A leaf of a door, and its hinge; none: it is no door.
+  door: { hinge: Point; length_m: number; turns: [number, number][] } | undefined;
+  /// Time and place, by rising time; none of a door.
   path: [number, number, number][];
   loops: boolean;
   /// It stands at each point until after the time of the next, and is there at once.
@@ -28,43 +33,79 @@ export interface World {
   waypoints: { place: Point; radius_m: number }[];
 }
 
-interface WorldFile {
-  name?: string;
-  bounds?: [number, number, number, number];
-  walls?: [number, number, number, number][];
-  polygons?: Point[][];
-  circles?: [number, number, number][];
-  moving?: {
-    circle: [number, number, number]; path: [number, number, number][]; loop?: boolean; jumps?: boolean;
-  }[];
-  start?: [number, number, number];
-  target?: Point;
-  target_radius?: number;
-  waypoints?: number[][];
+type Node = Record<string, unknown>;
+
+/// So many finite numbers at least; nothing if it is anything else.
+function numbers(value: unknown, count: number): number[] | undefined {
+  if (!Array.isArray(value) || value.length < count) return undefined;
+  return value.every((each) => typeof each === "number" && Number.isFinite(each)) ? value as number[] : undefined;
 }
 
-/// Nothing if the text is no world.
-export function read_world(text: string): World | undefined {
-  let file: WorldFile | undefined;
+/// The entries of a list that can be read.
+function entries<T>(value: unknown, read: (entry: unknown) => T | undefined): T[] {
+  return Array.isArray(value) ? value.map(read).filter((each): each is T => each !== undefined) : [];
+}
+
+const positive = (value: unknown): number => (typeof value === "number" && value > 0 && Number.isFinite(value) ? value : 0);
+const quad = (value: unknown): [number, number, number, number] | undefined => numbers(value, 4) as [number, number, number, number] | undefined;
+const triple = (value: unknown): [number, number, number] | undefined => numbers(value, 3) as [number, number, number] | undefined;
+const point = (value: unknown): Point | undefined => numbers(value, 2) as Point | undefined;
+
+function disc(value: unknown): [number, number, number] | undefined {
+  const circle = triple(value);
+  return circle && circle[2] > 0 ? circle : undefined;
+}
+
+function moving(value: unknown): MovingObstacle | undefined {
+  const { circle, polygon, door, turns, path, loop, jumps } = tree(value);
+  const obstacle: MovingObstacle = {
+    radius_m: 0, corners: [], door: undefined, path: entries(path, triple), loops: loop === true, jumps: jumps === true,
+  };
+  const at = disc(circle);
+  const leaf = disc(door);
+  const corners = entries(polygon, point);
+  const [first] = corners;
+  if (at) obstacle.radius_m = at[2];
+  else if (leaf) obstacle.door = { hinge: [leaf[0], leaf[1]], length_m: leaf[2], turns: entries(turns, point) };
+  else if (first) obstacle.corners = corners.map(([x, y]) => [x - first[0], y - first[1]]);
+  else return undefined;
+  return obstacle;
+}
+
+function tree(value: unknown): Node {
+  return value !== null && typeof value === "object" && !Array.isArray(value) ? value as Node : {};
+}
+
+function parsed(text: string): Node {
   try {
-    file = load(text) as WorldFile | undefined;
+    return tree(load(text));
   } catch {
-    return undefined;
+    return {};
   }
-  if (!file?.bounds || !file.start || !file.target) return undefined;
+}
+
+/// What of it is a world; nothing if the text is none.
+export function read_world(text: string): World | undefined {
+  const file = parsed(text);
+  const bounds = quad(file["bounds"]);
+  const start = triple(file["start"]);
+  const target = point(file["target"]);
+  if (!bounds || !start || !target || bounds[2] <= bounds[0] || bounds[3] <= bounds[1]) return undefined;
+  const target_radius_m = positive(file["target_radius"]);
   return {
-    name: file.name ?? "",
-    bounds: file.bounds,
-    walls: file.walls ?? [],
-    polygons: file.polygons ?? [],
-    circles: file.circles ?? [],
-    moving: (file.moving ?? []).map((each) => (
-      { radius_m: each.circle[2], path: each.path, loops: each.loop === true,
-        jumps: each.jumps === true })),
-    start: file.start,
-    target: file.target,
-    target_radius_m: file.target_radius ?? 0,
-    waypoints: (file.waypoints ?? []).map(([x = 0, y = 0, radius]) => ({ place: [x, y], radius_m: radius ?? file.target_radius ?? 0 })),
+    name: typeof file["name"] === "string" ? file["name"] : "",
+    bounds,
+    walls: entries(file["walls"], quad),
+    polygons: entries(file["polygons"], (corners) => entries(corners, point)),
+    circles: entries(file["circles"], disc),
+    moving: entries(file["moving"], moving),
+    start,
+    target,
+    target_radius_m,
+    waypoints: entries(file["waypoints"], (entry) => {
+      const place = Array.isArray(entry) ? point(entry.slice(0, 2)) : undefined;
+      return place && { place, radius_m: positive((entry as unknown[])[2]) || target_radius_m };
+    }),
   };
 }
 
@@ -77,40 +118,50 @@ export function same_room(a: World, b: World): boolean {
 }
 
 export function read_robot_radius_m(text: string): number {
-  try {
-    return (load(text) as { radius_m?: number } | undefined)?.radius_m ?? 0.15;
-  } catch {
-    return 0.15;
-  }
+  return positive(parsed(text)["radius_m"]) || 0.15;
 }
 
 /// A value of the expanded graph: `control.behaviour`, `recover.detector`.
 export function read_graph(text: string): Record<string, unknown> {
-  try {
-    return (load(text) as Record<string, unknown> | undefined) ?? {};
-  } catch {
-    return {};
-  }
+  return parsed(text);
 }
 
 /// Times of a path that jumps are those of ticks, which are summed up in several ways.
 const kJumpTolerance_s = 1e-6;
 
-/// Where a moving obstacle's centre is.
-export function place_at(obstacle: MovingObstacle, time_s: number): Point {
-  const path = obstacle.path;
-  const first = path[0] ?? [0, 0, 0];
-  const last = path[path.length - 1] ?? first;
-  let time = obstacle.jumps ? time_s - kJumpTolerance_s : time_s;
-  if (obstacle.loops && last[0] > 0) time %= last[0];
-  if (time >= last[0]) return [last[1], last[2]];
-  for (let i = 1; i < path.length; i++) {
-    const [t0, x0, y0] = path[i - 1] ?? first;
-    const [t1, x1, y1] = path[i] ?? last;
-    if (time > t1 || (obstacle.jumps && time === t1)) continue;
-    if (obstacle.jumps) return [x0, y0];
+/// Numbers behind a time, by rising time, as they are at `time_s`.
+function between(steps: number[][], time_s: number, loops: boolean, jumps: boolean): number[] {
+  const first = steps[0] ?? [0, 0, 0];
+  const last = steps[steps.length - 1] ?? first;
+  const end_s = last[0] ?? 0;
+  let time = jumps ? time_s - kJumpTolerance_s : time_s;
+  if (loops && end_s > 0) time %= end_s;
+  if (time >= end_s) return last.slice(1);
+  for (let i = 1; i < steps.length; i++) {
+    const [t0 = 0, ...from] = steps[i - 1] ?? first;
+    const [t1 = 0, ...to] = steps[i] ?? last;
+    if (time > t1 || (jumps && time === t1)) continue;
+    if (jumps) return from;
     const share = t1 > t0 ? (time - t0) / (t1 - t0) : 0;
-    return [x0 + share * (x1 - x0), y0 + share * (y1 - y0)];
+    return from.map((value, k) => value + share * ((to[k] ?? value) - value));
   }
-  return [first[1], first[2]];
+  return first.slice(1);
+}
+
+/// Where a moving obstacle's centre is, or its first corner.
+export function place_at(obstacle: MovingObstacle, time_s: number): Point {
+  const [x = 0, y = 0] = between(obstacle.path, time_s, obstacle.loops, obstacle.jumps);
+  return [x, y];
+}
+
+/// The corners that are joined by sides: of a polygon, or hinge and end of a door; none of a disc.
+export function corners_at(obstacle: MovingObstacle, time_s: number): Point[] {
+  if (obstacle.door) {
+    const { hinge: [x, y], length_m, turns } = obstacle.door;
+    const [angle = 0] = between(turns, time_s, obstacle.loops, false);
+    return [[x, y], [x + length_m * Math.cos(angle), y + length_m * Math.sin(angle)]];
+  }
+  if (obstacle.corners.length === 0) return [];
+  const [x, y] = place_at(obstacle, time_s);
+  return obstacle.corners.map(([dx, dy]) => [x + dx, y + dy]);
 }

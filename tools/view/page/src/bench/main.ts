@@ -61,6 +61,6 @@ function show(bench: Bench): void {
   document.body.dataset["ready"] = "true";
 }
 
-const inside = embedded()[0];
-if (inside) show(JSON.parse(new TextDecoder().decode(inside.bytes)) as Bench);
+const inside = embedded()[0]?.files[0];
+if (inside) show(JSON.parse(new TextDecoder().decode(inside)) as Bench);
 else by_id("bench").textContent = "This page holds no bench.";
