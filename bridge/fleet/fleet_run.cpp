@@ -23,6 +23,11 @@ using core::Result;
 using core::Vec2;
 using Clock = std::chrono::steady_clock;
 
+std::string other_hash(const core::Hash128& found, const core::Hash128& in_fleet) {
+  return "by itself it does something else than in the fleet (hash " + found.hex() +
+         " instead of " + in_fleet.hex() + "); this is a fault of clew";
+}
+
 /// A fleet under way.
 class FleetLoop {
  public:
@@ -43,7 +48,11 @@ class FleetLoop {
     }
     report_.hash = hash();
     runs_.clear();
-    if (!options_.record.empty()) record();
+    if (options_.again) {
+      run_again();
+    } else if (!options_.record.empty()) {
+      record();
+    }
     report_.wall_s = std::chrono::duration<double>(Clock::now() - began).count();
     return report_;
   }
@@ -137,9 +146,46 @@ class FleetLoop {
       }
     });
     if (interrupted_ != 0) note_interrupt(interrupted_);
+    note_failures();
+  }
+
+  void note_failures() {
     for (const RobotReport& robot : report_.robots) {
       if (robot.failure.empty() || !report_.aborted.empty()) continue;
       report_.aborted = "robot " + robot.name + ": " + robot.failure;
+    }
+  }
+
+  /// A fleet that was interrupted has no end that a second run could come to.
+  void run_again() {
+    if (!report_.aborted.empty()) return;
+    std::vector<RobotAlone> robots;
+    for (std::size_t i = 0; i < report_.robots.size(); ++i) {
+      auto plan = plan_.alone(i, ways_of_others(i));
+      if (!plan.ok()) {
+        report_.robots[i].failure = plan.error().text();
+        return note_failures();
+      }
+      robots.push_back({report_.robots[i].name, std::move(plan).value(),
+                        options_.record.empty()
+                            ? std::string()
+                            : recording_of(options_.record, plan_.robots()[i].entry)});
+    }
+    const AloneResults results = options_.again(robots);
+    for (std::size_t i = 0; i < report_.robots.size(); ++i) note_again(results, robots[i], i);
+    if (results.interrupted_by != 0) note_interrupt(results.interrupted_by);
+    note_failures();
+  }
+
+  void note_again(const AloneResults& results, const RobotAlone& alone, std::size_t i) {
+    RobotReport& robot = report_.robots[i];
+    const Result<core::Hash128>& hash = results.hashes[i];
+    if (!hash.ok()) {
+      robot.failure = hash.error().text();
+    } else if (*hash != robot.hash) {
+      robot.failure = other_hash(*hash, robot.hash);
+    } else {
+      robot.recording = alone.recording;
     }
   }
 
@@ -165,9 +211,7 @@ class FleetLoop {
       return core::Error{what};
     }
     if ((*run)->hash() == report_.robots[i].hash) return {};
-    return core::Error{"by itself it does something else than in the fleet (hash " +
-                       (*run)->hash().hex() + " instead of " + report_.robots[i].hash.hex() +
-                       "); this is a fault of clew"};
+    return core::Error{other_hash((*run)->hash(), report_.robots[i].hash)};
   }
 
   /// While recordings are written, by several threads.
@@ -206,12 +250,13 @@ class FleetLoop {
 
 /// What stands against recordings, before anything runs; makes their folder.
 Result<void> check_recordings(const FleetPlan& plan, const FleetOptions& options) {
-  if (options.record.empty()) return {};
+  if (options.record.empty() && !options.again) return {};
   if (const auto ticks = plan.check_ticks(kMostRecordedPlaces); !ticks.ok()) {
     core::Error error = ticks.error();
-    error.message += ", if they are recorded";
+    error.message += ", if they are recorded, or run as processes";
     return error;
   }
+  if (options.record.empty()) return {};
   if (const auto folder = make_folder(options.record); !folder.ok()) return folder.error();
   for (const RobotPlan& robot : plan.robots()) {
     CLEW_RETURN_IF_ERROR(check_new_file(recording_of(options.record, robot.entry), options.force));

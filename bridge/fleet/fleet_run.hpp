@@ -12,6 +12,7 @@
 #include "core/result.hpp"
 #include "fleet/fleet_plan.hpp"
 #include "run/run_statistics.hpp"
+#include "runtime/run_plan.hpp"
 
 namespace clew::fleet {
 
@@ -41,10 +42,26 @@ struct FleetReport {
   bool all_reached() const;
 };
 
+/// A robot that is to run by itself, among the others as they moved.
+struct RobotAlone {
+  std::string name;
+  runtime::RunPlan plan;
+  std::string recording;  ///< the file; empty: none
+};
+
+/// What became of robots that ran by themselves, in their order.
+struct AloneResults {
+  std::vector<core::Result<core::Hash128>> hashes;
+  int interrupted_by = 0;
+};
+
 struct FleetOptions {
   unsigned threads = 1;
   std::string record;  ///< a folder for a recording a robot; empty: none
   bool force = false;  ///< whether recordings may be overwritten
+  /// Runs each robot again, by itself, in another layout, and makes the recordings; may be empty:
+  /// then that is done here, and only for recordings.
+  std::function<AloneResults(const std::vector<RobotAlone>&)> again;
   /// Asked between two ticks: the signal that is to end the run, or 0.
   std::function<int()> interrupted = [] { return 0; };
   std::function<void(std::uint64_t tick, std::size_t ended)> display;  ///< may be empty
@@ -58,10 +75,10 @@ std::string recording_of(const std::string& folder, const RobotEntry& robot);
 ///
 /// A recording is made afterwards, by running each robot by itself among the others as they moved:
 /// it is of a run that the others' ways are a part of, and replays without them. Its hash must be
-/// the robot's in the fleet.
+/// the robot's in the fleet; so must that of a robot that runs `again`.
 ///
-/// Refused, before it runs: more than kMostRecordedPlaces to be recorded, a folder that cannot be
-/// made, and recordings that exist, without `force`.
+/// Refused, before it runs: more than kMostRecordedPlaces to be recorded or run again, a folder
+/// that cannot be made, and recordings that exist, without `force`.
 core::Result<FleetReport> run_fleet(const FleetPlan& plan, const FleetOptions& options);
 
 }  // namespace clew::fleet

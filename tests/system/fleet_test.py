@@ -47,7 +47,7 @@ class Fleet(unittest.TestCase):
         self.assertEqual(Run([*order, "--force"]).status, 3)
 
     def test_options_of_one_robot_are_refused(self):
-        for option in (["--layout", "processes"], ["--with", "recover.detector=none"],
+        for option in (["--name", "mine"], ["--with", "recover.detector=none"],
                        ["--world", "u-trap"], ["--pace", "realtime"], ["--hosts", "hosts.yaml"],
                        ["--host", "sense=far"], ["--fallback", "local"]):
             refused = Run(["run", "two_at_a_gap", *option])
@@ -57,6 +57,65 @@ class Fleet(unittest.TestCase):
         self.assertEqual(Run(["run", "reactive", "--threads", 2]).status, 2)
         checked = Run(["check", SOURCE / "configs/fleets/two_at_a_gap.yaml"])
         self.assertEqual(checked.status, 2)
+
+    def test_four_robots_as_twenty_processes_have_the_hash_of_one_process(self):
+        fleet = self.four_robots()
+        alone = Run(["run", fleet, "--json"])
+        logs, folder = self.directory / "logs", self.directory / "out"
+        vendors = ["--middleware", "cyclonedds", "--middleware", "plan=fastdds"]
+        apart = Run(["run", fleet, "--layout", "processes", *vendors, "--record", folder,
+                     "--log-dir", logs, "--json"])
+        self.assertEqual(apart.status, alone.status, apart.err)
+        self.assertEqual(apart.report["hash"], alone.report["hash"])
+        stages = ["control", "drive", "plan", "recover", "sense"]
+        names = [file.name for file in logs.iterdir()]
+        for stage in stages:
+            self.assertEqual(sum(stage in name for name in names), 4, names)
+        for robot in apart.report["robots"]:
+            replay = Run(["replay", robot["recording"]])
+            self.assertEqual(replay.status, 0, replay.out + replay.err)
+            self.assertIn(robot["hash"], Run(["info", robot["recording"]]).out)
+        self.assertEqual(Run(["run", fleet, "--layout", "processes", "--record", folder]).status, 2)
+        refused = Run(["run", fleet, "--middleware", "fastdds"])
+        self.assertEqual(refused.status, 2)
+        self.assertIn("--middleware: needs --layout processes", refused.err)
+        unknown = Run(["run", fleet, "--layout", "processes", "--middleware", "fly=fastdds"])
+        self.assertEqual(unknown.status, 2)
+        self.assertIn("fly", unknown.err)
+
+    def test_an_interrupt_ends_robots_that_run_as_processes(self):
+        # Both stay in the trap: a run of some seconds as processes.
+        fleet = self.directory / "endless.yaml"
+        fleet.write_text("format: clew-fleet/1\nworld: u-trap\nmax_ticks: 20000\nrobots:\n" + "".join(
+            f"  - {{name: r{x}, graph: reactive, start: [{x}, 1.5, 1.571], target: [{x}, 9]}}\n"
+            for x in (4, 6)), encoding="utf-8")
+        process = subprocess.Popen(
+            [CLEW, "run", str(fleet), "--layout", "processes", "--log-dir",
+             str(self.directory / "logs"), "--json"],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 120
+        while not list(self.directory.glob("logs/*drive*")) and time.monotonic() < deadline:
+            time.sleep(0.05)
+        os.kill(process.pid, signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, out + err)
+        self.assertEqual(json.loads(out)["outcome"], "aborted")
+
+    def four_robots(self):
+        """They start at the sides of a field and meet in its middle."""
+        places = [("west", "2, 3, 0", "8, 3"), ("east", "8, 3, 3.14", "2, 3"),
+                  ("south", "5, 1, 1.57", "5, 5"), ("north", "5, 5, -1.57", "5, 1")]
+        # With time to start 20 processes on a busy machine.
+        graph = self.directory / "patient.yaml"
+        graph.write_text((SOURCE / "configs/graphs/among_robots.yaml").read_text(encoding="utf-8") +
+                         "\nstart_timeout_s: 60\n", encoding="utf-8")
+        file = self.directory / "four.yaml"
+        file.write_text("format: clew-fleet/1\nworld: open-field\nmax_ticks: 80\n"
+                        "robots:\n" + "".join(
+                            f"  - {{name: {name}, graph: {graph}, start: [{start}], "
+                            f"target: [{target}]}}\n" for name, start, target in places),
+                        encoding="utf-8")
+        return file
 
     def test_an_interrupt_closes_the_recordings(self):
         folder = self.directory / "cut"

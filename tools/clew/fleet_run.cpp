@@ -8,9 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "clew/exit_status.hpp"
+#include "clew/fleet_processes.hpp"
 #include "clew/json_line.hpp"
 #include "clew/plugin_options.hpp"
 #include "clew/print_text.hpp"
+#include "clew/run_layout.hpp"
 #include "clew/run_output.hpp"
 #include "clew/terminal.hpp"
 #include "fleet/fleet_file.hpp"
@@ -38,11 +40,8 @@ Result<void> check_options(const RunOptions& options) {
       {!overrides.with.empty(), "--with"},
       {!overrides.set.empty(), "--set"},
       {overrides.goals.has_value(), "--goal"},
-      {!options.layout.empty() && options.layout != "composed", "--layout"},
-      {!options.middleware.empty(), "--middleware"},
       {!options.pace.empty() && options.pace != "lockstep", "--pace"},
       {options.domain.has_value(), "--domain"},
-      {!options.secure.empty(), "--secure"},
       {!options.name.empty(), "--name"},
       {!options.at.empty(), "--at"},
       {options.realtime_priority.has_value(), "--realtime-priority"},
@@ -67,10 +66,26 @@ Result<void> check_options(const RunOptions& options) {
     if (!given) continue;
     return Error{
         "is of a single robot, and this is a fleet; allowed: --record, --force, --threads, --seed, "
-        "--max-ticks, --plugin and --json, and in the file what each robot sets",
+        "--max-ticks, --layout, --middleware, --secure, --plugin and --json, and in the file what "
+        "each robot sets",
         option};
   }
+  if (options.layout != "processes" && (!options.middleware.empty() || !options.secure.empty())) {
+    return Error{"needs --layout processes", options.secure.empty() ? "--middleware" : "--secure"};
+  }
   return {};
+}
+
+/// How each robot is laid out, in their order.
+Result<std::vector<bridge::ProcessLayout>> layouts_of(const RunOptions& options,
+                                                      const fleet::FleetPlan& plan) {
+  std::vector<bridge::ProcessLayout> layouts;
+  for (const fleet::RobotPlan& robot : plan.robots()) {
+    auto layout = read_layout(options, robot.plan.graph, {});
+    if (!layout.ok()) return layout.error();
+    layouts.push_back(std::move(layout).value());
+  }
+  return layouts;
 }
 
 /// The report of one robot, as that of a run.
@@ -194,6 +209,14 @@ int run_fleet_command(const RunOptions& options, const core::Resource& file,
   const auto plan = plan_of(options, file, source, stages);
   if (!plan.ok()) return complain(plan.error());
   fleet::FleetOptions run;
+  if (options.layout == "processes") {
+    const auto layouts = layouts_of(options, *plan);
+    if (!layouts.ok()) return complain(layouts.error());
+    run.again = [&options, &signals, layouts = *layouts](const auto& robots) {
+      return run_robots_as_processes(robots, layouts, options.force,
+                                     [&signals] { return signals.take(); });
+    };
+  }
   run.threads = static_cast<unsigned>(options.threads.value_or(1));
   run.record = options.record;
   run.force = options.force;
