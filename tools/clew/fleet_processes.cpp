@@ -49,17 +49,17 @@ Result<Hash128> run_one(const RobotAlone& robot, const bridge::ProcessLayout& la
   return *report->hash;
 }
 
-/// What one says to who started it: a hash, or `!` and why there is none.
+/// What one says to who started it: `=` and a hash, or `!` and why there is none.
 std::string answer_of(const Result<Hash128>& result) {
   if (!result.ok()) return '!' + result.error().text();
-  return {reinterpret_cast<const char*>(&*result), sizeof(Hash128)};
+  return '=' + std::string(reinterpret_cast<const char*>(&*result), sizeof(Hash128));
 }
 
 Result<Hash128> read_answer(const std::string& answer) {
   if (!answer.empty() && answer.front() == '!') return Error{answer.substr(1)};
   Hash128 hash;
-  if (answer.size() != sizeof hash) return Error{"its run died"};
-  std::memcpy(&hash, answer.data(), sizeof hash);
+  if (answer.size() != 1 + sizeof hash) return Error{"its run died"};
+  std::memcpy(&hash, answer.data() + 1, sizeof hash);
   return hash;
 }
 
