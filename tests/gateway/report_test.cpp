@@ -11,7 +11,7 @@ namespace {
 TEST(Report, NoTextOfARecordingIsHtml) {
   const std::string evil = "</script><img src=x onerror=alert(1)>\" '<!--";
 
-  const auto text = report("<body><!-- recordings --></body>", {{evil, evil}});
+  const auto text = report("<body><!-- recordings --></body>", {{evil, {evil}}});
 
   ASSERT_TRUE(text.ok());
   EXPECT_EQ(text->find("<img"), std::string::npos);
