@@ -82,8 +82,11 @@ for (const layout of ["processes", "composed"]) {
     // Two checkpoints lie behind it by then.
     await page.waitForFunction((tick) => window.clew.session.last_tick > tick + 150, first);
     assert.equal(clew("swap", name, "recover.detector=known_detour").status, 0);
-    const swapped = await page.evaluate(() => window.clew.session.last_tick);
-    await page.waitForFunction((tick) => window.clew.session.last_tick > tick + 160, swapped);
+    // It takes over some ticks later, and the page hears of it later still.
+    const changed = () => window.clew.session.runs[0].recording.changes.map(({ tick }) => tick).at(-1);
+    await page.waitForFunction((tick) => window.clew.session.runs[0].recording.changes.some((each) => each.tick > tick), first);
+    const swapped = await page.evaluate(changed);
+    await page.waitForFunction((tick) => window.clew.session.last_tick > tick + 300, swapped);
     assert.equal(clew("pause", name).status, 0);
     await page.keyboard.press("x");
     await page.waitForFunction((tick) => Number(document.querySelector("#insides").dataset.tick) > tick + 100, swapped, { timeout: 60000 });
