@@ -53,7 +53,7 @@ void NearestMarks::update(const Grid& grid, const SeenMap& seen) {
   changed_.clear();
   bared_.clear();
   const bool moved = lay(grid);
-  if (!seen.log().read(read_, news_) || (moved && !(is_whole(before_) && is_whole(grid_)))) {
+  if (!seen.changes().read(read_, news_) || (moved && !(is_whole(before_) && is_whole(grid_)))) {
     take_in_all(seen, moved);
   } else {
     if (moved) take_in_moved(seen);

@@ -102,7 +102,7 @@ void SeenMap::restore(State state) {
   state_ = std::move(state);
   index_.clear();
   for (const auto& entry : state_.tiles) index_.add(entry.first);
-  log_.begin_anew();
+  changes_.begin_anew();
 }
 
 const SeenMap::Tile* SeenMap::find_tile(const TileKey& key) const {

@@ -43,7 +43,7 @@ class SeenMap {
     /// By mark, then by row from below; bit i is column i from the left. A cell has one mark at
     /// most.
     std::array<std::array<std::uint64_t, kTileCells>, kMarks> rows{};
-    TileLog::Position noted;  ///< of the map's log; no part of what was seen
+    std::uint64_t noted = 0;  ///< its entry in the map's log; no part of what was seen
 
     bool is(Mark mark, std::size_t row, std::size_t column) const {
       return (rows[static_cast<std::size_t>(mark)][row] >> column & 1) != 0;
@@ -102,10 +102,10 @@ class SeenMap {
   std::optional<Box> box_within(const Vec2& place, double reach_m) const;
 
   /// Which tiles have changed. Marks of one round, such as a tick, are noted once.
-  const TileLog& log() const { return log_; }
-  void begin_round() { log_.begin_round(); }
+  const TileLog& changes() const { return changes_; }
+  void begin_round() { changes_.begin_round(); }
   /// One of the map's tiles has got or lost a mark.
-  void note(const TileKey& key, Tile& tile) { log_.note(key, tile.noted); }
+  void note(const TileKey& key, Tile& tile) { changes_.note(key, tile.noted); }
 
   /// The column of an x, or the row of a y, counted from the origin.
   std::int64_t cell_number(double coordinate_m) const;
@@ -153,7 +153,7 @@ class SeenMap {
   std::size_t capacity_;
   State state_;
   TileIndex index_;  // of its tiles
-  TileLog log_;
+  TileLog changes_;
 };
 
 template <typename Visitor>

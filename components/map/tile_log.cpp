@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "map/tile_log.hpp"
 
-#include <atomic>
+#include <algorithm>
 
 namespace clew::map {
 namespace {
@@ -10,16 +10,20 @@ constexpr std::size_t kMost = 8192;
 
 }  // namespace
 
-std::uint64_t TileLog::next_log() {
-  static std::atomic<std::uint64_t> last{0};
-  return last.fetch_add(1) + 1;
+TileLog& TileLog::operator=(const TileLog& other) {
+  if (this == &other) return *this;
+  // The tiles come with it.
+  first_ = std::max(entries(), other.entries());
+  keys_.clear();
+  begin_anew();
+  return *this;
 }
 
 void TileLog::begin_anew() {
-  log_ = next_log();
+  log_ = std::make_shared<char>();
+  first_ = entries();
   keys_.clear();
-  first_ = 0;
-  round_ = 0;
+  round_ = first_;
 }
 
 void TileLog::begin_round() {
@@ -27,7 +31,7 @@ void TileLog::begin_round() {
     keys_.erase(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(kMost / 2));
     first_ += kMost / 2;
   }
-  round_ = first_ + keys_.size();
+  round_ = entries();
 }
 
 bool TileLog::read(Position& position, std::vector<TileKey>& keys) const {

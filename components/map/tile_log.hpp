@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -14,30 +15,27 @@ using TileKey = std::pair<std::int32_t, std::int32_t>;  ///< column and row of a
 /// remembers some thousand changes; who asks later than that is told that it does not know.
 class TileLog {
  public:
-  /// Of a log, how many entries had been made.
+  /// How far a reader has read.
   struct Position {
-    std::uint64_t log = 0;  ///< 0: none
+    std::shared_ptr<const char> log;  ///< which log; null: none
     std::uint64_t entries = 0;
   };
 
-  TileLog() : log_(next_log()) {}
+  TileLog() = default;
   /// A copy is another log: who has read the one knows nothing of the other.
-  TileLog(const TileLog& other) : TileLog() { static_cast<void>(other); }
-  TileLog& operator=(const TileLog& other) {
-    if (this != &other) begin_anew();
-    return *this;
-  }
+  TileLog(const TileLog& other) : first_(other.entries()), round_(first_) {}
+  TileLog& operator=(const TileLog& other);
   ~TileLog() = default;
 
   /// All may have changed.
   void begin_anew();
   /// From here on, tiles that change are noted again.
   void begin_round();
-  /// A tile has changed; `noted` is where it was noted last, and is kept with it.
-  void note(const TileKey& key, Position& noted) {
-    if (noted.log == log_ && noted.entries > round_) return;
+  /// A tile has changed; `noted` is its entry, 0 if it has none, and is kept with it.
+  void note(const TileKey& key, std::uint64_t& noted) {
+    if (noted > round_) return;
     keys_.push_back(key);
-    noted = {log_, first_ + keys_.size()};
+    noted = entries();
   }
 
   /// Finds the tiles that may have changed since, some more than once, and sets the position to
@@ -45,9 +43,11 @@ class TileLog {
   bool read(Position& position, std::vector<TileKey>& keys) const;
 
  private:
-  static std::uint64_t next_log();
+  /// The number of the last entry. It never shrinks, so that what a tile was noted as in a log that
+  /// this one was copied from, or before it began anew, is of no round.
+  std::uint64_t entries() const { return first_ + keys_.size(); }
 
-  std::uint64_t log_;  // no other one in this process has that number
+  std::shared_ptr<const char> log_ = std::make_shared<char>();  // a reader keeps what it compares
   std::vector<TileKey> keys_;
   std::uint64_t first_ = 0;  // so many entries were forgotten
   std::uint64_t round_ = 0;  // so many were made before this round

@@ -177,7 +177,7 @@ TEST_F(FleetRunTest, RefusesMoreTicksThanCanBeRecorded) {
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().text(),
             "fleet.yaml:4:3: 2 robots of up to 250001 ticks; allowed: 500000 ticks of all robots "
-            "together (max_ticks), if they are recorded");
+            "together (max_ticks), if they are recorded, or run as processes");
   EXPECT_FALSE(std::filesystem::exists(options.record));
 }
 

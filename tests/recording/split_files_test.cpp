@@ -173,11 +173,13 @@ TEST(SplitRecording, IsReadWhereEachOfItsFilesIsALink) {
 /// While it is there, this process may open `more` files beside those that it has open.
 class FewOpenFiles {
  public:
+  /// So many more may be opened. Others may hold numbers between those that are free.
   explicit FewOpenFiles(rlim_t more) {
     EXPECT_EQ(::getrlimit(RLIMIT_NOFILE, &before_), 0);
-    const int next = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-    ::close(next);
-    limit_ = {static_cast<rlim_t>(next) + more, before_.rlim_max};
+    std::vector<int> next;
+    while (next.size() <= more) next.push_back(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+    limit_ = {static_cast<rlim_t>(next.back()), before_.rlim_max};
+    for (const int number : next) ::close(number);
     EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &limit_), 0);
   }
   ~FewOpenFiles() { EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &before_), 0); }
@@ -265,8 +267,9 @@ TEST(SplitRecording, IsRefusedWhereAFileWasReplacedWhileItWasRead) {
   const auto survey = recording->survey();
 
   ASSERT_FALSE(survey.ok());
-  EXPECT_EQ(survey.error().text(),
-            scratch.file("a.mcap") + ": is another file than when it was opened");
+  const std::string text = survey.error().text();
+  EXPECT_EQ(text.find(scratch.file("a.mcap") + ": "), 0u) << text;
+  EXPECT_NE(text.find("is another file than when it was opened"), std::string::npos) << text;
 }
 
 }  // namespace
