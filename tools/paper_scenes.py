@@ -61,6 +61,17 @@ class Still(list):
     """Arguments of a run in the scene's world without what moves there."""
 
 
+class Alarmed(list):
+    """Arguments of a run whose report tells the tick of the first trap that was noticed."""
+
+
+def nothing_beyond(text):
+    """The concave obstacle of Krishna & Kalra's figure 16 without its last two walls."""
+    bounds_and_walls = list(WALL.finditer(text))
+    assert len(bounds_and_walls) == 1 + 5, text
+    return text[:bounds_and_walls[3].end()] + text[bounds_and_walls[5].end():]
+
+
 class Scene(typing.NamedTuple):
     """A figure, what its text claims, and whether the reports of some runs bear that out."""
     figure: str
@@ -110,6 +121,30 @@ def shorter(report, other, by_m=0.0):
     """Whether both runs reached their target, and the first on a path that much shorter."""
     return (reached(report) and reached(other)
             and report["path_length_m"] + by_m < other["path_length_m"])
+
+
+def earlier(report, other):
+    """Whether both runs noticed a trap and reached their target, and the first one noticed it first."""
+    return led_out(report) and led_out(other) and report["alarm_tick"] < other["alarm_tick"]
+
+
+def networks(figure, world):
+    """Two rows: the alarm of either network alone, and the path that follows."""
+    runs = {name: Alarmed([*KK, "--set", f"classify.networks=[{name.lower()}]"])
+            for name in ("SOM", "ART")}
+    return (Scene(f"Krishna & Kalra {figure}", "ART detects the trap earlier than the SOM",
+                  "both: a trap noticed, reached; by ART at an earlier tick", world, runs,
+                  lambda som, art: earlier(art, som)),
+            Scene(f"Krishna & Kalra {figure}, path", "a shorter path results",
+                  "both: a trap noticed, reached; by ART shorter", world, runs,
+                  lambda som, art: led_out(som) and led_out(art) and shorter(art, som)))
+
+
+def leaving(figure, claim, measured, world, change=str):
+    """The criterion of leaving alone: Huang & Lee's, and that of Krishna & Kalra in its place."""
+    return Scene(f"Krishna & Kalra {figure}", claim, measured, world,
+                 {"theirs": HUANG_LEE, "ours in its place": SWAPPED},
+                 lambda theirs, ours: shorter(ours, theirs), change)
 
 
 def complicated(letter):
@@ -169,7 +204,6 @@ CORNER = ("the corner draws the robot in without IMAS; with it the path is short
           "both reached, with IMAS by 0.5 m shorter: a robot's diameter is 0.3 m",
           "kk-fig08-right-angle-corner", {"no IMAS": NO_IMAS, "IMAS": KK},
           lambda without, with_imas: shorter(with_imas, without, 0.5))
-LEAVING = {"theirs": HUANG_LEE, "ours in its place": SWAPPED}
 
 SCENES = [
     Scene("Krishna & Kalra 7", "fuzzy control alone passes clutter", "reached", "kk-fig07-clutter",
@@ -177,19 +211,11 @@ SCENES = [
     Scene("Krishna & Kalra 8, 9", *CORNER),
     Scene("Krishna & Kalra 8, 9, mirrored", *CORNER, mirrored),
     trap_of("10", "kk-fig10-bends-and-kinks"),
-    Scene("Krishna & Kalra 10c", "ART detects the trap earlier than the SOM: a shorter path",
-          "both reached, by ART shorter", "kk-fig10-bends-and-kinks",
-          {"SOM": [*KK, "--set", "classify.networks=[som]"],
-           "ART": [*KK, "--set", "classify.networks=[art]"]},
-          lambda som, art: led_out(som) and led_out(art) and shorter(art, som)),
+    *networks("10c", "kk-fig10-bends-and-kinks"),
     trap_of("11a", "kk-fig11a-oscillation"),
     trap_of("11c", "kk-fig11c-double-wall"),
     trap_of("12", "kk-fig12-hooks"),
-    Scene("Krishna & Kalra 12c", "ART detects the trap earlier than the SOM: a shorter path",
-          "both reached, by ART shorter", "kk-fig12-hooks",
-          {"SOM": [*KK, "--set", "classify.networks=[som]"],
-           "ART": [*KK, "--set", "classify.networks=[art]"]},
-          lambda som, art: led_out(som) and led_out(art) and shorter(art, som)),
+    *networks("12c", "kk-fig12-hooks"),
     Scene("Krishna & Kalra 13b", "IMAS leads out of the maze, without DMAS",
           "reached without recovery", "kk-fig13-maze-four-loops", {"IMAS": [*KK, *NO_DETECTOR]},
           reached),
@@ -209,12 +235,13 @@ SCENES = [
           lambda theirs, ours: led_out(theirs) and quiet(ours) and shorter(ours, theirs)),
     trap_of("16a", "kk-fig16a-concave-obstacle"),
     trap_of("16c", "kk-fig16c-concave-obstacle-mirrored"),
-    Scene("Krishna & Kalra 16a, b", "T mode that ends by their criterion gives the shorter path",
-          "after the same alarm: both reached, shorter", "kk-fig16a-concave-obstacle", LEAVING,
-          lambda theirs, ours: shorter(ours, theirs)),
-    Scene("Krishna & Kalra 16c, d", "the same, mirrored", "the same",
-          "kk-fig16c-concave-obstacle-mirrored", LEAVING,
-          lambda theirs, ours: shorter(ours, theirs)),
+    leaving("16a, b", "T mode that ends by their criterion gives the shorter path",
+            "after the same alarm: both reached, shorter", "kk-fig16a-concave-obstacle"),
+    leaving("16c, d", "the same, mirrored", "the same", "kk-fig16c-concave-obstacle-mirrored"),
+    leaving("16a, b, nothing beyond", "the same, if nothing lies beyond the concave obstacle",
+            "the same, without the last two walls", "kk-fig16a-concave-obstacle", nothing_beyond),
+    leaving("16c, d, nothing beyond", "the same, mirrored", "the same",
+            "kk-fig16c-concave-obstacle-mirrored", nothing_beyond),
     Scene("Krishna & Kalra 4.6", "similar scenes at other places are not confused",
           "reached, no trap noticed", "kk-text-similar-scenes", {"whole": KK}, quiet),
     Scene("Pin & Bender 4", "a limit cycle without memory", "no end", "pb-fig04-dead-end-chamber",

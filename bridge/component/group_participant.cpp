@@ -93,7 +93,7 @@ core::Result<std::unique_ptr<SampleReader>> GroupParticipant::create_reader(
   const auto channel = channels_.find(spec.topic);
   if (channel == channels_.end()) return wire_->create_reader(spec, listener);
   {
-    const std::lock_guard lock(delivering_);
+    const std::lock_guard lock(mutex_);
     channel->second.listeners.push_back(&listener);
   }
   const std::string guid = inner_guid("reader", spec);
@@ -122,21 +122,26 @@ void GroupParticipant::deliver() {
     if (ended_) return;
     const Sample sample = std::move(waiting_.front());
     waiting_.pop_front();
+    const std::vector<SampleListener*> listeners = sample.channel->listeners;
+    ++begun_deliveries_;
     lock.unlock();
-    {
-      const std::lock_guard delivering(delivering_);
-      for (SampleListener* listener : sample.channel->listeners) {
-        listener->on_sample(sample.cdr, &sample.channel->writer);
-      }
+    for (SampleListener* listener : listeners) {
+      listener->on_sample(sample.cdr, &sample.channel->writer);
     }
     lock.lock();
+    ++ended_deliveries_;
+    delivered_.notify_all();
   }
 }
 
 void GroupParticipant::remove(Channel& channel, const SampleListener& listener) {
-  const std::lock_guard lock(delivering_);
+  std::unique_lock lock(mutex_);
   auto& listeners = channel.listeners;
   listeners.erase(std::remove(listeners.begin(), listeners.end(), &listener), listeners.end());
+  // Only of the delivery under way: the next one begins without this listener, and a lock that it
+  // took again and again would keep whoever wants to remove one waiting.
+  const std::uint64_t under_way = begun_deliveries_;
+  delivered_.wait(lock, [&] { return ended_deliveries_ >= under_way; });
 }
 
 }  // namespace clew::bridge

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
@@ -46,7 +47,7 @@ class GroupParticipant : public Participant {
   /// A topic that is written and read here.
   struct Channel {
     RemoteEndpoint writer;                   ///< as readers see it
-    std::vector<SampleListener*> listeners;  ///< guarded by delivering_
+    std::vector<SampleListener*> listeners;  ///< guarded by mutex_
   };
   struct Sample {
     Channel* channel = nullptr;
@@ -57,16 +58,19 @@ class GroupParticipant : public Participant {
   std::string inner_guid(const char* what, const EndpointSpec& spec) const;
   void push(Channel& channel, std::string_view cdr);
   void deliver();
+  /// Returns when nothing is delivered to the listener any more, however much waits for others.
   void remove(Channel& channel, const SampleListener& listener);
 
   std::unique_ptr<Participant> wire_;
   DiscoveryListener& discovery_;
   std::set<std::string> to_wire_;  ///< topics that are written here and read elsewhere
   std::map<std::string, Channel> channels_;
-  std::mutex delivering_;  ///< held while a sample is delivered
-  std::mutex mutex_;       ///< of the rest; held for moments only
+  std::mutex mutex_;  ///< of what follows; held for moments only
   std::condition_variable news_;
+  std::condition_variable delivered_;  ///< a sample was delivered
   std::deque<Sample> waiting_;
+  std::uint64_t begun_deliveries_ = 0;
+  std::uint64_t ended_deliveries_ = 0;
   bool ended_ = false;
   std::thread thread_;
 };

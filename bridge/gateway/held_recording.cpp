@@ -6,11 +6,10 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <utility>
 
+#include "files/scratch_folder.hpp"
 #include "recording/run_recorder.hpp"
 #include "run/sample_account.hpp"
 
@@ -19,33 +18,6 @@ namespace {
 
 using core::Error;
 using core::Result;
-
-/// A folder that is removed with this object.
-class Folder {
- public:
-  static Result<Folder> make() {
-    std::error_code code;
-    const auto place = std::filesystem::temp_directory_path(code);
-    if (code) return Error{"is no folder for temporary files: " + code.message(), "TMPDIR"};
-    std::string path = (place / "clew-held-XXXXXX").string();
-    if (::mkdtemp(path.data()) == nullptr) {
-      return Error{std::string("cannot be made: ") + std::strerror(errno), path};
-    }
-    return Folder(std::move(path));
-  }
-  Folder(Folder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
-  Folder& operator=(Folder&&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
-  const std::string& path() const { return path_; }
-
- private:
-  explicit Folder(std::string path) : path_(std::move(path)) {}
-
-  std::string path_;
-};
 
 Result<LiveStream::Start> find_start(const LiveStream& stream, std::uint64_t last_tick) {
   const auto newest = stream.newest();
@@ -109,7 +81,7 @@ Result<HeldRecording> HeldRecording::write(const LiveStream& stream, std::uint64
   if (!start.ok()) return start.error();
   auto description = described_from(stream, start->tick, changed);
   if (!description.ok()) return description.error();
-  const auto folder = Folder::make();
+  const auto folder = files::ScratchFolder::make("clew-held");
   if (!folder.ok()) return folder.error();
   const std::string path = folder->path() + "/held.mcap";
   CLEW_RETURN_IF_ERROR(

@@ -52,15 +52,17 @@ class Recorder {
 
  private:
   void record(const std::string& spool) {
-    const bool whole = for_each_spooled(
-        spool,
-        {[this](const SampleView& sample) {
-           if (failure_.empty()) note(sink_.add(sample));
-         },
-         [this](const SpooledState& state) { sink_.add_state(state); },
-         [this](const domain::Intervention& intervention) { sink_.add_intervention(intervention); },
-         [this](const domain::Incident& incident) { sink_.add_incident(incident); }});
+    const SpoolVisitor visitor{
+        [this](const SampleView& sample) { add(sample); },
+        [this](const SpooledState& state) { sink_.add_state(state); },
+        [this](const domain::Intervention& intervention) { sink_.add_intervention(intervention); },
+        [this](const domain::Incident& incident) { sink_.add_incident(incident); }};
+    const bool whole = for_each_spooled(spool, visitor);
     if (!whole && failure_.empty()) failure_ = "a component sent a damaged spool";
+  }
+
+  void add(const SampleView& sample) {
+    if (failure_.empty()) note(sink_.add(sample));
   }
 
   void note(const Result<void>& result) {
@@ -112,6 +114,13 @@ Result<std::unique_ptr<RunSink>> sink_for(const RecorderAssignment& assignment) 
   return open_sink(assignment.order, assignment.least_ticks);
 }
 
+/// The same, and lets the run know meanwhile that it takes its time.
+Result<std::unique_ptr<RunSink>> prepared_sink(const RecorderAssignment& assignment, Link& link) {
+  const Heartbeat alive(
+      [&] { link.post(FrameType::kPreparing, Text{"the recorder still reads its file"}); });
+  return sink_for(assignment);
+}
+
 int complain(const Error& error) {
   logs::error("{}", error.text());
   return 1;
@@ -139,11 +148,7 @@ int run_recorder_process(int domain, double connect_timeout_s) {
   Link link(*socket);
   const auto assignment = take_assignment(link);
   if (!assignment.ok()) return complain(assignment.error());
-  auto sink = [&] {
-    const Heartbeat alive(
-        [&] { link.post(FrameType::kPreparing, Text{"the recorder still reads its file"}); });
-    return sink_for(*assignment);
-  }();
+  auto sink = prepared_sink(*assignment, link);
   if (!sink.ok()) {
     RecordingAccount account;
     account.failure = sink.error().text();

@@ -31,6 +31,7 @@ void RobotDrive::step(const runtime::TickInputs& inputs, runtime::TickOutputs& o
   const domain::Motion motion = command != nullptr ? command->motion : domain::Motion{};
   const Time now = Time::clock::now();
   const RobotView view = link_->look(now);
+  tell_covariance_fault(view);
 
   auto& state = outputs.get<domain::State>();
   state.command_late = inputs.tick() > 0 && command == nullptr;
@@ -105,6 +106,13 @@ bool RobotDrive::is_heard(const RobotView& view) {
     handlers_.on_fatal(fmt::format("drive: nothing new on {} for {} s", topic, settings.give_up_s));
   }
   return heard;
+}
+
+/// Once: most robots that fill in what is none do so always.
+void RobotDrive::tell_covariance_fault(const RobotView& view) {
+  if (view.covariance_fault.empty() || std::exchange(told_covariance_fault_, true)) return;
+  handlers_.on_notice(fmt::format("{}: {}: the pose counts as exact wherever that is so",
+                                  link_->settings().odometry_topic, view.covariance_fault));
 }
 
 void RobotDrive::save(core::StateWriter& writer) const {

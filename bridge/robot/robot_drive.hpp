@@ -39,6 +39,7 @@ class RobotDrive final : public runtime::Component {
   /// The same, as far as the scan lets it go ahead.
   domain::Velocities braked(const domain::Velocities& asked, const RobotView& view);
   bool is_heard(const RobotView& view);
+  void tell_covariance_fault(const RobotView& view);
 
   const std::shared_ptr<RobotLink> link_;
   const std::unique_ptr<drive::DriveModel> model_;
@@ -54,6 +55,7 @@ class RobotDrive final : public runtime::Component {
   } state_;
   bool was_heard_ = true;
   bool gave_up_ = false;
+  bool told_covariance_fault_ = false;
 };
 
 }  // namespace clew::robot

@@ -238,6 +238,7 @@ RobotView RobotLink::look(Time now) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   RobotView view;
   view.odometry = odometry_;
+  view.covariance_fault = odometry_input_.covariance_fault();
   view.odometry_age_s = odometry_message_.age_s(now);
   view.scan = scan_.message();
   view.scan_age_s = scan_.age_s(now);

@@ -27,6 +27,7 @@ namespace clew::robot {
 /// What is known of a robot at a moment.
 struct RobotView {
   domain::Odometry odometry;
+  std::string covariance_fault;  ///< of the robot's odometry; empty: none
   double odometry_age_s = 0.0;
   ros2::LaserScan scan;  ///< beams as if the laser stood upright
   double scan_age_s = 0.0;

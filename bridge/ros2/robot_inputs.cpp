@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/angle.hpp"
 #include "core/math.hpp"
@@ -14,6 +15,31 @@ namespace clew::ros2 {
 namespace {
 
 core::Error refuse(const std::string& why) { return {why}; }
+
+/// Of x, y and yaw: the others of the six are no matter of a robot on a plane.
+domain::PoseCovariance covariance_of(const PoseWithCovariance& pose) {
+  const auto& c = pose.covariance;
+  return {c[0], c[1], c[5], c[7], c[11], c[35]};
+}
+
+/// What is wrong with it, with the place in ROS's message; empty if nothing is.
+std::string fault_of_covariance(const PoseWithCovariance& pose) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  const auto& c = pose.covariance;
+  for (const std::size_t variance : {0, 7, 35}) {
+    if (c[variance] >= 0.0 && c[variance] <= kLargest) continue;
+    return fmt::format("pose.covariance[{}] is {}; a variance is finite and at least 0", variance,
+                       c[variance]);
+  }
+  domain::Odometry probe;
+  probe.covariance = covariance_of(pose);
+  const auto valid = domain::validate(probe);
+  if (valid.ok()) return {};
+  return fmt::format(
+      "pose.covariance[1], [5] and [11] are {}, {} and {}; between variances of {}, {} and {} each "
+      "is at most the root of their product",
+      c[1], c[5], c[11], c[0], c[7], c[35]);
+}
 
 /// Whether the laser measured something there: REP 117 and the limits of the message.
 bool is_return(float range, const LaserScan& scan) {
@@ -108,10 +134,9 @@ core::Result<domain::Odometry> OdometryInput::next(const Odometry& odometry) {
   out.speed_mps = std::isfinite(speed_mps) ? speed_mps : 0.0;
   out.turn_rate_radps = std::isfinite(turn_rate_radps) ? turn_rate_radps : 0.0;
   out.travel_m = travel_m_;
-  // Many robots fill in what is none: it is taken for not known then.
-  const auto& c = odometry.pose.covariance;
-  out.covariance = {c[0], c[1], c[5], c[7], c[11], c[35]};
-  if (!domain::validate(out).ok()) out.covariance = {};
+  // Many robots fill in what is none.
+  covariance_fault_ = fault_of_covariance(odometry.pose);
+  if (covariance_fault_.empty()) out.covariance = covariance_of(odometry.pose);
   return out;
 }
 

@@ -43,8 +43,12 @@ class OdometryInput {
  public:
   /// Refused: a pose that is none.
   core::Result<domain::Odometry> next(const Odometry& odometry);
+  /// What is wrong with the covariance of the last message, with its place; empty: nothing. The
+  /// odometry of a message with such a one has none, as if it were exact.
+  const std::string& covariance_fault() const { return covariance_fault_; }
 
  private:
+  std::string covariance_fault_;
   bool has_previous_ = false;
   core::Pose2 previous_;
   double travel_m_ = 0.0;

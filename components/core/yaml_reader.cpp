@@ -10,13 +10,17 @@
 #include <charconv>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "core/nearest_name.hpp"
+#include "core/yaml_text.hpp"
 
 namespace clew::core {
 namespace {
 
 constexpr std::size_t kMostShown = 40;
+// Shorter lists are left to yaml-cpp.
+constexpr std::size_t kLeastNumberList = 4096;
 
 // What yaml-cpp takes and we do not. An exception, because it passes through yaml-cpp's parser.
 class Refusal : public YAML::ParserException {
@@ -43,23 +47,6 @@ bool is_beyond_64_bits(std::string_view text) {
 // The value of an option, `--set sense.range_m`, is one line that stands in no file: its place is
 // the option.
 bool is_option(const std::string& file) { return file.compare(0, 2, "--") == 0; }
-
-// Whether the quoted text that begins at `begin` is closed again: yaml-cpp takes the end of the
-// file for a closing quote.
-bool has_closing_quote(std::string_view yaml, std::size_t begin) {
-  if (begin >= yaml.size() || (yaml[begin] != '"' && yaml[begin] != '\'')) return true;
-  const char quote = yaml[begin];
-  for (std::size_t i = begin + 1; i < yaml.size(); ++i) {
-    if (quote == '"' && yaml[i] == '\\') {
-      ++i;
-    } else if (yaml[i] == quote) {
-      const bool doubled = quote == '\'' && i + 1 < yaml.size() && yaml[i + 1] == quote;
-      if (!doubled) return true;
-      ++i;
-    }
-  }
-  return false;
-}
 
 }  // namespace
 
@@ -90,9 +77,15 @@ struct YamlNode::Document {
 /// Makes a document of yaml-cpp's events.
 class YamlNode::Builder : public YAML::EventHandler {
  public:
-  Builder(Document& document, std::string_view yaml) : document_(document), yaml_(yaml) {}
+  /// `lists` are those of `whole` that are emptied in `yaml`, the text of the events.
+  Builder(Document& document, std::string_view yaml, std::string_view whole,
+          const std::vector<NumberList>& lists)
+      : document_(document), yaml_(yaml), whole_(whole), lists_(lists) {}
 
-  bool has_document() const { return has_document_; }
+  /// The document of `whole`, of which these lists are read past yaml-cpp. Says whether it told of
+  /// each of them.
+  static Result<YamlNode> build(std::string_view whole, const std::vector<NumberList>& lists,
+                                const std::string& file, bool& has_all_lists);
 
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (has_document_) refuse(mark, "a second document begins here; one a file is allowed");
@@ -119,16 +112,37 @@ class YamlNode::Builder : public YAML::EventHandler {
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value) override {
-    add(mark, tag, anchor, YamlKind::kList);
+    const Value& value = add(mark, tag, anchor, YamlKind::kList);
     open_.push_back(pending_.size());
+    if (next_list_ == lists_.size() || lists_[next_list_].line != value.line ||
+        lists_[next_list_].column != value.column) {
+      return;
+    }
+    visit_number_list(whole_, lists_[next_list_++], *this);
+    reopened_ = true;
   }
-  void OnSequenceEnd() override { close(); }
+  void OnSequenceEnd() override {
+    if (!std::exchange(reopened_, false)) end();
+  }
   void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   YAML::EmitterStyle::value) override {
     add(mark, tag, anchor, YamlKind::kMap);
     open_.push_back(pending_.size());
   }
-  void OnMapEnd() override { check_keys(close()); }
+  void OnMapEnd() override { check_keys(end()); }
+
+  // Of a list of numbers.
+  void open(int line, int column) {
+    add(line, column, YamlKind::kList);
+    open_.push_back(pending_.size());
+  }
+  void number(int line, int column, std::string_view text) {
+    Value& value = add(line, column, YamlKind::kScalar);
+    value.first = static_cast<std::uint32_t>(document_.text.size());
+    value.count = static_cast<std::uint32_t>(text.size());
+    document_.text += text;
+  }
+  void close() { end(); }
 
  private:
   [[noreturn]] static void refuse(const YAML::Mark& mark, const std::string& message) {
@@ -145,17 +159,21 @@ class YamlNode::Builder : public YAML::EventHandler {
     if (anchor != 0) refuse(mark, "an anchor; write the value out where it is needed");
     // yaml-cpp's own marks: "?" a plain scalar, list or map, "!" a quoted scalar.
     if (!tag.empty() && tag != "?" && tag != "!") refuse(mark, "a tag; none is allowed");
+    return add(mark.line + 1, mark.column + 1, kind);
+  }
+
+  Value& add(int line, int column, YamlKind kind) {
     pending_.push_back(static_cast<std::uint32_t>(document_.values.size()));
     Value value;
     value.kind = kind;
-    value.line = mark.line + 1;
-    value.column = mark.column + 1;
+    value.line = line;
+    value.column = column;
     document_.values.push_back(value);
     return document_.values.back();
   }
 
   // Lists the children of the list or map that ends here.
-  const Value& close() {
+  const Value& end() {
     const std::size_t first = open_.back();
     open_.pop_back();
     Value& value = document_.values[pending_[first - 1]];
@@ -189,17 +207,25 @@ class YamlNode::Builder : public YAML::EventHandler {
 
   Document& document_;
   std::string_view yaml_;
+  std::string_view whole_;
+  const std::vector<NumberList>& lists_;
+  std::size_t next_list_ = 0;
+  bool reopened_ = false;  // the list that the last event began was closed already
   bool has_document_ = false;
   std::vector<std::uint32_t> pending_;  // values whose list or map is still open
   std::vector<std::size_t> open_;       // where each open one's children begin in pending_
 };
 
-Result<YamlNode> YamlNode::parse(std::string_view yaml, const std::string& file) {
+Result<YamlNode> YamlNode::Builder::build(std::string_view whole,
+                                          const std::vector<NumberList>& lists,
+                                          const std::string& file, bool& has_all_lists) {
   auto document = std::make_shared<Document>();
   document->file = file;
-  Builder builder(*document, yaml);
+  const std::string yaml = without_number_lists(whole, lists);
+  Builder builder(*document, yaml, whole, lists);
+  has_all_lists = false;
   try {
-    std::istringstream stream{std::string(yaml)};
+    std::istringstream stream(yaml);
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {
     }
@@ -210,9 +236,23 @@ Result<YamlNode> YamlNode::parse(std::string_view yaml, const std::string& file)
     // A null mark, -1, gives 0: no place.
     return Error{message, file, e.mark.line + 1, e.mark.column + 1};
   }
-  if (!builder.has_document()) return Error{"the file is empty", file};
+  has_all_lists = builder.next_list_ == lists.size();
+  if (!builder.has_document_) return Error{"the file is empty", file};
   const std::uint32_t root = document->root;
   return YamlNode(std::move(document), root);
+}
+
+// Long lists of numbers, such as a world's walls, are read past yaml-cpp, which takes two
+// microseconds a number.
+Result<YamlNode> YamlNode::parse(std::string_view yaml, const std::string& file) {
+  bool has_all_lists = false;
+  const auto lists = find_number_lists(yaml, kLeastNumberList);
+  if (!lists.empty()) {
+    auto node = Builder::build(yaml, lists, file, has_all_lists);
+    // A text that only looks like such a list, within quotes: all of it is for yaml-cpp.
+    if (has_all_lists) return node;
+  }
+  return Builder::build(yaml, {}, file, has_all_lists);
 }
 
 YamlKind YamlNode::kind() const { return document_->values[index_].kind; }

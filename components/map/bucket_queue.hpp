@@ -65,6 +65,10 @@ class BucketQueue {
   static bool is_later(std::uint32_t key, std::uint32_t other) {
     return bucket_of(key) > bucket_of(other);
   }
+  /// Whether they are of the same bucket.
+  static bool is_same(std::uint32_t key, std::uint32_t other) {
+    return bucket_of(key) == bucket_of(other);
+  }
 
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();

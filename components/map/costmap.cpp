@@ -30,8 +30,9 @@ Inflation inflation_of(double radius_m, double hit_spread_m, double seen_cell_m)
   return inflation;
 }
 
-CostmapBuilder::CostmapBuilder(const Inflation& inflation, double seen_cell_m)
+CostmapBuilder::CostmapBuilder(const Inflation& inflation, double seen_cell_m, Places places)
     : cell_m_(2.0 * seen_cell_m),
+      places_(places),
       seen_free_cost_(static_cast<float>(inflation.seen_free_cost)),
       impossible_steps_(NearestMarks::steps_of(inflation.impossible_m)),
       touching_steps_(NearestMarks::steps_of(inflation.touching_m)),
@@ -46,6 +47,7 @@ CostmapBuilder::CostmapBuilder(const Inflation& inflation, double seen_cell_m)
   }
   hit_cost_[NearestMarks::kFar] = 1.0F;
   suspected_cost_[NearestMarks::kFar] = 1.0F;
+  costs_.tells_moves = true;
 }
 
 /// What lies far away is left out if it makes the grid too large.
@@ -53,22 +55,26 @@ Grid CostmapBuilder::grid_over(const SeenMap& seen, const Vec2& from, const Vec2
                                double margin_m, double reach_m) const {
   Vec2 least = from.cwiseMin(to);
   Vec2 most = from.cwiseMax(to);
-  double farthest_m = 0.0;
-  for (const auto& [key, tile] : seen.state().tiles) {
-    const Vec2 corner(key.first * seen.tile_m(), key.second * seen.tile_m());
-    const double distance_m = seen.distance_m(key, from);
-    if (distance_m > reach_m) continue;
-    farthest_m = std::max(farthest_m, distance_m);
-    least = least.cwiseMin(corner);
-    most = most.cwiseMax(corner + Vec2(seen.tile_m(), seen.tile_m()));
+  const Vec2 side(seen.tile_m(), seen.tile_m());
+  const auto corner = [&](const TileKey& key) {
+    return Vec2(key.first * seen.tile_m(), key.second * seen.tile_m());
+  };
+  if (const auto box = seen.box_within(from, reach_m)) {
+    least = least.cwiseMin(corner(box->least));
+    most = most.cwiseMax(corner(box->most) + side);
   }
   // In whole pieces: so the grid seldom grows.
   const double piece_m = kPieceCells * cell_m_;
   const Vec2 first = ((least.array() - margin_m) / piece_m).floor() * kPieceCells;
   const Vec2 end = ((most.array() + margin_m) / piece_m).ceil() * kPieceCells;
   const Vec2 cells = end - first;
-  if (cells.x() * cells.y() > kMostCells && farthest_m > margin_m) {
-    return grid_over(seen, from, to, margin_m, 0.5 * farthest_m);
+  if (cells.x() * cells.y() > kMostCells) {
+    double farthest_m = 0.0;
+    for (const auto& entry : seen.state().tiles) {
+      const double distance_m = seen.distance_m(entry.first, from);
+      if (distance_m <= reach_m) farthest_m = std::max(farthest_m, distance_m);
+    }
+    if (farthest_m > margin_m) return grid_over(seen, from, to, margin_m, 0.5 * farthest_m);
   }
   return {cell_m_ * first, cell_m_, static_cast<std::int32_t>(cells.x()),
           static_cast<std::int32_t>(cells.y())};
@@ -82,14 +88,29 @@ const Costmap& CostmapBuilder::update(const SeenMap& seen, const Vec2& from, con
   overruled_.clear();
   const Grid grid = grid_over(seen, from, to, margin_m, reach_m);
   if (grid != costs_.grid) {
-    lay_out_anew(costs_.grid, grid, 1.0F, costs_.cost, spare_costs_);
-    lay_out_anew(costs_.grid, grid, Clearance::kOpen, costs_.clearance, spare_clearances_);
-    costs_.grid = grid;
-    costs_.plain.lay(grid);
+    lay(places_ == Places::kInRing ? in_ring(costs_.grid, grid) : grid);
   }
-  nearest_.update(grid, seen);
+  nearest_.update(costs_.grid, seen);
   for (const std::size_t index : nearest_.changed()) charge(index);
   return costs_;
+}
+
+/// Lays costs out for another grid.
+void CostmapBuilder::lay(const Grid& grid) {
+  const Grid before = costs_.grid;
+  lay_out_anew(before, grid, 1.0F, costs_.cost, spare_costs_);
+  lay_out_anew(before, grid, Clearance::kOpen, costs_.clearance, spare_clearances_);
+  costs_.grid = grid;
+  costs_.plain.lay(grid);
+  // What has changed already: by the places of the new grid, and only what it has.
+  const Cell shift = shift_between(before, grid);
+  std::size_t kept = 0;
+  for (const std::size_t index : costs_.changed) {
+    const Cell cell = before.cell(index);
+    const Cell now{cell.column - shift.column, cell.row - shift.row};
+    if (grid.contains(now)) costs_.changed[kept++] = grid.index(now);
+  }
+  costs_.changed.resize(kept);
 }
 
 inline void CostmapBuilder::set_cost(std::size_t index, float cost) {

@@ -34,6 +34,9 @@ struct Costmap {
   /// Cells that may cost something else than at the revision before, if the grid is the same. Some
   /// may be in it more than once.
   std::vector<std::size_t> changed;
+  /// That is told, too, if the grid is another one: cells that only this one has cost 1 else, and
+  /// before the first revision all do.
+  bool tells_moves = false;
   /// Where all cells cost 1; of costs that come from elsewhere, nowhere.
   PlainBlocks plain;
 };
@@ -70,8 +73,11 @@ Inflation inflation_of(double radius_m, double hit_spread_m, double seen_cell_m)
 /// a new builder would compute.
 class CostmapBuilder {
  public:
+  /// How the costs' grid holds them. In a ring, a grid that moves on costs what comes and goes.
+  enum class Places : std::uint8_t { kInRows, kInRing };
+
   /// Planning cells have twice the side of the map's.
-  CostmapBuilder(const Inflation& inflation, double seen_cell_m);
+  CostmapBuilder(const Inflation& inflation, double seen_cell_m, Places places = Places::kInRows);
 
   /// The costs over all that was seen within `reach_m` of `from`, and at least `margin_m` around it
   /// and around both places. The reach is less where the grid would have more than 2^24 cells.
@@ -83,10 +89,12 @@ class CostmapBuilder {
  private:
   Grid grid_over(const SeenMap& seen, const Vec2& from, const Vec2& to, double margin_m,
                  double reach_m) const;
+  void lay(const Grid& grid);
   void charge(std::size_t index);
   void set_cost(std::size_t index, float cost);
 
   double cell_m_;
+  Places places_;
   float seen_free_cost_;
   std::uint8_t impossible_steps_;
   std::uint8_t touching_steps_;

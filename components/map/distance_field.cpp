@@ -23,7 +23,7 @@ std::uint16_t weight_of(float cost) {
       std::clamp(cost * kWeightOfOne + 0.5F, static_cast<float>(kWeightOfOne), kMostWeight));
 }
 
-Cell beside(const Cell& block, const BlockStep& step) {
+Cell stepped(const Cell& block, const BlockStep& step) {
   return {block.column + step.columns, block.row + step.rows};
 }
 
@@ -44,31 +44,41 @@ inline void for_each_step(std::uint8_t steps, Visit&& visit) {
 
 void DistanceField::take_in(const Costmap& costs, const std::vector<Cell>& goals) {
   changed_.clear();
-  const bool same_grid = costs.grid == grid_;
-  if (!same_grid) lay(costs.grid);
+  const bool is_first = nodes_.empty();
+  bool told = is_told(costs);
+  if (costs.grid != grid_ && !lay(costs.grid)) told = told && is_first;
+  grid_ = costs.grid;
   if (moved_ > kMostMoved || queue_.places() > kMostWaiting * nodes_.size()) clear();
-  const bool follows = costs.revision == revision_ || costs.revision == revision_ + 1;
-  if (same_grid && costs.revision > 0 && follows) {
-    const auto columns = static_cast<std::uint32_t>(grid_.columns);
-    touched_.clear();
-    for (const std::size_t index : costs.changed) {
-      const auto cell = static_cast<std::uint32_t>(index);
-      const std::uint32_t place = at(block_of(
-          {static_cast<std::int32_t>(cell % columns), static_cast<std::int32_t>(cell / columns)}));
-      if (is_touched_[place] != 0) continue;
-      is_touched_[place] = 1;
-      touched_.push_back(place);
-    }
-    for (const std::uint32_t place : touched_) {
-      is_touched_[place] = 0;
-      take_block(costs, block_at(place));
-    }
+  if (told) {
+    take_changed(costs);
   } else {
     compare_all(costs);
   }
   revision_ = costs.revision;
   set_goals(goals);
   repair();
+}
+
+/// Whether the costs tell all that differs from what was taken in last; before that, all blocks are
+/// free.
+bool DistanceField::is_told(const Costmap& costs) const {
+  if (nodes_.empty()) return costs.tells_moves && costs.revision == 1;
+  const bool follows = costs.revision == revision_ || costs.revision == revision_ + 1;
+  return revision_ > 0 && follows && (costs.tells_moves || costs.grid == grid_);
+}
+
+void DistanceField::take_changed(const Costmap& costs) {
+  touched_.clear();
+  for (const std::size_t index : costs.changed) {
+    const std::uint32_t place = at(block_of(costs.grid.cell(index)));
+    if (is_touched_[place] != 0) continue;
+    is_touched_[place] = 1;
+    touched_.push_back(place);
+  }
+  for (const std::uint32_t place : touched_) {
+    is_touched_[place] = 0;
+    take_block(costs, block_at(place));
+  }
 }
 
 /// Forgets all distances; costs and goals stay.
@@ -86,18 +96,8 @@ void DistanceField::clear() {
 }
 
 void DistanceField::compare_all(const Costmap& costs) {
-  const auto columns = static_cast<std::size_t>(grid_.columns);
   for (std::int32_t row = 1; row < blocks_.rows - 1; ++row) {
-    const bool is_whole_row = 2 * row <= grid_.rows;
-    const float* below = costs.cost.data() + grid_.index({0, 2 * (row - 1)});
-    const Node* node = &nodes_[at({1, row})];
-    for (std::int32_t column = 1; column < blocks_.columns - 1; ++column, ++node, below += 2) {
-      // Most are free, and were.
-      if (is_whole_row && 2 * column <= grid_.columns && node->weight == kWeightOfOne &&
-          (node->members & kAllMembers) == kAllMembers && below[0] == 1.0F && below[1] == 1.0F &&
-          below[columns] == 1.0F && below[columns + 1] == 1.0F) {
-        continue;
-      }
+    for (std::int32_t column = 1; column < blocks_.columns - 1; ++column) {
       take_block(costs, {column, row});
     }
   }
@@ -133,7 +133,9 @@ void DistanceField::set_goals(const std::vector<Cell>& goals) {
   const auto bit_of = [](const Cell& goal) {
     return 1U << (4 + goal.column % 2 + 2 * (goal.row % 2));
   };
-  for (Node& node : nodes_) node.members &= kAllMembers;
+  for (const Cell& goal : goals_) {
+    if (grid_.contains(goal)) nodes_[at(block_of(goal))].members &= kAllMembers;
+  }
   goals_ = goals;
   for (const Cell& goal : goals_) {
     if (!grid_.contains(goal)) continue;
@@ -148,13 +150,13 @@ void DistanceField::set_goals(const std::vector<Cell>& goals) {
 void DistanceField::repair() {
   touched_.clear();
   const auto touch = [&](std::uint32_t place) {
-    if (place >= nodes_.size() || is_touched_[place] != 0) return;
+    if (is_touched_[place] != 0) return;
     is_touched_[place] = 1;
     touched_.push_back(place);
   };
   for (const std::uint32_t place : changed_) {
     touch(place);
-    for (const std::uint32_t offset : offsets_) touch(place + offset);
+    for (std::size_t i = 0; i < kSteps; ++i) touch(beside(place, i));
   }
   for (const std::uint32_t place : touched_) {
     is_touched_[place] = 0;
@@ -179,7 +181,7 @@ std::uint8_t DistanceField::open_steps(std::uint32_t at) const {
   for (std::size_t i = 0; i < kSteps; ++i) {
     const BlockStep& step = kBlockSteps[i];
     const bool leads =
-        (node.members & step.own) != 0 && (nodes_[at + offsets_[i]].members & step.other) != 0;
+        (node.members & step.own) != 0 && (nodes_[beside(at, i)].members & step.other) != 0;
     open |= (leads ? 1U : 0U) << i;
   }
   return static_cast<std::uint8_t>(open);
@@ -190,7 +192,7 @@ std::uint32_t DistanceField::best_look_ahead(std::uint32_t at, Among among) cons
   if (node.is_goal()) return 0;
   std::uint32_t best = kNone;
   for_each_step(node.open, [&](std::size_t i) {
-    const Node& next = nodes_[at + offsets_[i]];
+    const Node& next = nodes_[beside(at, i)];
     if (among == Among::kNotVoid && next.look_ahead == kVoid) return;
     // Not below kNone where the neighbour has no distance.
     const std::uint32_t weights = std::uint32_t{node.weight} + next.weight;
@@ -213,7 +215,7 @@ std::uint32_t DistanceField::settle(const Cell& start) {
     const auto waiting = queue_.take_up_to(here.look_ahead + moved_);
     if (!waiting) break;
     Node& node = nodes_[waiting->who];
-    if (node.queued != waiting->key) continue;
+    if (!BucketQueue::is_same(node.queued, waiting->key)) continue;
     node.queued = kNotQueued;
     const Cell next = block_at(waiting->who);
     if (node.look_ahead == kVoid && BucketQueue::is_later(key(node, next), waiting->key)) {
@@ -256,12 +258,12 @@ void DistanceField::expand(std::uint32_t at, const Cell& block) {
 void DistanceField::lower_around(std::uint32_t at, const Cell& block) {
   const Node node = nodes_[at];
   for_each_step(node.open, [&](std::size_t i) {
-    const std::uint32_t near = at + offsets_[i];
+    const std::uint32_t near = beside(at, i);
     Node& next = nodes_[near];
     const std::uint32_t weights = std::uint32_t{node.weight} + next.weight;
     const std::uint32_t offered = node.distance + kBlockSteps[i].length * weights;
     if (offered >= next.look_ahead) return;
-    const Cell there = beside(block, kBlockSteps[i]);
+    const Cell there = stepped(block, kBlockSteps[i]);
     if (next.look_ahead == kVoid) {
       queue_with(offered + estimate(start_, there) + moved_, near);
       return;
@@ -280,7 +282,7 @@ void DistanceField::raise_around(std::uint32_t at, const Cell& block) {
   std::uint32_t best = node.is_goal() ? 0 : kNone;
   unsigned leads_here = 0;
   for_each_step(node.open, [&](std::size_t i) {
-    const Node& next = nodes_[at + offsets_[i]];
+    const Node& next = nodes_[beside(at, i)];
     const std::uint32_t step = kBlockSteps[i].length * (std::uint32_t{node.weight} + next.weight);
     const bool leads = next.look_ahead == before + step;
     const bool led = next.look_ahead == kVoid && next.distance == before + step;
@@ -295,9 +297,9 @@ void DistanceField::raise_around(std::uint32_t at, const Cell& block) {
   }
   node.distance = kNone;
   for_each_step(static_cast<std::uint8_t>(leads_here), [&](std::size_t i) {
-    const std::uint32_t near = at + offsets_[i];
+    const std::uint32_t near = beside(at, i);
     nodes_[near].look_ahead = kVoid;
-    queue(near, beside(block, kBlockSteps[i]));
+    queue(near, stepped(block, kBlockSteps[i]));
   });
   queue(at, block);
 }
@@ -334,7 +336,7 @@ void DistanceField::path(const Costmap& costs, std::vector<Vec2>& places) const 
   while (nodes_[here].distance > 0) {
     const std::size_t i = best_step(here);
     const BlockStep& step = kBlockSteps[i];
-    const std::uint32_t next = here + offsets_[i];
+    const std::uint32_t next = beside(here, i);
     if (!is_free(here)) add(place_in(costs, here, step.own));
     add(is_free(next) ? blocks_.centre(block_at(next)) : place_in(costs, next, step.other));
     here = next;
@@ -347,7 +349,7 @@ std::size_t DistanceField::best_step(std::uint32_t at) const {
   std::uint32_t best = kNone;
   std::size_t best_step = 0;
   for_each_step(node.open, [&](std::size_t i) {
-    const Node& next = nodes_[at + offsets_[i]];
+    const Node& next = nodes_[beside(at, i)];
     const std::uint32_t weights = std::uint32_t{node.weight} + next.weight;
     const std::uint32_t over = next.distance + kBlockSteps[i].length * weights;
     if (over >= best) return;

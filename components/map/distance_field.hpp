@@ -41,7 +41,8 @@ class DistanceField {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::int32_t>::max();
 
   /// Sets costs and goals. Goals that are blocked or outside the grid do not count. Repairs the
-  /// blocks that changed, if the costs say which, and compares all otherwise.
+  /// blocks that changed, if the costs say which, and compares all otherwise. Blocks are held in a
+  /// ring: where the grid moves on, only what comes and goes is touched.
   void take_in(const Costmap& costs, const std::vector<Cell>& goals);
 
   /// The least cost from the block of a cell, in 1/96 of a block that costs 1; kNone if there is no
@@ -63,7 +64,7 @@ class DistanceField {
   struct Node {
     std::uint32_t distance = kNone;     ///< g
     std::uint32_t look_ahead = kNone;   ///< rhs: over the best neighbour; or kVoid
-    std::uint32_t queued = kNotQueued;  ///< the least key that it waits with
+    std::uint32_t queued = kNotQueued;  ///< a key of the first bucket that it waits in
     std::uint16_t weight = 0;           ///< cost in quarters; 0: blocked
     std::uint8_t members = 0;           ///< bit i: cell i is not blocked; bit 4 + i: it is a goal
     std::uint8_t open = 0;              ///< bit i: step i leads somewhere
@@ -71,12 +72,21 @@ class DistanceField {
     bool is_goal() const { return (members & members >> 4) != 0; }
   };
 
-  void lay(const Grid& grid);
+  /// Columns and rows of blocks, from one to another.
+  struct Outline {
+    Cell least;
+    Cell most;
+  };
+
+  bool is_told(const Costmap& costs) const;
+  void take_changed(const Costmap& costs);
+  bool lay(const Grid& grid);
   void keep_laid_out(const Grid& before);
+  void queue_anew();
   static Node free_node();
-  void close_border();
-  void open_outline(const Cell& least, const Cell& most);
-  void note_outline(const Cell& least, const Cell& most);
+  void close_border(const Outline& before);
+  void open_border(const Outline& before);
+  void note(const Cell& block);
   void clear();
   void compare_all(const Costmap& costs);
   void take_block(const Costmap& costs, const Cell& block);
@@ -101,15 +111,16 @@ class DistanceField {
   std::uint32_t at(const Cell& block) const {
     return static_cast<std::uint32_t>(blocks_.index(block));
   }
-  Cell block_at(std::uint32_t at) const {
-    const auto stride = static_cast<std::uint32_t>(blocks_.columns);
-    return {static_cast<std::int32_t>(at % stride), static_cast<std::int32_t>(at / stride)};
+  Cell block_at(std::uint32_t at) const { return blocks_.cell(at); }
+  std::uint32_t beside(std::uint32_t at, std::size_t step) const {
+    return (at + offsets_[step]) & last_place_;
   }
   static Cell block_of(const Cell& cell) { return {cell.column / 2 + 1, cell.row / 2 + 1}; }
 
   Grid grid_;                                    // of the cells
   Grid blocks_;                                  // with a border of one blocked block
   std::array<std::uint32_t, kSteps> offsets_{};  // of the neighbours; those below wrap around
+  std::uint32_t last_place_ = 0;                 // of the ring of blocks
   std::uint64_t revision_ = 0;                   // of the costs that are taken in
   std::vector<Node> nodes_;
   std::vector<Node> spare_;
@@ -140,7 +151,7 @@ inline std::uint32_t DistanceField::key(const Node& node, const Cell& block) con
 
 inline void DistanceField::queue_with(std::uint32_t key, std::uint32_t at) {
   Node& node = nodes_[at];
-  if (key >= node.queued) return;
+  if (!BucketQueue::is_later(node.queued, key)) return;
   node.queued = key;
   queue_.push({key, at});
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -26,27 +27,42 @@ inline bool operator==(const Cell& a, const Cell& b) {
 inline bool operator!=(const Cell& a, const Cell& b) { return !(a == b); }
 
 /// Square cells that tile a rectangle of the plane. Says where cells are, and holds nothing of
-/// them: what is known of cells are arrays of size(), row-major from the corner of least x and y.
+/// them: what is known of cells are arrays of size(), row-major from the corner of least x and y;
+/// or, of a grid that moves, laid out in a ring (see in_ring()).
 struct Grid {
   Vec2 corner = Vec2::Zero();  ///< of least x and y, of the whole grid
   double cell_m = 0.05;        ///< side of a cell, > 0
   std::int32_t columns = 0;
   std::int32_t rows = 0;
+  /// Where the arrays hold a cell: from `first` on, rows follow each other with `gap` places
+  /// between them, and after the place `last_place` comes place 0.
+  std::size_t first = 0;
+  std::size_t gap = 0;
+  std::size_t last_place = kNoRing;
 
+  static constexpr std::size_t kNoRing = std::numeric_limits<std::size_t>::max();
+
+  /// Of arrays that hold something of each cell.
   std::size_t size() const {
+    if (last_place != kNoRing) return last_place + 1;
     return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   }
+  /// From a place to that of the cell above.
+  std::size_t stride() const { return static_cast<std::size_t>(columns) + gap; }
   bool contains(const Cell& c) const {
     return c.column >= 0 && c.row >= 0 && c.column < columns && c.row < rows;
   }
   /// `c` within the grid.
   std::size_t index(const Cell& c) const {
-    return static_cast<std::size_t>(c.row) * static_cast<std::size_t>(columns) +
-           static_cast<std::size_t>(c.column);
+    return (first + static_cast<std::size_t>(c.row) * stride() +
+            static_cast<std::size_t>(c.column)) &
+           last_place;
   }
+  /// `index` of a cell of the grid.
   Cell cell(std::size_t index) const {
-    const auto width = static_cast<std::size_t>(columns);
-    return {static_cast<std::int32_t>(index % width), static_cast<std::int32_t>(index / width)};
+    const auto place = static_cast<std::uint32_t>((index - first) & last_place);
+    const auto width = static_cast<std::uint32_t>(stride());
+    return {static_cast<std::int32_t>(place % width), static_cast<std::int32_t>(place / width)};
   }
   /// The middle of a cell, which may lie outside the grid.
   Vec2 centre(const Cell& c) const { return corner + cell_m * Vec2(c.column + 0.5, c.row + 0.5); }
@@ -61,6 +77,7 @@ struct Grid {
   }
 };
 
+/// Whether they have the same cells, wherever arrays hold them.
 inline bool operator==(const Grid& a, const Grid& b) {
   return a.corner == b.corner && a.cell_m == b.cell_m && a.columns == b.columns && a.rows == b.rows;
 }
@@ -83,22 +100,76 @@ inline void cells_within(const Grid& grid, const Vec2& place, double radius_m,
   }
 }
 
+/// How many columns and rows the corner of one grid lies beside that of another, whose cells lie a
+/// whole number of cells beside.
+inline Cell shift_between(const Grid& before, const Grid& now) {
+  const auto cells = [](double shift) {
+    constexpr double kFarthest = 1 << 30;  // farther than any two that share a cell
+    return static_cast<std::int32_t>(std::llround(std::clamp(shift, -kFarthest, kFarthest)));
+  };
+  const Vec2 shift = (now.corner - before.corner) / now.cell_m;
+  return {cells(shift.x()), cells(shift.y())};
+}
+
+/// The grid, with its arrays in a ring: a cell's place in them depends on where in the plane it
+/// lies, and not on where the grid begins. So a grid that moves on leaves what it keeps where it
+/// is: see lay_out_anew(). It takes the ring of `before`, if it fits.
+Grid in_ring(const Grid& before, const Grid& grid);
+
+/// Whether the cells that two grids share have the same places.
+bool shares_places(const Grid& before, const Grid& now);
+
+/// Calls `visit(cell, count)` for each row's run of cells, from `cell` on, that one grid has and
+/// the other has not.
+template <typename Visit>
+void for_each_run_left(const Grid& before, const Grid& now, Visit&& visit) {
+  const Cell shift = shift_between(before, now);
+  const auto within = [&](std::int32_t column) { return std::clamp(column, 0, before.columns); };
+  const std::int32_t first = within(shift.column);
+  const std::int32_t end = within(shift.column + now.columns);
+  for (std::int32_t row = 0; row < before.rows; ++row) {
+    if (row < shift.row || row >= shift.row + now.rows || first >= end) {
+      visit(Cell{0, row}, before.columns);
+      continue;
+    }
+    if (first > 0) visit(Cell{0, row}, first);
+    if (end < before.columns) visit(Cell{end, row}, before.columns - end);
+  }
+}
+
+/// Sets the values of so many cells of a row, from one on.
+template <typename Value>
+void fill_run(const Grid& grid, const Cell& cell, std::int32_t count, const Value& value,
+              std::vector<Value>& values) {
+  const std::size_t place = grid.index(cell);
+  const auto all = static_cast<std::size_t>(count);
+  const std::size_t ahead = std::min(all, grid.size() - place);
+  std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(place), ahead, value);
+  std::fill_n(values.begin(), all - ahead, value);
+}
+
 /// Lays the values of the cells of one grid out for another one, whose cells lie a whole number of
-/// cells beside. Cells that only the new grid has get `fresh`. `spare` is memory to work in.
+/// cells beside. Cells that only the new grid has get `fresh`, and in a ring all places have that
+/// no cell has. `spare` is memory to work in.
 template <typename Value>
 void lay_out_anew(const Grid& before, const Grid& now, const Value& fresh,
                   std::vector<Value>& values, std::vector<Value>& spare) {
+  if (shares_places(before, now)) {
+    for_each_run_left(before, now, [&](const Cell& cell, std::int32_t count) {
+      fill_run(before, cell, count, fresh, values);
+    });
+    return;
+  }
   spare.assign(now.size(), fresh);
-  const Vec2 shift = (now.corner - before.corner) / now.cell_m;
-  const auto right = static_cast<std::int64_t>(std::llround(shift.x()));
-  const auto up = static_cast<std::int64_t>(std::llround(shift.y()));
-  const std::int64_t first = std::max<std::int64_t>(0, right);
-  const std::int64_t end = std::min<std::int64_t>(before.columns, now.columns + right);
-  const std::int64_t end_row = std::min<std::int64_t>(before.rows, now.rows + up);
-  for (std::int64_t row = std::max<std::int64_t>(0, up); first < end && row < end_row; ++row) {
-    const auto from = values.begin() + (row * before.columns + first);
-    std::copy(from, from + (end - first),
-              spare.begin() + ((row - up) * now.columns + (first - right)));
+  const Cell shift = shift_between(before, now);
+  const std::int32_t first = std::max(0, shift.column);
+  const std::int32_t end = std::min(before.columns, now.columns + shift.column);
+  const std::int32_t end_row = std::min(before.rows, now.rows + shift.row);
+  for (std::int32_t row = std::max(0, shift.row); row < end_row; ++row) {
+    for (std::int32_t column = first; column < end; ++column) {
+      spare[now.index({column - shift.column, row - shift.row})] =
+          values[before.index({column, row})];
+    }
   }
   values.swap(spare);
 }

@@ -43,9 +43,9 @@ class LocalMap {
   void see(const domain::Odometry& odometry, const domain::Scan& scan) {
     evidence_.mark(odometry, scan, seen_);
   }
-  void forget() { seen_.state() = {}; }
+  void forget() { seen_.restore({}); }
   /// What was seen is this.
-  void restore(SeenMap::State seen) { seen_.state() = std::move(seen); }
+  void restore(SeenMap::State seen) { seen_.restore(std::move(seen)); }
 
   double radius_m() const { return radius_m_; }
   const SeenMap& seen() const { return seen_; }
@@ -59,8 +59,10 @@ class LocalMap {
 
   void save(core::StateWriter& writer) const { writer(seen_.state()); }
   void load(core::StateReader& reader) {
-    reader(seen_.state());
-    if (!reader.check(is_valid(seen_.state()), "a cell of the map has two marks")) forget();
+    SeenMap::State seen;
+    reader(seen);
+    if (!reader.check(is_valid(seen), "a cell of the map has two marks")) seen = {};
+    restore(std::move(seen));
   }
 
  private:

@@ -16,11 +16,6 @@ bool same(const SeenMap::Tile& a, const SeenMap::Tile& b) {
   return std::memcmp(a.rows.data(), b.rows.data(), sizeof(a.rows)) == 0;
 }
 
-/// How many words hold a bit for each column.
-std::size_t words_of(const Grid& grid) {
-  return (static_cast<std::size_t>(grid.columns) + 63) / 64;
-}
-
 /// The columns of a tile's row from `first` to before `end`, which are cells of the grid.
 std::uint64_t columns_between(std::int64_t first, std::int64_t end) {
   if (first >= end) return 0;
@@ -58,26 +53,91 @@ void NearestMarks::update(const Grid& grid, const SeenMap& seen) {
   changed_.clear();
   bared_.clear();
   const bool moved = lay(grid);
+  if (!seen.log().read(read_, news_) || (moved && !(is_whole(before_) && is_whole(grid_)))) {
+    take_in_all(seen, moved);
+  } else {
+    if (moved) take_in_moved(seen);
+    for (const TileKey& key : news_) {
+      const Tile* tile = overlaps(key) ? seen.find_tile(key) : nullptr;
+      if (tile != nullptr) take_in_tile(key, *tile, false);
+    }
+  }
+  for (const std::size_t index : bared_) look_around(index);
+}
+
+/// Compares all tiles.
+void NearestMarks::take_in_all(const SeenMap& seen, bool moved) {
   const auto& tiles = seen.state().tiles;
   for (auto known = known_.begin(); known != known_.end();) {
     const bool left = overlaps(known->first) && tiles.count(known->first) != 0;
     if (!left) take_in(known->first, known->second, {}, false);
     known = left ? std::next(known) : known_.erase(known);
   }
-  auto known = known_.begin();
   for (const auto& [key, tile] : tiles) {
-    if (!overlaps(key)) continue;
-    while (known != known_.end() && known->first < key) ++known;
-    known = known_.try_emplace(known, key);
     // Around marks near a border of the grid of before, cells may have come.
-    const bool all = moved && !is_within(key, before_, reach_cells_);
-    if (is_within(key, grid_, 0)) {
-      take_in(key, known->second, tile, all);
+    if (overlaps(key)) take_in_tile(key, tile, moved && !is_within(key, before_, reach_cells_));
+  }
+}
+
+void NearestMarks::take_in_tile(const TileKey& key, const Tile& tile, bool all) {
+  Tile& known = known_[key];
+  if (is_within(key, grid_, 0)) {
+    take_in(key, known, tile, all);
+  } else {
+    take_in(key, known, clipped(key, tile), all);
+  }
+}
+
+/// Takes in the tiles that lie within the grid now and did not before, and those near enough to the
+/// borders that moved that cells beyond may be near to their marks.
+void NearestMarks::take_in_moved(const SeenMap& seen) {
+  const Tiles now = tiles_of(grid_);
+  drop_tiles_beside(now);
+  Tiles same = tiles_of(before_);
+  const auto near = static_cast<std::int32_t>((reach_cells_ + kTileCells - 1) / kTileCells);
+  if (now.least.first < same.least.first) same.least.first += near;
+  if (now.least.second < same.least.second) same.least.second += near;
+  if (now.most.first > same.most.first) same.most.first -= near;
+  if (now.most.second > same.most.second) same.most.second -= near;
+  const auto take = [&](const TileKey& key, const Tile& tile) { take_in_tile(key, tile, true); };
+  for (std::int32_t column = now.least.first; column <= now.most.first; ++column) {
+    const TileKey first{column, now.least.second};
+    const TileKey last{column, now.most.second};
+    if (same.holds_column(column) && same.least.second <= same.most.second) {
+      seen.for_each_tile(first, {column, std::min(last.second, same.least.second - 1)}, take);
+      seen.for_each_tile({column, std::max(first.second, same.most.second + 1)}, last, take);
     } else {
-      take_in(key, known->second, clipped(key, tile), all);
+      seen.for_each_tile(first, last, take);
     }
   }
-  for (const std::size_t index : bared_) look_around(index);
+}
+
+/// Forgets the tiles that lie within the grid no more.
+void NearestMarks::drop_tiles_beside(const Tiles& now) {
+  for (auto known = known_.begin(); known != known_.end();) {
+    if (now.holds(known->first)) {
+      known = known_.upper_bound({known->first.first, now.most.second});
+    } else {
+      take_in(known->first, known->second, {}, false);
+      known = known_.erase(known);
+    }
+  }
+}
+
+/// Whether its borders are those of tiles.
+bool NearestMarks::is_whole(const Grid& grid) const {
+  const Position corner = corner_of({0, 0}, grid);
+  return grid.columns > 0 && corner.column % kTileCells == 0 && corner.row % kTileCells == 0 &&
+         grid.columns % kTileCells == 0 && grid.rows % kTileCells == 0;
+}
+
+/// Of a whole grid.
+NearestMarks::Tiles NearestMarks::tiles_of(const Grid& grid) const {
+  const Position corner = corner_of({0, 0}, grid);
+  const auto column = static_cast<std::int32_t>(-corner.column / kTileCells);
+  const auto row = static_cast<std::int32_t>(-corner.row / kTileCells);
+  constexpr auto kCells = static_cast<std::int32_t>(kTileCells);
+  return {{column, row}, {column + grid.columns / kCells - 1, row + grid.rows / kCells - 1}};
 }
 
 /// True if the grid is another one than before.
@@ -85,14 +145,25 @@ bool NearestMarks::lay(const Grid& grid) {
   before_ = grid_;
   if (grid == before_) return false;
   grid_ = grid;
+  const bool stays = shares_places(before_, grid);
+  if (stays) unmark_left();
   lay_out_anew(before_, grid, Surroundings{}, cells_, spare_);
-  marked_.assign(words_of(grid) * static_cast<std::size_t>(grid.rows), 0);
+  if (stays) return true;
+  marked_.assign((grid.size() + 63) / 64, 0);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (cells_[i].marked == 0) continue;
-    const Cell cell = grid.cell(i);
-    note_marked({cell.column, cell.row}, cells_[i]);
+    if (cells_[i].marked != 0) marked_[i / 64] |= std::uint64_t{1} << i % 64;
   }
   return true;
+}
+
+/// Cells that the grid has no more are not marked.
+void NearestMarks::unmark_left() {
+  for_each_run_left(before_, grid_, [&](const Cell& cell, std::int32_t count) {
+    for (std::int32_t i = 0; i < count; ++i) {
+      const std::size_t place = before_.index({cell.column + i, cell.row});
+      marked_[place / 64] &= ~(std::uint64_t{1} << place % 64);
+    }
+  });
 }
 
 /// The cell of a grid at a tile's corner of least x and y.
@@ -181,7 +252,7 @@ void NearestMarks::come(Obstacle obstacle, const Quarter& place) {
   Surroundings* own = at(place.cell);
   if (own != nullptr) {
     own->marked = static_cast<std::uint8_t>(own->marked | 1U << (4U * obstacle + place.number));
-    note_marked(place.cell, *own);
+    note_marked(*own);
   }
   for (const Offset& offset : around_[place.number]) {
     Surroundings* cell = at({place.cell.column + offset.columns, place.cell.row + offset.rows});
@@ -196,7 +267,7 @@ void NearestMarks::go(Obstacle obstacle, const Quarter& place) {
   Surroundings* own = at(place.cell);
   if (own != nullptr) {
     own->marked = static_cast<std::uint8_t>(own->marked & ~(1U << (4U * obstacle + place.number)));
-    note_marked(place.cell, *own);
+    note_marked(*own);
   }
   for (const Offset& offset : around_[place.number]) {
     Surroundings* cell = at({place.cell.column + offset.columns, place.cell.row + offset.rows});
@@ -207,11 +278,11 @@ void NearestMarks::go(Obstacle obstacle, const Quarter& place) {
 }
 
 /// Keeps whether a cell of the grid is marked.
-void NearestMarks::note_marked(const Position& cell, const Surroundings& surroundings) {
-  const auto column = static_cast<std::size_t>(cell.column);
-  std::uint64_t& word = marked_[static_cast<std::size_t>(cell.row) * words_of(grid_) + column / 64];
-  const std::uint64_t bit = std::uint64_t{1} << column % 64;
-  word = surroundings.marked != 0 ? word | bit : word & ~bit;
+void NearestMarks::note_marked(const Surroundings& cell) {
+  const auto place = static_cast<std::size_t>(&cell - cells_.data());
+  const std::uint64_t bit = std::uint64_t{1} << place % 64;
+  std::uint64_t& word = marked_[place / 64];
+  word = cell.marked != 0 ? word | bit : word & ~bit;
 }
 
 /// Finds the marks that are nearest to a cell.
@@ -219,28 +290,28 @@ void NearestMarks::look_around(std::size_t index) {
   const Cell cell = grid_.cell(index);
   std::array<std::uint8_t, 2> nearest = {kFar, kFar};
   const std::int32_t side = 2 * reach_cells_ + 1;
-  const auto first = static_cast<std::uint32_t>(std::max(0, cell.column - reach_cells_));
-  const auto last =
-      static_cast<std::uint32_t>(std::min(grid_.columns - 1, cell.column + reach_cells_));
+  const std::int32_t first = std::max(0, cell.column - reach_cells_);
+  const std::int32_t last = std::min(grid_.columns - 1, cell.column + reach_cells_);
   const std::int32_t last_row = std::min(grid_.rows - 1, cell.row + reach_cells_);
   for (std::int32_t row = std::max(0, cell.row - reach_cells_); row <= last_row; ++row) {
     // Seen from the mark, the cell lies on the other side.
     const std::int32_t rows = (cell.row - row + reach_cells_) * side;
-    const std::uint64_t* words = &marked_[static_cast<std::size_t>(row) * words_of(grid_)];
-    const Surroundings* cells = &cells_[grid_.index({0, row})];
-    for (std::uint32_t word = first / 64; word <= last / 64; ++word) {
-      std::uint64_t bits = words[word];
-      if (word == first / 64) bits &= ~std::uint64_t{0} << first % 64;
-      if (word == last / 64) bits &= ~std::uint64_t{0} >> (63 - last % 64);
+    for (std::int32_t column = first; column <= last;) {
+      const std::size_t place = grid_.index({column, row});
+      const std::int32_t count =
+          std::min(64 - static_cast<std::int32_t>(place % 64), last - column + 1);
+      std::uint64_t bits = marked_[place / 64] >> place % 64 & ~std::uint64_t{0} >> (64 - count);
       for (; bits != 0; bits &= bits - 1) {
-        const auto column =
-            static_cast<std::int32_t>(64 * word) + static_cast<std::int32_t>(__builtin_ctzll(bits));
-        const auto offset = static_cast<std::size_t>(rows + cell.column - column + reach_cells_);
-        for (std::uint32_t marked = cells[column].marked; marked != 0; marked &= marked - 1) {
+        const auto i = static_cast<std::int32_t>(__builtin_ctzll(bits));
+        const auto offset =
+            static_cast<std::size_t>(rows + cell.column - column - i + reach_cells_);
+        std::uint32_t marked = cells_[place + static_cast<std::size_t>(i)].marked;
+        for (; marked != 0; marked &= marked - 1) {
           const auto bit = static_cast<std::size_t>(__builtin_ctz(marked));
           nearest[bit / 4] = std::min(nearest[bit / 4], steps_[bit % 4][offset]);
         }
       }
+      column += count;
     }
   }
   cells_[index].steps = nearest;
@@ -251,8 +322,9 @@ void NearestMarks::look_around(std::size_t index) {
 NearestMarks::Surroundings* NearestMarks::at(const Position& cell) {
   const bool inside =
       cell.column >= 0 && cell.row >= 0 && cell.column < grid_.columns && cell.row < grid_.rows;
-  return inside ? &cells_[static_cast<std::size_t>(cell.row * grid_.columns + cell.column)]
-                : nullptr;
+  if (!inside) return nullptr;
+  return &cells_[grid_.index(
+      {static_cast<std::int32_t>(cell.column), static_cast<std::int32_t>(cell.row)})];
 }
 
 }  // namespace clew::map

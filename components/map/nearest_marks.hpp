@@ -15,9 +15,11 @@ namespace clew::map {
 ///
 /// What was seen changes near the robot only, so the distances are repaired: update() compares the
 /// marks with those of the time before, tile by tile, and works on the cells within reach of a
-/// mark that came or went. The result does not depend on the time before: where a mark went, the
-/// nearest of those left is looked for again. Cells have twice the side of the map's, and lie on
-/// its lines, so a mark is in the middle of a cell's quarter.
+/// mark that came or went: of the tiles that the map has noted, or of all if it does not know.
+/// Where the grid has moved, these and what lies near the borders that moved. The result does not
+/// depend on the time before: where a mark went, the nearest of those left is looked for again.
+/// Cells have twice the side of the map's, and lie on its lines, so a mark is in the middle of a
+/// cell's quarter.
 class NearestMarks {
  public:
   static constexpr double kStep_m = 0.0025;  ///< in which distances are kept
@@ -66,8 +68,28 @@ class NearestMarks {
     std::size_t number = 0;
   };
 
+  /// Tiles from one column and row to another, all included.
+  struct Tiles {
+    TileKey least;
+    TileKey most;
+
+    bool holds_column(std::int32_t column) const {
+      return column >= least.first && column <= most.first;
+    }
+    bool holds(const TileKey& key) const {
+      return holds_column(key.first) && key.second >= least.second && key.second <= most.second;
+    }
+  };
+
   void measure_around();
   bool lay(const Grid& grid);
+  void unmark_left();
+  bool is_whole(const Grid& grid) const;
+  Tiles tiles_of(const Grid& grid) const;
+  void take_in_all(const SeenMap& seen, bool moved);
+  void take_in_moved(const SeenMap& seen);
+  void drop_tiles_beside(const Tiles& now);
+  void take_in_tile(const TileKey& key, const Tile& tile, bool all);
   Position corner_of(const TileKey& key, const Grid& grid) const;
   bool overlaps(const TileKey& key) const;
   bool is_within(const TileKey& key, const Grid& grid, std::int64_t margin_cells) const;
@@ -77,7 +99,7 @@ class NearestMarks {
   void come(Obstacle obstacle, const Quarter& place);
   void go(Obstacle obstacle, const Quarter& place);
   void look_around(std::size_t index);
-  void note_marked(const Position& cell, const Surroundings& surroundings);
+  void note_marked(const Surroundings& cell);
   Surroundings* at(const Position& cell);
 
   double cell_m_;
@@ -90,9 +112,12 @@ class NearestMarks {
   std::map<TileKey, Tile> known_;  // the marks that are taken in
   std::vector<Surroundings> cells_;
   std::vector<Surroundings> spare_;
-  std::vector<std::uint64_t> marked_;  // by row, and 64 columns each: bit i is set if i is marked
+  std::vector<std::uint64_t>
+      marked_;  // 64 cells each, by Grid::index: a bit is set if it is marked
   std::vector<std::size_t> changed_;
   std::vector<std::size_t> bared_;  // cells whose nearest mark went
+  TileLog::Position read_;          // of the map's log
+  std::vector<TileKey> news_;       // tiles that have changed
 };
 
 }  // namespace clew::map

@@ -27,13 +27,14 @@ class PlainBlocks {
   /// before the first grid. The cell lies within the grid.
   bool is_plain_around(std::int32_t column, std::int32_t row) const {
     if (dear_around_.empty()) return false;
-    return dear_around_[static_cast<std::size_t>(row / kSide * blocks_.columns + column / kSide)] ==
-           0;
+    return dear_around_[blocks_.index({column / kSide, row / kSide})] == 0;
   }
 
  private:
   void count(const Cell& cell, bool more);
   void count_around(const Cell& block, bool more);
+  void leave(const Grid& blocks);
+  void come(const Cell& first, std::int32_t count);
 
   Grid blocks_;
   std::vector<std::uint8_t> dear_;         // cells of a block that cost other than 1

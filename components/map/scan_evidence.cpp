@@ -55,6 +55,7 @@ double ScanEvidence::Arc::angle_rad(std::size_t i) const {
 void ScanEvidence::mark(const domain::Odometry& odometry, const domain::Scan& scan, SeenMap& seen) {
   const core::Pose2& pose = odometry.pose_odom_robot;
   const auto& ranges_m = scan.ranges_m;
+  seen.begin_round();
   seen.mark_free(Sector(pose.position(), radius_m_));
   lay_out(scan);
   heading_ = core::direction(pose.heading_rad);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace clew::map {
 namespace {
@@ -13,6 +14,9 @@ std::uint64_t bits_between(std::int32_t first, std::int32_t last) {
   const std::uint64_t up_to_last = ~std::uint64_t{0} >> (63 - last);
   return up_to_last & (~std::uint64_t{0} << first);
 }
+
+// As far as this, tiles are looked for column by column, and not one by one.
+constexpr double kMostColumns = 1000.0;
 
 /// The number of a tile, or of a place between two: beyond it numbers have no room. A place so far
 /// away comes from a file only.
@@ -36,19 +40,21 @@ std::uint64_t cells_between(double cell_m, double from_m, double to_m) {
 
 }  // namespace
 
-void SeenMap::Tile::mark_free(std::size_t row, std::uint64_t bits) {
-  if ((bits & ~rows[index(Mark::kFree)][row]) == 0) return;
+bool SeenMap::Tile::mark_free(std::size_t row, std::uint64_t bits) {
+  if ((bits & ~rows[index(Mark::kFree)][row]) == 0) return false;
   rows[index(Mark::kFree)][row] |= bits;
   rows[index(Mark::kHit)][row] &= ~bits;
   rows[index(Mark::kSuspected)][row] &= ~bits;
+  return true;
 }
 
-void SeenMap::Tile::mark_obstacle(Mark mark, std::size_t row, std::size_t column) {
-  if (is(mark, row, column)) return;
-  if (mark == Mark::kSuspected && is(Mark::kHit, row, column)) return;
+bool SeenMap::Tile::mark_obstacle(Mark mark, std::size_t row, std::size_t column) {
+  if (is(mark, row, column)) return false;
+  if (mark == Mark::kSuspected && is(Mark::kHit, row, column)) return false;
   const std::uint64_t bit = std::uint64_t{1} << column;
   for (auto& of_mark : rows) of_mark[row] &= ~bit;
   rows[index(mark)][row] |= bit;
+  return true;
 }
 
 bool is_valid(const SeenMap::State& state) {
@@ -88,7 +94,15 @@ SeenMap::Tile* SeenMap::tile_at(const TileKey& key) {
   const auto found = state_.tiles.find(key);
   if (found != state_.tiles.end()) return &found->second;
   if (state_.tiles.size() >= capacity_) return nullptr;
+  index_.add(key);
   return &state_.tiles[key];
+}
+
+void SeenMap::restore(State state) {
+  state_ = std::move(state);
+  index_.clear();
+  for (const auto& entry : state_.tiles) index_.add(entry.first);
+  log_.begin_anew();
 }
 
 const SeenMap::Tile* SeenMap::find_tile(const TileKey& key) const {
@@ -98,7 +112,7 @@ const SeenMap::Tile* SeenMap::find_tile(const TileKey& key) const {
 
 /// Takes the obstacles that are not gone out of what is to be marked.
 void SeenMap::mark_free(const TileKey& key, Tile& tile, std::size_t row, std::uint64_t bits,
-                        const IsGone& is_gone) const {
+                        const IsGone& is_gone) {
   const Vec2 corner(key.first * tile_m(), key.second * tile_m());
   std::uint64_t obstacles =
       bits & (tile.rows[index(Mark::kHit)][row] | tile.rows[index(Mark::kSuspected)][row]);
@@ -107,7 +121,7 @@ void SeenMap::mark_free(const TileKey& key, Tile& tile, std::size_t row, std::ui
     const Vec2 middle = corner + cell_m_ * Vec2(column + 0.5, static_cast<double>(row) + 0.5);
     if (!is_gone(middle)) bits &= ~(std::uint64_t{1} << column);
   }
-  tile.mark_free(row, bits);
+  if (tile.mark_free(row, bits)) note(key, tile);
 }
 
 void SeenMap::mark_free(const Sector& sector, const IsGone& is_gone) {
@@ -143,13 +157,48 @@ void SeenMap::mark_free(const Sector& sector, const IsGone& is_gone) {
 void SeenMap::mark_obstacle(const Vec2& point, Mark mark) {
   const Place place = place_of(point);
   Tile* tile = tile_at(place.tile);
-  if (tile != nullptr) tile->mark_obstacle(mark, place.row, place.column);
+  if (tile != nullptr && tile->mark_obstacle(mark, place.row, place.column)) {
+    note(place.tile, *tile);
+  }
 }
 
 double SeenMap::distance_m(const TileKey& key, const Vec2& place) const {
   const Vec2 corner(key.first * tile_m(), key.second * tile_m());
   const Vec2 nearest = place.cwiseMax(corner).cwiseMin(corner + Vec2(tile_m(), tile_m()));
   return core::length(place - nearest);
+}
+
+std::optional<SeenMap::Box> SeenMap::box_within(const Vec2& place, double reach_m) const {
+  std::optional<Box> box;
+  const auto add = [&](std::int32_t column, const TileIndex::Rows& rows) {
+    if (!box) box = Box{{column, rows.least}, {column, rows.most}};
+    box->least = {std::min(box->least.first, column), std::min(box->least.second, rows.least)};
+    box->most = {std::max(box->most.first, column), std::max(box->most.second, rows.most)};
+  };
+  const auto is_within = [&](const TileKey& key) { return distance_m(key, place) <= reach_m; };
+  if (!(reach_m < kMostColumns * tile_m())) {
+    for (const auto& [key, tile] : state_.tiles) {
+      if (is_within(key)) add(key.first, {key.second, key.second});
+    }
+    return box;
+  }
+  const auto reach = static_cast<std::int32_t>(reach_m / tile_m()) + 2;
+  const std::int32_t column = tile_number(place.x());
+  const std::int32_t row = tile_number(place.y());
+  for (std::int32_t x = column - reach; x <= column + reach; ++x) {
+    if (!is_within({x, row})) continue;
+    // The distance grows with the rows between.
+    const double across_m = distance_m({x, row}, place);
+    const double along_m = std::sqrt(std::max(0.0, reach_m * reach_m - across_m * across_m));
+    std::int32_t first = std::min(row, tile_number(place.y() - along_m));
+    std::int32_t last = std::max(row, tile_number(place.y() + along_m));
+    while (is_within({x, first - 1})) --first;
+    while (!is_within({x, first})) ++first;
+    while (is_within({x, last + 1})) ++last;
+    while (!is_within({x, last})) --last;
+    if (const auto rows = index_.rows_between(x, first, last)) add(x, *rows);
+  }
+  return box;
 }
 
 bool SeenMap::is(Mark mark, const Vec2& point) const {

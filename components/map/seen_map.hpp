@@ -8,11 +8,14 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/archive.hpp"
 #include "core/geometry.hpp"
 #include "map/sector.hpp"
+#include "map/tile_index.hpp"
+#include "map/tile_log.hpp"
 
 namespace clew::map {
 
@@ -40,16 +43,17 @@ class SeenMap {
     /// By mark, then by row from below; bit i is column i from the left. A cell has one mark at
     /// most.
     std::array<std::array<std::uint64_t, kTileCells>, kMarks> rows{};
+    TileLog::Position noted;  ///< of the map's log; no part of what was seen
 
     bool is(Mark mark, std::size_t row, std::size_t column) const {
       return (rows[static_cast<std::size_t>(mark)][row] >> column & 1) != 0;
     }
-    /// Marks the cells of a row whose bits are set.
-    void mark_free(std::size_t row, std::uint64_t bits);
-    /// Does nothing where an obstacle is known already and this one is suspected.
-    void mark_obstacle(Mark mark, std::size_t row, std::size_t column);
+    /// Marks the cells of a row whose bits are set. True if that changed anything.
+    bool mark_free(std::size_t row, std::uint64_t bits);
+    /// Does nothing where an obstacle is known already and this one is suspected. True if it did.
+    bool mark_obstacle(Mark mark, std::size_t row, std::size_t column);
   };
-  using TileKey = std::pair<std::int32_t, std::int32_t>;  ///< column and row of a tile
+  using TileKey = map::TileKey;
   using IsGone = std::function<bool(const Vec2& place)>;  ///< empty: all are
   struct State {
     std::map<TileKey, Tile> tiles;
@@ -66,7 +70,7 @@ class SeenMap {
   void mark_free(const Sector& sector, const IsGone& is_gone = {});
   /// The same with cells of a row of one of the map's tiles; bit i is column i from the left.
   void mark_free(const TileKey& key, Tile& tile, std::size_t row, std::uint64_t bits,
-                 const IsGone& is_gone) const;
+                 const IsGone& is_gone);
   /// Marks the cell of a place as an obstacle, or as a suspected one.
   void mark_hit(const Vec2& place) { mark_obstacle(place, Mark::kHit); }
   /// Does nothing where an obstacle is known already.
@@ -77,6 +81,31 @@ class SeenMap {
   Tile* tile_at(const TileKey& key);
   /// The tile, or null.
   const Tile* find_tile(const TileKey& key) const;
+
+  /// Calls `visit(key, tile)` with the tiles from `first` to `last`, both included, column by
+  /// column.
+  template <typename Visit>
+  void for_each_tile(const TileKey& first, const TileKey& last, Visit&& visit) const {
+    for_each_tile_of(state_.tiles, first, last, visit);
+  }
+  template <typename Visit>
+  void for_each_tile(const TileKey& first, const TileKey& last, Visit&& visit) {
+    for_each_tile_of(state_.tiles, first, last, visit);
+  }
+
+  /// The least and the greatest column and row of the tiles within a distance of a place; nothing
+  /// if there are none.
+  struct Box {
+    TileKey least;
+    TileKey most;
+  };
+  std::optional<Box> box_within(const Vec2& place, double reach_m) const;
+
+  /// Which tiles have changed. Marks of one round, such as a tick, are noted once.
+  const TileLog& log() const { return log_; }
+  void begin_round() { log_.begin_round(); }
+  /// One of the map's tiles has got or lost a mark.
+  void note(const TileKey& key, Tile& tile) { log_.note(key, tile.noted); }
 
   /// The column of an x, or the row of a y, counted from the origin.
   std::int64_t cell_number(double coordinate_m) const;
@@ -100,8 +129,9 @@ class SeenMap {
   /// From a place to the nearest point of a tile; 0 within it.
   double distance_m(const TileKey& key, const Vec2& place) const;
 
-  State& state() { return state_; }
   const State& state() const { return state_; }
+  /// What was seen is this.
+  void restore(State state);
 
  private:
   struct Place {
@@ -109,6 +139,9 @@ class SeenMap {
     std::size_t column = 0;
     std::size_t row = 0;
   };
+  template <typename Tiles, typename Visit>
+  static void for_each_tile_of(Tiles& tiles, const TileKey& first, const TileKey& last,
+                               Visit&& visit);
   Place place_of(const Vec2& point) const;
   std::int32_t tile_number(double coordinate_m) const;
   template <typename Predicate>
@@ -119,6 +152,8 @@ class SeenMap {
   double cell_m_;
   std::size_t capacity_;
   State state_;
+  TileIndex index_;  // of its tiles
+  TileLog log_;
 };
 
 template <typename Visitor>
@@ -132,6 +167,22 @@ void visit_fields(Visitor& visit, SeenMap::State& s) {
 
 /// Whether no cell has two marks: states come from files, too.
 bool is_valid(const SeenMap::State& state);
+
+template <typename Tiles, typename Visit>
+void SeenMap::for_each_tile_of(Tiles& tiles, const TileKey& first, const TileKey& last,
+                               Visit&& visit) {
+  for (auto at = tiles.lower_bound(first); at != tiles.end() && at->first <= last;) {
+    const TileKey key = at->first;
+    if (key.second < first.second) {
+      at = tiles.lower_bound({key.first, first.second});
+    } else if (key.second > last.second) {
+      at = tiles.lower_bound({key.first + 1, first.second});
+    } else {
+      visit(key, at->second);
+      ++at;
+    }
+  }
+}
 
 template <typename Visit>
 void SeenMap::for_each(Mark mark, const Vec2& least, const Vec2& most, Visit&& visit) const {

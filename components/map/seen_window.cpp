@@ -11,9 +11,10 @@ namespace clew::map {
 namespace {
 
 constexpr double kCellsOfTile = SeenMap::kTileCells;
-constexpr std::size_t kBlockCells = 8;  // along a side
-constexpr std::size_t kBlocksOfTile = SeenMap::kTileCells / kBlockCells;
-constexpr std::int32_t kStripRows = kBlockCells;
+constexpr std::int32_t kStripRows = 8;
+constexpr std::size_t kStripsOfTile = SeenMap::kTileCells / kStripRows;
+// How far roundings move the ends of a row, at most.
+constexpr double kRounding_cells = 1e-3;
 // Numbers farther from the map's origin have too few bits behind the point: 25 km of 25 mm.
 constexpr double kFarthest_cells = 1e6;
 constexpr double kMostReach_cells = 1e4;
@@ -56,33 +57,25 @@ void SeenWindow::lay(SeenMap& seen, const Vec2& place, double reach_m) {
 
 void SeenWindow::find_tiles() {
   tiles_.assign(columns_ * rows_, nullptr);
-  open_.assign(columns_ * rows_ * kBlocksOfTile, 0xFF);
-  auto& tiles = seen_->state().tiles;
-  for (std::size_t column = 0; column < columns_; ++column) {
-    const auto [first_column, first_row] = key_of(column);
-    const std::int32_t end_row = first_row + static_cast<std::int32_t>(rows_);
-    for (auto at = tiles.lower_bound({first_column, first_row});
-         at != tiles.end() && at->first < SeenMap::TileKey(first_column, end_row); ++at) {
-      const auto row = static_cast<std::size_t>(at->first.second - first_row);
-      tiles_[row * columns_ + column] = &at->second;
-      note_open(row * columns_ + column);
-    }
-  }
+  open_.assign(columns_ * rows_ * kStripsOfTile, ~std::uint64_t{0});
+  const SeenMap::TileKey first = key_of(0);
+  seen_->for_each_tile(first, key_of(tiles_.size() - 1),
+                       [&](const SeenMap::TileKey& key, SeenMap::Tile& tile) {
+                         const auto column = static_cast<std::size_t>(key.first - first.first);
+                         const auto row = static_cast<std::size_t>(key.second - first.second);
+                         tiles_[row * columns_ + column] = &tile;
+                         note_open(row * columns_ + column);
+                       });
 }
 
-/// Finds the blocks of a tile that are not all free.
+/// Finds the columns of a tile's strips that are not all free.
 void SeenWindow::note_open(std::size_t tile) {
-  const auto& free = tiles_[tile]->rows[static_cast<std::size_t>(Mark::kFree)];
-  for (std::size_t strip = 0; strip < kBlocksOfTile; ++strip) {
+  const std::uint64_t* free = tiles_[tile]->rows[static_cast<std::size_t>(Mark::kFree)].data();
+  std::uint64_t* open = &open_[tile / columns_ * kStripsOfTile * columns_ + tile % columns_];
+  for (std::size_t strip = 0; strip < kStripsOfTile; ++strip) {
     std::uint64_t all = ~std::uint64_t{0};
-    for (std::size_t i = 0; i < kBlockCells; ++i) all &= free[strip * kBlockCells + i];
-    unsigned open = 0;
-    for (std::size_t i = 0; i < kBlocksOfTile; ++i) {
-      const bool is_free = (all >> (i * kBlockCells) & 0xFF) == 0xFF;
-      open |= (is_free ? 0U : 1U) << i;
-    }
-    const std::size_t line = tile / columns_ * kBlocksOfTile + strip;
-    open_[line * columns_ + tile % columns_] = static_cast<std::uint8_t>(open);
+    for (std::size_t i = 0; i < kStripRows; ++i) all &= free[strip * kStripRows + i];
+    open[strip * columns_] = ~all;
   }
 }
 
@@ -163,8 +156,7 @@ bool SeenWindow::mark_free(const Wedge& wedge, const SeenMap::IsGone& is_gone) {
   return true;
 }
 
-/// Whether the part of a wedge in the strip of blocks from that row on may touch a block that is
-/// not all free.
+/// Whether the part of a wedge in the strip from that row on may hold a cell that is not free.
 bool SeenWindow::touches_open(const Sides& sides, const Box& box, std::int32_t strip) const {
   const double low = std::max<double>(strip, box.least.y()) - place_.y();
   const double high = std::min<double>(strip + kStripRows, box.most.y()) - place_.y();
@@ -182,19 +174,20 @@ bool SeenWindow::touches_open(const Sides& sides, const Box& box, std::int32_t s
   bound(sides.right, !sides.right_is_up);
   bound(sides.left, sides.left_is_up);
   if (from > to) return false;
-  // A cell more to each side, for roundings.
-  const auto first = static_cast<std::size_t>(place_.x() + from - 1.0) / kBlockCells;
-  const auto last = static_cast<std::size_t>(place_.x() + to + 1.0) / kBlockCells;
-  const std::uint8_t* open = &open_[static_cast<std::size_t>(strip) / kBlockCells * columns_];
-  const std::size_t first_tile = first / kBlocksOfTile;
-  const std::size_t last_tile = last / kBlocksOfTile;
-  unsigned found = 0;
-  for (std::size_t tile = first_tile; tile <= last_tile; ++tile) {
-    unsigned asked = 0xFF;
-    if (tile == first_tile) asked &= 0xFFU << first % kBlocksOfTile;
-    if (tile == last_tile) asked &= 0xFFU >> (kBlocksOfTile - 1 - last % kBlocksOfTile);
-    found |= open[tile] & asked;
+  // A cell is held if both its sides are.
+  const auto first = static_cast<std::size_t>(place_.x() + from - kRounding_cells) + 1;
+  const auto end = static_cast<std::size_t>(place_.x() + to + kRounding_cells);
+  if (first >= end) return false;
+  constexpr std::size_t kCells = SeenMap::kTileCells;
+  const std::uint64_t* open = &open_[static_cast<std::size_t>(strip / kStripRows) * columns_];
+  const std::size_t last = end - 1;
+  const std::uint64_t from_first = ~std::uint64_t{0} << first % kCells;
+  const std::uint64_t to_last = ~std::uint64_t{0} >> (kCells - 1 - last % kCells);
+  if (first / kCells == last / kCells) {
+    return (open[first / kCells] & from_first & to_last) != 0;
   }
+  std::uint64_t found = (open[first / kCells] & from_first) | (open[last / kCells] & to_last);
+  for (std::size_t tile = first / kCells + 1; tile < last / kCells; ++tile) found |= open[tile];
   return found != 0;
 }
 
@@ -270,7 +263,10 @@ bool SeenWindow::is(Mark mark, const Cell& cell) const {
 void SeenWindow::mark_obstacle(Mark mark, const Cell& cell) {
   SeenMap::Tile*& tile = tiles_[index_of(cell)];
   if (tile == nullptr) tile = seen_->tile_at(key_of(index_of(cell)));
-  if (tile != nullptr) tile->mark_obstacle(mark, line_of(cell.row), line_of(cell.column));
+  if (tile == nullptr) return;
+  if (tile->mark_obstacle(mark, line_of(cell.row), line_of(cell.column))) {
+    seen_->note(key_of(index_of(cell)), *tile);
+  }
 }
 
 SeenMap::TileKey SeenWindow::key_of(std::size_t index) const {

@@ -25,9 +25,9 @@ struct Wedge {
 /// is not decided here: the caller is told so, and asks SeenMap. What is decided is what SeenMap
 /// would have decided.
 ///
-/// Most of what a scan shows free was known to be so. Blocks of 8 by 8 cells that are all free are
-/// found once, when the window is laid, and a wedge is cut into rows only where it may touch a
-/// block that is not. So what is free is marked before obstacles are.
+/// Most of what a scan shows free was known to be so. Where columns are all free over eight rows is
+/// found once, when the window is laid, and a wedge is cut into rows only where it may hold a cell
+/// of one that is not. So what is free is marked before obstacles are.
 class SeenWindow {
  public:
   /// A cell, counted from the window's corner.
@@ -105,9 +105,9 @@ class SeenWindow {
   std::size_t columns_ = 0;
   std::size_t rows_ = 0;
   std::vector<SeenMap::Tile*> tiles_;  // by row and column; null if there is none
-  // By strip of blocks, from below, and by column of tiles: bit i is set if block i from the left
-  // was not all free.
-  std::vector<std::uint8_t> open_;
+  // By strip of eight rows, from below, and by column of tiles: bit i is set if not all cells of
+  // column i are free there.
+  std::vector<std::uint64_t> open_;
 };
 
 }  // namespace clew::map

@@ -28,10 +28,7 @@ double straight_cost_m(const Costmap& costs, const Vec2& from, const Vec2& to, d
     return Cell{static_cast<std::int32_t>(first.x() + i * piece.x()),
                 static_cast<std::int32_t>(first.y() + i * piece.y())};
   };
-  const auto index_at = [&](double i) {
-    const Cell cell = cell_at(i);
-    return cell.row * grid.columns + cell.column;  // at most 2^24 cells
-  };
+  const auto index_at = [&](double i) { return grid.index(cell_at(i)); };
   // Costs are multiples of 2^-23 and few, so their sums are exact, whatever the order.
   double sum = 0.0;
   double i = 0.0;

@@ -61,6 +61,8 @@ class NeuralMapPlanner final : public Planner {
 
  private:
   void tell_landscape(const core::Vec2& robot, domain::Inside& inside) const;
+  void draw_landscape(domain::Picture& picture) const;
+  double most_active_of(const map::Cell& first, std::int32_t side) const;
   NeuralMapPlanner(const Parameters& parameters, map::NeuralMap landscape,
                    const domain::BehaviourSetup& setup)
       : parameters_(parameters),

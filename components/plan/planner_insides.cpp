@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "domain/words.hpp"
 #include "map/lattice.hpp"
@@ -12,6 +15,10 @@ namespace {
 
 // What is told of the landscape: as many neurons on each side of the robot.
 constexpr std::int32_t kReach = 32;
+// What is drawn of it: all, in as many blocks a side at most.
+constexpr std::int32_t kMostBlocks = 64;
+// In a larger map only what is not farther from the target than the robot: it takes longer.
+constexpr std::size_t kMostWhole = 256 * 256;
 
 const char* say_room(map::Clearance room) {
   switch (room) {
@@ -80,6 +87,11 @@ void NeuralMapPlanner::tell(const Situation& situation, domain::Inside& inside) 
   NeuralMapPlanner now = *this;
   now.plan(situation);
   now.tell_landscape(robot, inside);
+  // The path needs no activation beyond the robot's.
+  if (now.units_.size() <= kMostWhole) {
+    now.landscape_.evolve(now.units_, now.passable_, now.target_units(situation));
+  }
+  now.draw_landscape(inside.picture);
   if (state_.path.empty()) {
     inside.say("Activation does not reach the robot, so no path is known.");
     return;
@@ -112,6 +124,49 @@ void NeuralMapPlanner::tell_landscape(const core::Vec2& robot, domain::Inside& i
   }
   activation.marked = activation.values.size() / 2;
   inside.values.grid("log_activation", std::move(activation));
+}
+
+/// The whole landscape, as the paper's figure 2 has it. A block of neurons is as bright as the most
+/// active of them; what is not active is not drawn.
+void NeuralMapPlanner::draw_landscape(domain::Picture& picture) const {
+  const std::int32_t across = std::max(units_.columns, units_.rows);
+  const std::int32_t side = std::max(1, (across + kMostBlocks - 1) / kMostBlocks);
+  const double column_m = side * units_.cell_m;
+  const double row_m = column_m * map::row_distance(parameters_.lattice);
+  domain::PictureLayer activation{
+      "activation of the map", domain::PictureLayer::Kind::kValues, {}, {}};
+  double least = std::numeric_limits<double>::max();
+  double most = std::numeric_limits<double>::lowest();
+  for (std::int32_t row = 0; row * side < units_.rows; ++row) {
+    for (std::int32_t column = 0; column * side < units_.columns; ++column) {
+      const double log = most_active_of({column * side, row * side}, side);
+      if (!std::isfinite(log)) continue;
+      least = std::min(least, log);
+      most = std::max(most, log);
+      const core::Vec2 from = units_.corner + core::Vec2(column * column_m, row * row_m);
+      const core::Vec2 to = from + core::Vec2(column_m, row_m);
+      activation.cells.push_back(
+          {{from, core::Vec2(to.x(), from.y()), to, core::Vec2(from.x(), to.y())}, log});
+    }
+  }
+  for (domain::PictureCell& cell : activation.cells) {
+    cell.value = most > least ? (cell.value - least) / (most - least) : 1.0;
+  }
+  if (!activation.cells.empty()) picture.layers.push_back(std::move(activation));
+}
+
+/// The logarithm of the greatest activation in a block that begins with this cell; infinitely
+/// little if nothing there is active.
+double NeuralMapPlanner::most_active_of(const map::Cell& first, std::int32_t side) const {
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::int32_t row = first.row; row < std::min(first.row + side, units_.rows); ++row) {
+    for (std::int32_t column = first.column; column < std::min(first.column + side, units_.columns);
+         ++column) {
+      const double log = landscape_.log_activation({column, row});
+      if (std::isfinite(log)) most = std::max(most, log);
+    }
+  }
+  return most;
 }
 
 }  // namespace clew::plan

@@ -159,18 +159,22 @@ void trip(benchmark::State& state, const char* world_name) {
   state.counters["path_m"] = path_m;
 }
 
-// In a world so wide that was seen whole.
+// In a world so wide that was seen whole. The first tick takes in all of it at once, as after a
+// load; it is told apart.
 void remembered_map_seen_whole(benchmark::State& state) {
   const auto side_m = static_cast<int>(state.range(0));
   const world::World world = field_of_pillars(side_m);
   const map::SeenMap::State seen = seen_whole(side_m);
   std::vector<double> times_us;
   double path_m = 0.0;
+  double first_us = 0.0;
   for (auto _ : state) {
     const auto trip_us = times_of_trip_us<RememberedMap>(world, path_m, seen);
-    times_us.insert(times_us.end(), trip_us.begin(), trip_us.end());
+    first_us = trip_us.front();
+    times_us.insert(times_us.end(), trip_us.begin() + 1, trip_us.end());
   }
   count(state, times_us);
+  state.counters["first_us"] = first_us;
 }
 
 // The first 100 ticks towards a target so far away, where nothing is.

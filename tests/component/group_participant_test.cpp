@@ -30,13 +30,14 @@ EndpointSpec spec(const std::string& topic, const std::string& stage) {
   return {topic, "clew::msg::Type", data_of(stage), 8};
 }
 
-/// Keeps what comes, and who wrote it; hands it on if told to.
+/// Keeps the first samples that come, and who wrote the last; hands all on if told to.
 class Inbox : public SampleListener {
  public:
   void on_sample(std::string_view cdr, const RemoteEndpoint* writer) override {
     if (next_ != nullptr) next_->write(cdr);
     const std::lock_guard lock(mutex_);
-    samples_.emplace_back(cdr);
+    ++count_;
+    if (samples_.size() < kMostSamples) samples_.emplace_back(cdr);
     writer_ = *writer;
     changed_.notify_all();
   }
@@ -47,16 +48,24 @@ class Inbox : public SampleListener {
     changed_.wait_for(lock, std::chrono::seconds(20), [&] { return samples_.size() >= count; });
     return samples_;
   }
+  /// How many have come.
+  std::size_t count() {
+    const std::lock_guard lock(mutex_);
+    return count_;
+  }
   RemoteEndpoint writer() {
     const std::lock_guard lock(mutex_);
     return writer_;
   }
 
  private:
+  static constexpr std::size_t kMostSamples = 1000;  // of a loop that goes on and on
+
   SampleWriter* next_ = nullptr;
   std::mutex mutex_;
   std::condition_variable changed_;
   Texts samples_;
+  std::size_t count_ = 0;
   RemoteEndpoint writer_;
 };
 
@@ -156,27 +165,55 @@ TEST_F(Group, DeliversNothingThatTheWireHasNotTaken) {
   EXPECT_EQ(inbox_.wait_for(2), (Texts{"one", "two"}));
 }
 
-TEST(GroupLoop, GoesAroundWithoutWaitingForItself) {
-  const std::vector<ExpectedEndpoint> expected = {{"scan", true, "sense", false},
-                                                  {"command", true, "control", false}};
-  StartBarrier barrier("group", expected, {[] {}, [](const auto&) {}, [](const auto&) {}});
-  GroupParticipant group(std::make_unique<FakeParticipant>(), {"sense", "control"}, expected,
-                         barrier);
-  Inbox control;
-  Inbox sense;
-  const auto scan = std::move(group.create_writer(spec("scan", "sense"))).value();
-  const auto command = std::move(group.create_writer(spec("command", "control"))).value();
-  const auto reads_scan = std::move(group.create_reader(spec("scan", "control"), control)).value();
-  const auto reads_command =
-      std::move(group.create_reader(spec("command", "sense"), sense)).value();
-  control.hand_on_to(*command);
-  sense.hand_on_to(*scan);
-  group.start();
+/// A process in which what sense writes comes back to it, again and again.
+class GroupLoop : public testing::Test {
+ protected:
+  GroupLoop() {
+    control_.hand_on_to(*command_);
+    sense_.hand_on_to(*scan_);
+    group_.start();
+    scan_->write("round");
+  }
+  std::unique_ptr<SampleWriter> writer(const std::string& topic, const std::string& stage) {
+    return std::move(group_.create_writer(spec(topic, stage))).value();
+  }
+  std::unique_ptr<SampleReader> reader(const std::string& topic, const std::string& stage,
+                                       SampleListener& listener) {
+    return std::move(group_.create_reader(spec(topic, stage), listener)).value();
+  }
 
-  scan->write("round");
+  const std::vector<ExpectedEndpoint> expected_ = {{"scan", true, "sense", false},
+                                                   {"command", true, "control", false}};
+  StartBarrier barrier_{"group", expected_, {[] {}, [](const auto&) {}, [](const auto&) {}}};
+  GroupParticipant group_{
+      std::make_unique<FakeParticipant>(), {"sense", "control"}, expected_, barrier_};
+  Inbox control_;
+  Inbox sense_;
+  std::unique_ptr<SampleWriter> scan_ = writer("scan", "sense");
+  std::unique_ptr<SampleWriter> command_ = writer("command", "control");
+  std::unique_ptr<SampleReader> reads_scan_ = reader("scan", "control", control_);
+  std::unique_ptr<SampleReader> reads_command_ = reader("command", "sense", sense_);
+};
 
-  EXPECT_EQ(control.wait_for(100)[99], "round");
-  EXPECT_GE(sense.wait_for(99).size(), 99u);
+TEST_F(GroupLoop, GoesAroundWithoutWaitingForItself) {
+  EXPECT_EQ(control_.wait_for(100).at(99), "round");
+  EXPECT_GE(sense_.wait_for(99).size(), 99u);
+}
+
+// There is always a sample to deliver: who removes a reader must not have to wait for a pause.
+TEST_F(GroupLoop, LetsReadersComeAndGoWhileItGoesAround) {
+  for (int i = 0; i < 200; ++i) {
+    Inbox passing;
+    const auto reads = reader("scan", "control", passing);
+    ASSERT_FALSE(passing.wait_for(1).empty()) << i;
+  }
+  reads_command_.reset();
+  const std::size_t samples = sense_.count();
+
+  command_->write("one more");
+  reads_scan_.reset();
+
+  EXPECT_EQ(sense_.count(), samples);
 }
 
 TEST_F(Group, DeliversNothingToAReaderThatIsGone) {

@@ -177,6 +177,37 @@ TEST_F(ControlComponentTest, AReactionTakesThePlaceOfTheFinalApproach) {
   EXPECT_EQ(controller_->calls, 0);
 }
 
+TEST_F(ControlComponentTest, TheTurnToTheMissionsHeadingTakesThePlaceOfTheController) {
+  guidance().target_x_m = 0.1;
+  guidance().target_radius_m = 0.3;
+  guidance().target_has_heading = true;
+  guidance().target_heading_rad = 1.0;
+  guidance().target_heading_tolerance_rad = 0.1;
+
+  const domain::Motion motion = step();
+
+  EXPECT_EQ(motion.turn_rad, 1.0);
+  EXPECT_EQ(motion.step_m, 0.0);
+  EXPECT_EQ(controller_->calls, 0);
+}
+
+TEST_F(ControlComponentTest, TheFinalApproachTakesThePlaceOfTheControllerUntilTheGuardHoldsIt) {
+  guidance().target_x_m = 1.0;
+  EXPECT_GT(step().step_m, 0.0);
+  EXPECT_EQ(controller_->calls, 0);
+
+  // The robot touches something ahead that its sensor does not see.
+  std::get<domain::Odometry>(messages_).contact_bearings_rad.push_back(0.0);
+  EXPECT_EQ(step().step_m, 0.0);
+  EXPECT_EQ(controller_->calls, 1);
+
+  // The controller steers on here, though nothing is felt any more.
+  std::get<domain::Odometry>(messages_).contact_bearings_rad.clear();
+  std::get<domain::Odometry>(messages_).travel_m = 0.01;
+  step();
+  EXPECT_EQ(controller_->calls, 2);
+}
+
 TEST_F(ControlComponentTest, WhatAReactionLetsPassIsDone) {
   make_shy();
   std::get<domain::Landmark>(messages_).recognitions.clear();

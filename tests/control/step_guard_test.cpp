@@ -246,6 +246,23 @@ TEST(StepGuard, LooksWhereTheDriveCanTurnWithinTheTick) {
   EXPECT_LT(motion.speed_mps, 0.2);
 }
 
+TEST(StepGuard, KeepsAsManyContactsAsItHasRoomFor) {
+  StepGuard guarded = guard();
+  domain::Odometry odometry = odometry_at(1.0);
+  for (std::size_t i = 0; i < domain::kMaxContacts; ++i) {
+    odometry.contact_bearings_rad.push_back(radians(180.0));
+  }
+  guarded.limit(motion_of(0, 0.15), odometry, free_scan());
+  odometry.contact_bearings_rad.clear();
+  odometry.contact_bearings_rad.push_back(0.0);
+
+  // What is ahead came last, and finds no room until the robot has moved.
+  EXPECT_EQ(guarded.limit(motion_of(0, 0.15), odometry, free_scan()).step_m, 0.15);
+  EXPECT_EQ(guarded.state().contacts_odom_rad.size(), domain::kMaxContacts);
+  odometry.travel_m = 1.01;
+  EXPECT_EQ(guarded.limit(motion_of(0, 0.15), odometry, free_scan()).step_m, 0.0);
+}
+
 TEST(StepGuard, TakesAReadingAtTheSensorsLeastAsContact) {
   domain::Scan scan = scan_with(3, 0.10);
   scan.range_min_m = 0.10;

@@ -47,6 +47,21 @@ TEST(ActuatedDrive, StopsAtOnceWithLagWhenItIsToldToStop) {
   EXPECT_EQ(run.step(ahead(0.1), false).path_length_m, before_m);
 }
 
+TEST(ActuatedDrive, HasWheelsAtRestWhereTheSafetyLayerHasStoppedIt) {
+  ActuatorParameters actuators;
+  actuators.lag_s = 0.3;
+  // 0.15 m of robot and a margin of 5 mm leave 1 mm.
+  DriveRun run("walls: [[5.156, 0, 5.156, 20]]", true, 100, {}, {}, std::nullopt, actuators);
+  run.start();
+  EXPECT_EQ(run.step(ahead(0.1)).safety_stops, 1u);
+  Motion about = ahead(0.0);
+  about.turn_rad = core::kPi;
+  const double stood_m = run.step(about).path_length_m;
+
+  // They get going from rest; without the stop the way before would go on for a while.
+  EXPECT_NEAR(stood_m, 0.001, 1e-6);
+}
+
 TEST(ActuatedDrive, GoesLessFarThanItsWheelsWhenTheySlip) {
   ActuatorParameters actuators;
   actuators.slip.m_per_m = 0.25;

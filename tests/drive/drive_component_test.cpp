@@ -147,6 +147,74 @@ TEST(DriveComponent, TellsWhyTheRobotRests) {
       << waiting.told(true);
 }
 
+TEST(DriveComponent, TellsOfItsMissionAndWhatTheTickCameTo) {
+  DriveRun run("walls: [[5.25, 0, 5.25, 20]]\nwaypoints: [[5.1, 5, 0.01], [5, 7]]");
+  run.start();
+  EXPECT_NE(run.told(false).find("The robot stands at its start."), std::string::npos);
+  EXPECT_NE(run.told(false).find("The mission's way-point 1 of 3 is 0.10 m away."),
+            std::string::npos)
+      << run.told(false);
+  run.step(ahead(0.15));
+  EXPECT_NE(run.told(true).find("Something was in the way and cut the motion short."),
+            std::string::npos)
+      << run.told(true);
+  EXPECT_EQ(run.told(true).find("A moving obstacle"), std::string::npos);
+
+  DriveRun alone;
+  alone.start();
+  alone.step(ahead(0.1));
+  EXPECT_NE(alone.told(true).find("The mission's target is 0.90 m away."), std::string::npos)
+      << alone.told(true);
+  EXPECT_EQ(alone.told(true).find("in the way"), std::string::npos);
+}
+
+TEST(DriveComponent, TellsOfAnObstacleThatRunsIntoIt) {
+  // A disc of 0.1 m comes at 1 m/s from 0.5 m ahead: after a tick of 0.3 s it is at 0.2 m.
+  DriveRun run(
+      "moving: [{circle: [5.5, 5, 0.1], path: [[0, 5.5, 5], [0.5, 5, 5]], loop: false}]\n");
+  run.start();
+  const domain::State& state = run.step({});
+
+  EXPECT_EQ(state.hit_by, 1u);
+  EXPECT_NE(run.told(true).find("A moving obstacle ran into it."), std::string::npos)
+      << run.told(true);
+}
+
+TEST(DriveComponent, TellsHowFarItsOdometryIsOff) {
+  DriftParameters drift;
+  drift.m_per_m = 0.1;
+  DriveRun run("", true, 100, drift);
+  run.start();
+  run.step(ahead(0.1));
+
+  EXPECT_NE(run.told(true).find("Its odometry is 0.01 m and 0"), std::string::npos)
+      << run.told(true);
+}
+
+TEST(DriveComponent, RefusesAStateOfOdometryThatIsNone) {
+  DriftParameters drift;
+  drift.rad_per_sqrt_m = 0.1;
+  DriveRun run("", true, 100, drift);
+  run.start();
+  run.step(ahead(0.1));
+  const std::string saved = run.saved();
+  ASSERT_EQ(run.fault_of(saved), "");
+  const double variance_rad2 = std::get<domain::Odometry>(run.messages()).covariance.heading_rad2;
+  const std::string bytes(reinterpret_cast<const char*>(&variance_rad2), sizeof(double));
+  const std::size_t at = saved.find(bytes);
+  ASSERT_GT(variance_rad2, 0.0);
+  ASSERT_NE(at, std::string::npos);
+  const double negative = -1.0;
+  std::string none = saved;
+  none.replace(at, sizeof(double), reinterpret_cast<const char*>(&negative), sizeof(double));
+
+  EXPECT_NE(run.fault_of(none).find("a covariance of the odometry is none"), std::string::npos)
+      << run.fault_of(none);
+  // It goes on as if it had counted nothing.
+  run.step(ahead(0.1));
+  EXPECT_NEAR(std::get<domain::Odometry>(run.messages()).travel_m, 0.1, 1e-12);
+}
+
 TEST(DriveComponent, ReachesTheTargetWithinItsRadiusAtTheEndOfATick) {
   DriveRun run;
   run.start();

@@ -2,12 +2,14 @@
 #include "hosts/hosted_component.hpp"
 
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "connected_ends.hpp"
 #include "run/limits.hpp"
@@ -72,9 +74,17 @@ class Hosted : public testing::Test {
   }
 
   HostedComponent::Time now() const { return Clock::now() + later_; }
+  /// Until a line has something to take or to give. A program that has ended or left a file behind
+  /// shows on no line: for that it looks again after a moment.
+  void wait_for_news() const {
+    std::vector<pollfd> lines;
+    component_->add_descriptors(lines);
+    if (!relay_->is_closed()) lines.push_back({relay_->socket(), relay_->poll_events(), 0});
+    ::poll(lines.data(), lines.size(), kLookAgain_ms);
+  }
   void turn() {
     component_->turn(now());
-    ::usleep(1000);
+    wait_for_news();
     relay_->turn(now());
     while (auto frame = relay_->next()) {
       if (frame->type != frame_type(HostFrame::kBeat)) last_ = std::move(frame);
@@ -93,6 +103,7 @@ class Hosted : public testing::Test {
   }
 
   static constexpr int kDomain = 7;
+  static constexpr int kLookAgain_ms = 5;
   TemporaryKeys keys_;
   TlsContextPtr robot_ = context_of(keys_, "robot", HostRole::kHost);
   TlsContextPtr desk_ = context_of(keys_, "desk", HostRole::kRunner);

@@ -42,10 +42,10 @@ TEST(Bisect, FindsTheOneOfManySettingsThatMakesTheRunFail) {
 
   EXPECT_EQ(end.outcome_a, "reached");
   EXPECT_EQ(end.outcome_b, "timeout");
-  EXPECT_EQ(end.settings.size(), 4u);
+  EXPECT_EQ(end.differences.size(), 4u);
   ASSERT_EQ(end.cause.size(), 1u);
-  EXPECT_EQ(end.settings[end.cause[0]].name, "recover.detector");
-  EXPECT_TRUE(end.settings[end.cause[0]].changes_verdict);
+  EXPECT_EQ(end.differences[end.cause[0]].name, "recover.detector");
+  EXPECT_TRUE(end.differences[end.cause[0]].changes_verdict);
 }
 
 TEST(Bisect, SortsSettingsByTheTickAtWhichTheyMatter) {
@@ -54,14 +54,14 @@ TEST(Bisect, SortsSettingsByTheTickAtWhichTheyMatter) {
   const BisectEnd end = bisected(
       side({}), side({"classify.capacity=64", "control.guard_margin_m=0.4", "sense.range_m=1.4"}));
 
-  ASSERT_EQ(end.settings.size(), 3u);
-  EXPECT_EQ(end.settings[0].name, "sense.range_m");
-  ASSERT_TRUE(end.settings[0].first.has_value());
-  EXPECT_EQ(end.settings[0].first->topic, domain::Topic::kScan);
-  EXPECT_EQ(end.settings[1].name, "control.guard_margin_m");
-  ASSERT_TRUE(end.settings[1].first.has_value());
-  EXPECT_GT(end.settings[1].first->tick, end.settings[0].first->tick);
-  EXPECT_FALSE(end.settings[2].first.has_value());
+  ASSERT_EQ(end.differences.size(), 3u);
+  EXPECT_EQ(end.differences[0].name, "sense.range_m");
+  ASSERT_TRUE(end.differences[0].first.has_value());
+  EXPECT_EQ(end.differences[0].first->topic, domain::Topic::kScan);
+  EXPECT_EQ(end.differences[1].name, "control.guard_margin_m");
+  ASSERT_TRUE(end.differences[1].first.has_value());
+  EXPECT_GT(end.differences[1].first->tick, end.differences[0].first->tick);
+  EXPECT_FALSE(end.differences[2].first.has_value());
 }
 
 TEST(Bisect, TakesFilesAndPropertiesAsWell) {
@@ -74,13 +74,13 @@ TEST(Bisect, TakesFilesAndPropertiesAsWell) {
 
   EXPECT_TRUE(end.verdicts_differ);
   ASSERT_EQ(end.cause.size(), 1u);
-  EXPECT_EQ(end.settings[end.cause[0]].name, "world.yaml");
+  EXPECT_EQ(end.differences[end.cause[0]].name, "world.yaml");
 }
 
 TEST(Bisect, OfARunWithItselfFindsNothing) {
   const BisectEnd end = bisected(side({}), side({}));
 
-  EXPECT_TRUE(end.settings.empty());
+  EXPECT_TRUE(end.differences.empty());
   EXPECT_FALSE(end.verdicts_differ);
   EXPECT_TRUE(end.cause.empty());
 }

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
+
+#include "map/distance_path.hpp"
 
 namespace clew::map {
 namespace {
@@ -88,7 +91,7 @@ void wander(std::uint64_t seed, double reach_m) {
   int plain = 0;
   for (int step = 0; step < 60; ++step) {
     if (step % 20 == 19) target = sights.place_near(robot, 6.0);
-    if (step == 40) seen.state() = {};
+    if (step == 40) seen.restore({});
     robot = sights.place_near(robot, 0.6);
     sights.look(robot, seen);
 
@@ -140,6 +143,70 @@ TEST(CostmapBuilder, LeavesOutWhatMakesTheGridTooLarge) {
     wide.mark_hit(far);
     expect_same(builder.update(wide, {0.0, 0.0}, {2.0, 0.0}, kMargin_m), expected, 0);
   }
+}
+
+/// Costs in a ring by row and column, as a grid without one holds them.
+Costmap in_rows(const Costmap& ring) {
+  Costmap costs;
+  const Grid& grid = ring.grid;
+  costs.grid = {grid.corner, grid.cell_m, grid.columns, grid.rows};
+  for (std::size_t i = 0; i < costs.grid.size(); ++i) {
+    const std::size_t place = grid.index(costs.grid.cell(i));
+    costs.cost.push_back(ring.cost[place]);
+    costs.clearance.push_back(ring.clearance[place]);
+  }
+  return costs;
+}
+
+/// A robot that goes far, and turns back, with the grid of its surroundings in a ring: costs, plain
+/// blocks and paths are those of a new builder, search and rows. Returns how many paths there were,
+/// and how often the grid moved on.
+std::pair<int, int> go_far(std::uint64_t seed, double reach_m) {
+  RandomSights sights(seed);
+  SeenMap seen(kCell_m, 4000);
+  CostmapBuilder ring(inflation(), kCell_m, CostmapBuilder::Places::kInRing);
+  DistancePath repaired;
+  Vec2 robot(0.3, 0.2);
+  Vec2 ahead(0.8, 0.3);
+  Vec2 target(9.0, 4.0);
+  int paths = 0;
+  int moves = 0;
+  Grid before;
+  for (int step = 0; step < 60; ++step) {
+    if (step % 20 == 19) {
+      ahead = sights.place_near({0.0, 0.0}, 0.8);
+      target = robot + 8.0 * ahead;
+    }
+    if (step == 45) seen.restore(SeenMap::State(seen.state()));
+    robot += ahead;
+    if (step % 3 != 1) seen.begin_round();
+    sights.look(robot, seen);
+    const Costmap& found = ring.update(seen, robot, target, kMargin_m, reach_m);
+    moves += shares_places(before, found.grid) && before != found.grid ? 1 : 0;
+    before = found.grid;
+    CostmapBuilder anew(inflation(), kCell_m);
+    const Costmap& expected = anew.update(seen, robot, target, kMargin_m, reach_m);
+    expect_same(in_rows(found), expected, step);
+    if (step % 6 == 0) expect_plain_where_all_cost_1(found, step);
+    DistancePath fresh;
+    const auto& path = repaired.find(found, robot, target, 0.2);
+    EXPECT_EQ(path, fresh.find(expected, robot, target, 0.2)) << seed << ' ' << step;
+    paths += path.empty() ? 0 : 1;
+    ring.overrule(found.grid.index({step, step}), Costmap::kBlocked, Clearance::kNone);
+  }
+  return {paths, moves};
+}
+
+TEST(CostmapBuilder, FollowsARobotThatGoesFarInARing) {
+  int paths = 0;
+  int moves = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const auto [some_paths, some_moves] = go_far(seed, seed % 2 == 0 ? 4.0 : 40.0);
+    paths += some_paths;
+    moves += some_moves;
+  }
+  EXPECT_GT(paths, 60);
+  EXPECT_GT(moves, 60);
 }
 
 /// Every hit within reach, looked at one by one.

@@ -111,13 +111,48 @@ TEST(SeenMap, GoesOnAfterSavingAndLoading) {
   SeenMap loaded(kCell_m, 100);
 
   core::StateReader reader(writer.bytes());
-  reader(loaded.state());
+  SeenMap::State state;
+  reader(state);
+  loaded.restore(std::move(state));
 
   EXPECT_TRUE(reader.complete());
   core::StateWriter again;
   again(loaded.state());
   EXPECT_EQ(again.bytes(), writer.bytes());
   EXPECT_TRUE(loaded.is(Mark::kFree, {1, 1}));
+}
+
+/// Tiles here and there; the box is that of those near enough, looked at one by one.
+TEST(SeenMap, FindsTheBoxOfTheTilesWithinReach) {
+  SeenMap seen(kCell_m, 1000);
+  const double tile_m = seen.tile_m();
+  for (int i = 0; i < 60; ++i) {
+    seen.mark_hit({tile_m * (i * 37 % 41 - 20.0 + 0.5), tile_m * (i * 23 % 43 - 21.0 + 0.5)});
+  }
+  int found = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vec2 place(tile_m * (i * 7 % 30 - 15.0 + 0.01 * i), tile_m * (i * 11 % 30 - 15.0));
+    const double reach_m = i % 30 == 7 ? 1e4 : tile_m * (0.5 + i % 23);
+    std::optional<SeenMap::Box> expected;
+    for (const auto& entry : seen.state().tiles) {
+      const SeenMap::TileKey& key = entry.first;
+      if (seen.distance_m(key, place) > reach_m) continue;
+      if (!expected) expected = SeenMap::Box{key, key};
+      auto& [least, most] = *expected;
+      least = {std::min(least.first, key.first), std::min(least.second, key.second)};
+      most = {std::max(most.first, key.first), std::max(most.second, key.second)};
+    }
+
+    const auto box = seen.box_within(place, reach_m);
+
+    ASSERT_EQ(box.has_value(), expected.has_value()) << i;
+    if (!box) continue;
+    ++found;
+    EXPECT_EQ(box->least, expected->least) << i;
+    EXPECT_EQ(box->most, expected->most) << i;
+  }
+  EXPECT_GT(found, 200);
+  EXPECT_LT(found, 300);
 }
 
 }  // namespace

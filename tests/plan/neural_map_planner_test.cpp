@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 
 #include "core/segment.hpp"
@@ -43,6 +46,19 @@ class Room {
     odometry.stamp.tick = tick_++;
     odometry.pose_odom_robot = {robot.x(), robot.y(), 0.0};
     return planner.step({odometry, *map_, world_->target(), world_->target_radius_m(), {}});
+  }
+  /// What is drawn with the robot at `robot`: the layer of this name, if there is one.
+  std::optional<domain::PictureLayer> draw(const core::Vec2& robot, const std::string& name) {
+    step(robot);
+    domain::Odometry odometry;
+    odometry.stamp.tick = tick_;
+    odometry.pose_odom_robot = {robot.x(), robot.y(), 0.0};
+    domain::Inside inside;
+    planner_->tell({odometry, *map_, world_->target(), world_->target_radius_m(), {}}, inside);
+    for (const domain::PictureLayer& layer : inside.picture.layers) {
+      if (layer.name == name) return layer;
+    }
+    return std::nullopt;
   }
   /// Goes straight from subgoal to subgoal, and says how many there were on the way to the target.
   int walk() {
@@ -216,6 +232,47 @@ TEST(NeuralMapPlanner, DoesNotTakeMovingObstaclesForStandingOnes) {
   const Subgoal subgoal = room.step({1.0, 2.0});
 
   EXPECT_NEAR(subgoal.place.y(), 2.0, 0.05);
+}
+
+TEST(NeuralMapPlanner, DrawsTheWholeLandscapeBrightestAtTheTarget) {
+  Room room("walls: [[3, 0, 3, 3]]");
+
+  const auto landscape = room.draw({1.0, 2.0}, "activation of the map");
+
+  // 120 x 80 neurons of 0.05 m: blocks of two on each side.
+  ASSERT_TRUE(landscape.has_value());
+  const auto middle_of = [](const domain::PictureCell& cell) {
+    return core::Vec2(0.5 * (cell.corners_odom[0] + cell.corners_odom[2]));
+  };
+  const auto& cells = landscape->cells;
+  ASSERT_GT(cells.size(), 1500u);
+  ASSERT_LE(cells.size(), 60u * 40u);
+  const auto [least, most] = std::minmax_element(
+      cells.begin(), cells.end(),
+      [](const domain::PictureCell& a, const domain::PictureCell& b) { return a.value < b.value; });
+  EXPECT_EQ(least->value, 0.0);
+  EXPECT_EQ(most->value, 1.0);
+  EXPECT_LT(core::length(middle_of(*most) - core::Vec2(5.0, 2.0)), 0.2);
+  // The way to the corner behind the wall is the longest.
+  EXPECT_LT(middle_of(*least).x(), 3.0);
+  EXPECT_LT(middle_of(*least).y(), 1.0);
+  for (const domain::PictureCell& cell : cells) {
+    EXPECT_NEAR(core::length(cell.corners_odom[0] - cell.corners_odom[2]), 0.1 * std::sqrt(2.0),
+                1e-9);
+    // No neuron is active where the robot does not fit: the wall and 0.15 m beside it.
+    const core::Vec2 middle = middle_of(cell);
+    EXPECT_FALSE(middle.y() < 2.9 && std::fabs(middle.x() - 3.0) < 0.06) << middle.transpose();
+  }
+}
+
+TEST(NeuralMapPlanner, DrawsNoLandscapeWhereNothingIsActive) {
+  Room room("walls: [[3, 0, 3, 4]]");
+  const auto landscape = room.draw({1.0, 2.0}, "activation of the map");
+  // Only the target's side is.
+  ASSERT_TRUE(landscape.has_value());
+  for (const domain::PictureCell& cell : landscape->cells) {
+    EXPECT_GT(cell.corners_odom[1].x(), 3.0);
+  }
 }
 
 TEST(NeuralMapPlanner, GoesOnFromASavedState) {

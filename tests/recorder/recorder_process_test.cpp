@@ -90,6 +90,10 @@ TEST_F(RecorderProcess, RecordsWhatTheRunSendsAndSaysHowItWent) {
   assign(order_at(path_));
   send(quiet_ticks(0, 40));
   send(spooled(domain::Incident{7, "refused", "sense", "a sample of tick 7 was refused"}));
+  send(spooled(domain::Intervention{9, 9, {"goal=1,2"}, {}, {}}));
+  std::string state;
+  append_to_spool(SpooledState{"drive", 64, "of drive"}, state);
+  send(state);  // only a black box keeps it
   send(quiet_ticks(40, 80));
   link_->post(FrameType::kRecordingEnd, Text{""});
 
@@ -103,6 +107,8 @@ TEST_F(RecorderProcess, RecordsWhatTheRunSendsAndSaysHowItWent) {
   EXPECT_EQ(last_tick(*recording), 79U);
   ASSERT_EQ(recording->incidents().size(), 1U);
   EXPECT_EQ(recording->incidents()[0].text, "a sample of tick 7 was refused");
+  ASSERT_EQ(recording->interventions().size(), 1U);
+  EXPECT_EQ(recording->interventions()[0].tick, 9U);
 }
 
 TEST_F(RecorderProcess, SaysSoWhereThereIsNoRun) {

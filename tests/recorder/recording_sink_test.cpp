@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <map>
+
 #include "../recording/scratch_directory.hpp"
 #include "recorder/black_box.hpp"
 #include "recorder/recorder_process.hpp"
@@ -53,6 +56,55 @@ TEST(Spooling, IsAskedForByWhoRecordsOrLooksOn) {
   EXPECT_EQ(spooling_for({}, true), Spooling::kSamples);
   EXPECT_EQ(spooling_for(order_at("a"), false), Spooling::kSamples);
   EXPECT_EQ(spooling_for(order_at("a", 1.0), false), Spooling::kSamplesAndStates);
+}
+
+TEST(Recording, SaysOfARunWhatItsPlanSays) {
+  runtime::RunPlan plan;
+  plan.graph.tick_s = 0.1;
+  plan.graph.seed = 7;
+  plan.bundle = {{"graph.yaml", "world: u-trap\n"}};
+  runtime::GraphStage drive;
+  drive.ports.outputs.set(domain::index_of(domain::Topic::kState));
+  plan.graph.stages = {drive};
+
+  const RunDescription description = describe_run(plan);
+
+  EXPECT_EQ(description.tick_s, 0.1);
+  EXPECT_EQ(description.seed, 7u);
+  EXPECT_EQ(description.bundle, plan.bundle);
+  EXPECT_EQ(description.idl_fingerprint, idl_fingerprint());
+  EXPECT_FALSE(description.versions.at("clew").empty());
+  ASSERT_EQ(description.schemas.size(), 1u);
+  EXPECT_EQ(description.schemas.at(domain::Topic::kState), idl_text(domain::Topic::kState));
+}
+
+TEST_F(Sink, IsMadeOfAPlanOnceUnlessItMayOverwrite) {
+  runtime::RunPlan plan;
+  plan.graph.tick_s = 0.1;
+  runtime::GraphStage drive;
+  drive.ports.outputs.set(domain::index_of(domain::Topic::kState));
+  plan.graph.stages = {drive};
+  {
+    auto sink = RecordingSink::create(plan, path_, false);
+    ASSERT_TRUE(sink.ok()) << sink.error().text();
+    EXPECT_FALSE((*sink)->wants_states());
+    EXPECT_TRUE(add(**sink, spooled_sample(domain::State(), 0)).ok());
+    EXPECT_EQ((*sink)->close({}).failure, "");
+  }
+  EXPECT_EQ(last_tick(written()), 0u);
+
+  EXPECT_FALSE(RecordingSink::create(plan, path_, false).ok());
+  EXPECT_TRUE(RecordingSink::create(plan, path_, true).ok());
+}
+
+TEST_F(Sink, KeepsTheTemporaryNameOfASealedFile) {
+  auto sink = open(0.0);
+  EXPECT_TRUE(add(*sink, quiet_ticks(0, 4)).ok());
+
+  EXPECT_EQ(sink->close({"", true}).failure, "");
+
+  EXPECT_FALSE(RunRecording::open(path_).ok());
+  EXPECT_TRUE(RunRecording::open(mcap::OutputFile::temporary_name(path_)).ok());
 }
 
 TEST_F(Sink, OfAWholeRunHoldsEveryTick) {
@@ -146,6 +198,71 @@ TEST_F(Sink, OfABlackBoxWritesWhenTheRunIsAborted) {
 
   EXPECT_FALSE(box->close({"sense died", false}).nothing);
   EXPECT_EQ(why(), "the run was aborted at tick 10");
+}
+
+TEST_F(Sink, OfABlackBoxHoldsTheStatesAndChangesFromWhichItCanBeReplayed) {
+  auto box = open(1.0);  // ten ticks
+  EXPECT_TRUE(box->wants_states());
+  const auto state = [](std::uint64_t tick, const std::string& bytes) {
+    std::string spool;
+    append_to_spool(SpooledState{"drive", tick, bytes}, spool);
+    return spool;
+  };
+  box->add_intervention({30, 30, {"goal=1,2"}, {}, {}});
+  box->add_incident({31, "refused", "sense", "why"});
+  EXPECT_TRUE(add(*box, quiet_ticks(0, 64) + state(64, "too old") + quiet_ticks(64, 128) +
+                            state(128, "as it was") + quiet_ticks(128, 150))
+                  .ok());
+  EXPECT_TRUE(add(*box, tick_of(state_with(domain::Outcome::kRunning, 1), 150)).ok());
+  EXPECT_FALSE(box->wants_states());
+
+  EXPECT_EQ(box->close({"stopped", false}).failure, "");
+  const RunRecording recording = written();
+  ASSERT_TRUE(recording.description().black_box.has_value());
+  EXPECT_EQ(recording.description().black_box->tick, 128u);
+  EXPECT_EQ(recording.description().black_box->states,
+            (std::map<std::string, std::string>{{"drive", "as it was"}}));
+  ASSERT_EQ(recording.interventions().size(), 1u);
+  EXPECT_EQ(recording.interventions()[0].changes, std::vector<std::string>{"goal=1,2"});
+  ASSERT_EQ(recording.incidents().size(), 1u);
+  EXPECT_EQ(recording.incidents()[0].tick, 31u);
+}
+
+TEST_F(Sink, OfABlackBoxDoesNotWaitForATopicThatStaysSilentForEver) {
+  auto box = open(1.0);
+  std::string spool = spooled_sample(state_with(domain::Outcome::kRunning, 0), 0) +
+                      spooled_sample(state_with(domain::Outcome::kRunning, 1), 1);
+  for (std::uint64_t tick = 2; tick < RunRecorder::kMaxWaitingTicks; ++tick) {
+    spool += spooled_sample(state_with(domain::Outcome::kRunning, 1), tick);
+  }
+  EXPECT_TRUE(add(*box, spool).ok());
+  EXPECT_TRUE(box->wants_states()) << "the event of tick 1 may still come";
+
+  EXPECT_TRUE(add(*box, spooled_sample(state_with(domain::Outcome::kRunning, 1), 1024) +
+                            spooled_sample(state_with(domain::Outcome::kRunning, 1), 1025))
+                  .ok());
+
+  EXPECT_FALSE(box->wants_states());
+  EXPECT_FALSE(box->close({"stopped", false}).nothing);
+  EXPECT_EQ(why(), "a collision at tick 1");
+}
+
+TEST_F(Sink, OfABlackBoxRefusesToGoOnWithWhatIsNoRecording) {
+  std::ofstream(mcap::OutputFile::temporary_name(path_)) << "something else of somebody else";
+
+  const auto box = open_sink(order_at(path_, 1.0));
+
+  ASSERT_FALSE(box.ok());
+  EXPECT_NE(box.error().text().find(path_), std::string::npos) << box.error().text();
+}
+
+TEST_F(Sink, OfABlackBoxPassesOverAMessageThatIsNone) {
+  auto box = open(1.0);
+  const std::string cdr = "no message";
+  EXPECT_TRUE(box->add({domain::Topic::kEvent, 0, 0, cdr}).ok());
+  EXPECT_TRUE(box->add({domain::Topic::kState, 0, 0, cdr}).ok());
+
+  EXPECT_TRUE(box->close({}).nothing);
 }
 
 TEST_F(Sink, OfABlackBoxGoesOnWithAFileThatHoldsSamples) {

@@ -146,5 +146,56 @@ TEST(OdometryOfARobot, APoseThatIsNoneIsRefused) {
   EXPECT_FALSE(input.next(message).ok());
 }
 
+TEST(OdometryOfARobot, KeepsItsCovarianceOnThePlane) {
+  OdometryInput input;
+  Odometry message;
+  message.pose.covariance[0] = 0.04;
+  message.pose.covariance[1] = -0.01;
+  message.pose.covariance[7] = 0.09;
+  message.pose.covariance[35] = 0.25;
+
+  const auto odometry = input.next(message);
+
+  ASSERT_TRUE(odometry.ok());
+  EXPECT_EQ(odometry->covariance.x_m2, 0.04);
+  EXPECT_EQ(odometry->covariance.xy_m2, -0.01);
+  EXPECT_EQ(odometry->covariance.y_m2, 0.09);
+  EXPECT_EQ(odometry->covariance.heading_rad2, 0.25);
+  EXPECT_EQ(input.covariance_fault(), "");
+}
+
+TEST(OdometryOfARobot, ACovarianceThatIsNoneIsToldWithItsPlaceAndLeftOut) {
+  OdometryInput input;
+  Odometry message;
+  message.pose.covariance[0] = 0.04;
+  message.pose.covariance[7] = -1.0;
+  auto odometry = input.next(message);
+  ASSERT_TRUE(odometry.ok());
+  EXPECT_EQ(odometry->covariance.x_m2, 0.0);
+  EXPECT_EQ(input.covariance_fault(),
+            "pose.covariance[7] is -1; a variance is finite and at least 0");
+
+  message.pose.covariance[7] = 0.09;
+  message.pose.covariance[35] = NAN;
+  ASSERT_TRUE(input.next(message).ok());
+  EXPECT_EQ(input.covariance_fault(),
+            "pose.covariance[35] is nan; a variance is finite and at least 0");
+
+  message.pose.covariance[35] = 0.25;
+  message.pose.covariance[5] = 5.0;
+  odometry = input.next(message);
+  ASSERT_TRUE(odometry.ok());
+  EXPECT_EQ(odometry->covariance.x_m2, 0.0);
+  EXPECT_EQ(input.covariance_fault(),
+            "pose.covariance[1], [5] and [11] are 0, 5 and 0; between variances of 0.04, 0.09 and "
+            "0.25 each is at most the root of their product");
+
+  message.pose.covariance[5] = 0.1;
+  odometry = input.next(message);
+  ASSERT_TRUE(odometry.ok());
+  EXPECT_EQ(odometry->covariance.x_heading_m_rad, 0.1);
+  EXPECT_EQ(input.covariance_fault(), "");
+}
+
 }  // namespace
 }  // namespace clew::ros2

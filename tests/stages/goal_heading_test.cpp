@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A heading that the mission wants at its target: met by every graph that reaches the target
-/// without one, whatever steers, plans and recovers in it.
+/// A heading that the mission wants at its target: every shipped graph reaches the target without
+/// one, and meets it, whatever steers, plans and recovers in it.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -55,7 +55,7 @@ class GoalHeading : public testing::TestWithParam<std::string> {};
 
 TEST_P(GoalHeading, IsMetWhereTheTargetIsReached) {
   const domain::State without = end_of(GetParam(), "");
-  if (without.outcome != Outcome::kReached) GTEST_SKIP() << "it does not reach the target at all";
+  ASSERT_EQ(without.outcome, Outcome::kReached);
 
   const domain::State with = end_of(GetParam(), "target_heading: " + heading_text() + "\n");
 

@@ -28,6 +28,7 @@ const std::map<std::string, Folders> kLayers = {
     {"components/plugin", {"core", "domain", "runtime", "stages"}},
     {"bridge/plugins", {"core", "domain", "runtime", "stages", "plugin"}},
     {"bridge/log", {"core"}},
+    {"bridge/files", {"core"}},
     {"bridge/wire", {"core", "domain"}},
     {"bridge/recording", {"core", "domain", "wire"}},
     {"bridge/dds", {"core"}},
@@ -61,8 +62,8 @@ const std::map<std::string, Folders> kLayers = {
      {"core", "log", "domain", "world", "runtime", "wire", "recording", "dds", "vendors", "run",
       "line", "component", "recorder", "supervisor"}},
     {"bridge/gateway",
-     {"core", "log", "domain", "map", "world", "runtime", "wire", "recording", "run", "line",
-      "recorder", "supervisor"}},
+     {"core", "log", "files", "domain", "map", "world", "runtime", "wire", "recording", "run",
+      "line", "recorder", "supervisor"}},
 };
 
 /// Beginnings of the libraries' headers, and the folder that wraps the library.

@@ -10,11 +10,32 @@ import unittest
 from clew_command import SOURCE, Run, load_tool
 
 paper_table = load_tool("paper-table")
+paper_figures = load_tool("paper-figures")
 
 GRAPH = "lagoudakis_maida"
 PAPER = ["lagoudakis_maida"]
 TARGET = re.compile(r"^target: \[([\d.]+), ([\d.]+)\]$", re.M)
 RECOVERS = paper_table.POLAR_VARIANTS["with position_revisit"]
+
+
+class Drawn(unittest.TestCase):
+    def test_the_landscape_of_figure_2_and_the_speeds_of_figure_8_are_drawn(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            for figure in paper_figures.FIGURES:
+                paper_figures.draw(figure, folder, "svg")
+            drawn = {path.stem: path.read_text(encoding="utf-8") for path in folder.iterdir()}
+        names = [name for figure in paper_figures.FIGURES for name in figure.pictures]
+        self.assertEqual(sorted(drawn), sorted(names))
+        landscape = drawn["lm-fig02-landscape"]
+        self.assertIn("activation of the map", landscape)
+        self.assertIn("path of steepest ascent", landscape)
+        cells = len(re.findall(r"<(?:polygon|path|rect)", landscape))
+        self.assertGreater(cells, 1500)
+        for side in ("left", "right"):
+            speeds = drawn[f"lm-fig08-{side}-speeds"]
+            for field in ("odometry.speed_mps", "odometry.turn_rate_radps"):
+                self.assertIn(field, speeds)
 
 
 class Figures(unittest.TestCase):

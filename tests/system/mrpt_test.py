@@ -75,17 +75,20 @@ class Mrpt(unittest.TestCase):
         self.assertEqual(branched.report["ticks"], 100, branched.err)
 
     def test_they_stand_in_a_bench_beside_ours(self):
-        out = pathlib.Path(self.installation.work) / "bench"
-        suite = pathlib.Path(self.installation.work) / "two-worlds.yaml"
-        whole = (EXAMPLE / "suites" / "mrpt.yaml").read_text(encoding="utf-8")
-        head, _, _ = whole.partition("worlds:")
-        suite.write_text(head + "worlds:\n  some: [open-field, comb]\nmax_ticks: 300\n")
-        done = self.clew("bench", suite, "--out", out)
+        for name, ours in (("mrpt", {"planner", "default", "krishna_kalra"}),
+                           ("mrpt_laser", {"planner", "any_sensor"})):
+            with self.subTest(suite=name):
+                whole = (EXAMPLE / "suites" / f"{name}.yaml").read_text(encoding="utf-8")
+                head, _, _ = whole.partition("worlds:\n")
+                suite = pathlib.Path(self.installation.work) / f"few-{name}.yaml"
+                suite.write_text(head + "worlds:\n  some: [open-field, comb]\nmax_ticks: 300\n")
+                out = pathlib.Path(self.installation.work) / name
+                done = self.clew("bench", suite, "--out", out)
 
-        self.assertEqual(done.status, 0, done.err)
-        with open(out / "results.csv", encoding="utf-8", newline="") as file:
-            graphs = {row["graph"] for row in csv.DictReader(file)}
-        self.assertEqual(graphs, {"planner", "any_sensor", *GRAPHS})
+                self.assertEqual(done.status, 0, done.err)
+                with open(out / "results.csv", encoding="utf-8", newline="") as file:
+                    graphs = {row["graph"] for row in csv.DictReader(file)}
+                self.assertEqual(graphs, {*ours, *GRAPHS})
 
 
 if __name__ == "__main__":

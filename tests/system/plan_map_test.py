@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Planning on a map of ROS's map_server, and on what the robot has seen: as processes over DDS."""
+import json
 import pathlib
 import tempfile
 import unittest
@@ -62,6 +63,20 @@ class PlanMap(unittest.TestCase):
             self.assertIn("office.pgm", refusal(broken))
             (pathlib.Path(directory) / "office.pgm").write_bytes(b"P5\n160 100\n255\n\0\0")
             self.assertIn("ends at pixel 2 of 16000", refusal(broken))
+
+
+class FloorPlans(unittest.TestCase):
+    def test_the_neural_map_leads_through_every_door(self):
+        with tempfile.TemporaryDirectory() as directory:
+            bench = Run(["bench", "floor_plans", "--graph", "neural_map", "--json", "--out",
+                         str(pathlib.Path(directory) / "results")])
+        runs = [json.loads(line) for line in bench.out.splitlines()]
+
+        self.assertEqual(len(runs), 60, bench.err)
+        for run in runs:
+            self.assertEqual(run["outcome"], "reached", run["world"])
+            self.assertLessEqual(run["safety_stops"], 5, run["world"])
+            self.assertEqual(run["collisions"], 0, run["world"])
 
 
 if __name__ == "__main__":

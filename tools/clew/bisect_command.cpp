@@ -11,6 +11,7 @@
 #include "clew/plugin_options.hpp"
 #include "clew/property_option.hpp"
 #include "hunt/bisect.hpp"
+#include "hunt/version_bisect.hpp"
 #include "recording/run_recording.hpp"
 #include "replay/recorded_plan.hpp"
 #include "stages/all.hpp"
@@ -81,11 +82,17 @@ int finish(const Result<End>& end, bool found, const BisectCommandOptions& optio
   if (!end.ok()) return complain(end.error());
   if (end->interrupted) return kExitInterrupted;
   if (options.json) {
-    print_json(*end);
+    print_json(*end, names);
   } else {
     print_words(*end, names);
   }
   return found ? kExitGood : kExitFailed;
+}
+
+/// Whether one of the differences matters.
+bool found_one(const Result<hunt::BisectEnd>& end) {
+  return end.ok() &&
+         ((!end->differences.empty() && end->differences.front().first) || !end->cause.empty());
 }
 
 int bisect_settings(const BisectCommandOptions& options, const std::optional<Property>& property) {
@@ -94,9 +101,7 @@ int bisect_settings(const BisectCommandOptions& options, const std::optional<Pro
   const auto b = read_side(options.b, options);
   if (!b.ok()) return complain(b.error());
   const auto end = hunt::bisect(*a, *b, property, stages::all());
-  const bool found =
-      end.ok() && ((!end->settings.empty() && end->settings.front().first) || !end->cause.empty());
-  return finish(end, found, options, {options.a, options.b, property.has_value(), 0.0});
+  return finish(end, found_one(end), options, {options.a, options.b, property.has_value(), 0.0});
 }
 
 int bisect_ticks(const BisectCommandOptions& options, const std::optional<Property>& property) {
@@ -120,9 +125,8 @@ int bisect_versions(const BisectCommandOptions& options, const std::optional<Pro
   const auto plan = runtime::prepare_run(a->bundle, stages::all());
   if (!plan.ok()) return complain(plan.error());
   const auto end = hunt::bisect_versions(*plan, {own_program(), options.version}, property);
-  const bool found =
-      end.ok() && ((!end->stages.empty() && end->stages.front().first) || !end->cause.empty());
-  return finish(end, found, options, {options.a, options.version, property.has_value(), 0.0});
+  return finish(end, found_one(end), options,
+                {options.a, options.version, property.has_value(), 0.0, true});
 }
 
 /// Each form of the command takes its own options.

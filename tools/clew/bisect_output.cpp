@@ -12,13 +12,11 @@
 namespace clew::tools {
 namespace {
 
+using hunt::BisectDifference;
 using hunt::BisectEnd;
-using hunt::BisectSetting;
 using hunt::FirstDifference;
 using hunt::TickBisectEnd;
 using hunt::TickProbe;
-using hunt::VersionBisectEnd;
-using hunt::VersionStage;
 using nlohmann::ordered_json;
 
 ordered_json difference_json(const std::optional<FirstDifference>& first) {
@@ -40,64 +38,77 @@ const char* compared(const BisectNames& names) {
   return names.has_property ? "verdict" : "outcome";
 }
 
-void print_cause(const BisectNames& names, const std::vector<std::string>& cause) {
-  print_text("\nb's {} needs {}:\n", compared(names),
-             cause.size() == 1 ? "this one" : "these together");
-  for (const std::string& name : cause) print_text("  {}\n", name);
+/// A difference as it is called in either question.
+ordered_json alone_json(const BisectDifference& one, bool of_versions) {
+  ordered_json json;
+  if (of_versions) {
+    json["stage"] = one.name;
+  } else {
+    json = {{"setting", one.name}, {"a", one.a}, {"b", one.b}};
+  }
+  json["first_difference"] = difference_json(one.first);
+  json["outcome"] = one.outcome;
+  json["changes_verdict"] = one.changes_verdict;
+  json[of_versions ? "aborted" : "refused"] = one.refused;
+  return json;
+}
+
+std::string values_of(const BisectDifference& one) {
+  if (one.a.empty() && one.b.empty()) return "";
+  return fmt::format(": {} -> {}", one.a.empty() ? "none" : one.a, one.b.empty() ? "none" : one.b);
+}
+
+void print_alone(const BisectDifference& one, bool of_versions) {
+  const std::string effect =
+      one.refused.empty() ? effect_of(one.first, one.outcome)
+                          : (of_versions ? "no run: " : "cannot be changed alone: ") + one.refused;
+  if (of_versions) return print_text("  {}: {}\n", one.name, effect);
+  print_text("  {}{}\n    {}\n", one.name, values_of(one), effect);
 }
 
 }  // namespace
 
-void print_json(const BisectEnd& end) {
-  ordered_json json = {{"outcome_a", end.outcome_a},
-                       {"outcome_b", end.outcome_b},
+void print_json(const BisectEnd& end, const BisectNames& names) {
+  ordered_json json = {{names.of_versions ? "outcome_own" : "outcome_a", end.outcome_a},
+                       {names.of_versions ? "outcome_other" : "outcome_b", end.outcome_b},
                        {"verdicts_differ", end.verdicts_differ},
                        {"runs", end.runs}};
   json["first"] = nullptr;
-  if (!end.settings.empty() && end.settings.front().first) {
-    json["first"] = end.settings.front().name;
+  if (!end.differences.empty() && end.differences.front().first) {
+    json["first"] = end.differences.front().name;
   }
   json["cause"] = ordered_json::array();
-  for (const std::size_t index : end.cause) json["cause"].push_back(end.settings[index].name);
-  json["settings"] = ordered_json::array();
-  for (const BisectSetting& setting : end.settings) {
-    json["settings"].push_back({{"setting", setting.name},
-                                {"a", setting.a},
-                                {"b", setting.b},
-                                {"first_difference", difference_json(setting.first)},
-                                {"outcome", setting.outcome},
-                                {"changes_verdict", setting.changes_verdict},
-                                {"refused", setting.refused}});
+  for (const std::size_t index : end.cause) json["cause"].push_back(end.differences[index].name);
+  auto& all = json[names.of_versions ? "stages" : "settings"] = ordered_json::array();
+  for (const BisectDifference& one : end.differences) {
+    all.push_back(alone_json(one, names.of_versions));
   }
   fmt::print("{}\n", json_line(json));
 }
 
 void print_words(const BisectEnd& end, const BisectNames& names) {
-  print_text("a: {}: {}\nb: {}: {}\n", names.a, end.outcome_a, names.b, end.outcome_b);
-  if (end.settings.empty()) {
+  print_text("a: {}: {}\nb: {}{}: {}\n", names.a, end.outcome_a,
+             names.of_versions ? "all components by " : "", names.b, end.outcome_b);
+  if (end.differences.empty()) {
     print_text("the two do not differ in any setting\n");
     return;
   }
-  print_text("\neach of b's settings in a, alone, the first that matters first:\n");
-  for (const BisectSetting& setting : end.settings) {
-    const bool has_values = !setting.a.empty() || !setting.b.empty();
-    print_text("  {}{}\n    {}\n", setting.name,
-               has_values ? fmt::format(": {} -> {}", setting.a.empty() ? "none" : setting.a,
-                                        setting.b.empty() ? "none" : setting.b)
-                          : std::string(),
-               setting.refused.empty() ? effect_of(setting.first, setting.outcome)
-                                       : "cannot be changed alone: " + setting.refused);
+  if (names.of_versions) {
+    print_text("\neach component by {}, alone, the first that matters first:\n", names.b);
+  } else {
+    print_text("\neach of b's settings in a, alone, the first that matters first:\n");
   }
+  for (const BisectDifference& one : end.differences) print_alone(one, names.of_versions);
   if (!end.verdicts_differ) {
     print_text("\nthe {} is the same\n", compared(names));
     return;
   }
-  std::vector<std::string> cause;
-  for (const std::size_t index : end.cause) cause.push_back(end.settings[index].name);
-  print_cause(names, cause);
+  print_text("\nb's {} needs {}:\n", compared(names),
+             end.cause.size() == 1 ? "this one" : "these together");
+  for (const std::size_t index : end.cause) print_text("  {}\n", end.differences[index].name);
 }
 
-void print_json(const TickBisectEnd& end) {
+void print_json(const TickBisectEnd& end, const BisectNames&) {
   ordered_json json = {{"unchanged", probe_json(end.unchanged)}, {"last_tick", nullptr}};
   if (end.last_tick) json["last_tick"] = *end.last_tick;
   json["turns"] = end.turns;
@@ -130,44 +141,6 @@ void print_words(const TickBisectEnd& end, const BisectNames& names) {
         "same\n",
         end.turns);
   }
-}
-
-void print_json(const VersionBisectEnd& end) {
-  ordered_json json = {{"outcome_own", end.outcome_own},
-                       {"outcome_other", end.outcome_other},
-                       {"verdicts_differ", end.verdicts_differ},
-                       {"runs", end.runs}};
-  json["first"] = nullptr;
-  if (!end.stages.empty() && end.stages.front().first) json["first"] = end.stages.front().stage;
-  json["cause"] = ordered_json::array();
-  for (const std::size_t index : end.cause) json["cause"].push_back(end.stages[index].stage);
-  json["stages"] = ordered_json::array();
-  for (const VersionStage& stage : end.stages) {
-    json["stages"].push_back({{"stage", stage.stage},
-                              {"first_difference", difference_json(stage.first)},
-                              {"outcome", stage.outcome},
-                              {"changes_verdict", stage.changes_verdict},
-                              {"aborted", stage.aborted}});
-  }
-  fmt::print("{}\n", json_line(json));
-}
-
-void print_words(const VersionBisectEnd& end, const BisectNames& names) {
-  print_text("a: {}: {}\nb: all components by {}: {}\n", names.a, end.outcome_own, names.b,
-             end.outcome_other);
-  print_text("\neach component by {}, alone, the first that matters first:\n", names.b);
-  for (const VersionStage& stage : end.stages) {
-    print_text(
-        "  {}: {}\n", stage.stage,
-        stage.aborted.empty() ? effect_of(stage.first, stage.outcome) : "no run: " + stage.aborted);
-  }
-  if (!end.verdicts_differ) {
-    print_text("\nthe {} is the same\n", compared(names));
-    return;
-  }
-  std::vector<std::string> cause;
-  for (const std::size_t index : end.cause) cause.push_back(end.stages[index].stage);
-  print_cause(names, cause);
 }
 
 }  // namespace clew::tools

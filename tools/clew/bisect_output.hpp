@@ -3,9 +3,8 @@
 
 #include <string>
 
-#include "hunt/bisect.hpp"
+#include "hunt/bisect_search.hpp"
 #include "hunt/tick_bisect.hpp"
-#include "hunt/version_bisect.hpp"
 
 namespace clew::tools {
 
@@ -15,14 +14,13 @@ struct BisectNames {
   std::string b;
   bool has_property = false;
   double tick_s = 0.0;
+  bool of_versions = false;  ///< b is another version of the program that runs a
 };
 
 /// One line of JSON each, or text for people.
-void print_json(const hunt::BisectEnd& end);
+void print_json(const hunt::BisectEnd& end, const BisectNames& names);
 void print_words(const hunt::BisectEnd& end, const BisectNames& names);
-void print_json(const hunt::TickBisectEnd& end);
+void print_json(const hunt::TickBisectEnd& end, const BisectNames& names);
 void print_words(const hunt::TickBisectEnd& end, const BisectNames& names);
-void print_json(const hunt::VersionBisectEnd& end);
-void print_words(const hunt::VersionBisectEnd& end, const BisectNames& names);
 
 }  // namespace clew::tools

@@ -140,13 +140,25 @@ struct LogRefusal {
   core::Error error;
 };
 
-int parse_and_run(const std::vector<char*>& words) {
-  CLI::App app("Sensor-based navigation of a mobile robot as a graph of DDS components", "clew");
-  app.require_subcommand(1);
-  // CLI11's callbacks return nothing, so each command leaves its status here.
-  int status = kExitGood;
+using AddCommand = void (*)(CLI::App&, int&);
+
+/// The processes of a run live as long as it does, and know no other command: the options of all of
+/// them take memory, and time at the start.
+AddCommand process_command(const std::string& name) {
+  if (name == "component") return add_component;
+  if (name == "recorder") return add_recorder;
+  if (name == "gateway") return add_gateway;
+  if (name == "relay") return add_relay;
+  return nullptr;
+}
+
+void add_commands(CLI::App& app, const std::string& wanted, int& status) {
+  if (const AddCommand add = process_command(wanted)) {
+    add(app, status);
+    return add_versions(app);
+  }
   // In the order of the help.
-  for (const auto add :
+  for (const AddCommand add :
        {add_list,      add_check,   add_rules,  add_world,        add_doctor,     add_run,
         add_component, add_bridge,  add_host,   add_keys,         add_live,       add_top,
         add_topic,     add_view,    add_report, add_info,         add_events,     add_explain,
@@ -158,6 +170,14 @@ int parse_and_run(const std::vector<char*>& words) {
   }
   add_versions(app);
   add_help(app);
+}
+
+int parse_and_run(const std::vector<char*>& words) {
+  CLI::App app("Sensor-based navigation of a mobile robot as a graph of DDS components", "clew");
+  app.require_subcommand(1);
+  // CLI11's callbacks return nothing, so each command leaves its status here.
+  int status = kExitGood;
+  add_commands(app, words.size() > 1 ? words[1] : "", status);
   add_decimal_checks(app);
   const auto log = std::make_shared<LogOptions>();
   add_log_options(app, log);

@@ -57,10 +57,10 @@ const WindowCell& DynamicWindow::choose(double speed_mps, double turn_rate_radps
   std::fill(excess_m2_.begin(), excess_m2_.end(), kFar);
   box_ways();
   for (const core::Vec2& place : seen) {
-    if (can_matter(place)) measure(place, true);
+    if (can_matter(place)) measure_seen(place);
   }
   for (const core::Vec2& place : remembered) {
-    if (can_matter(place)) measure(place, false);
+    if (can_matter(place)) measure_remembered(place);
   }
   chosen_ = cells_.size() - 1;
   double least_m = kFar;
@@ -143,25 +143,34 @@ bool DynamicWindow::can_matter(const core::Vec2& place) const {
          place.y() <= most_.y();
 }
 
-/// What a point means for all samples; one that is remembered keeps nothing off.
-void DynamicWindow::measure(const core::Vec2& place, bool seen) {
+/// What a point that is seen means for all samples.
+void DynamicWindow::measure_seen(const core::Vec2& place) {
   const double now2_m2 = place.x() * place.x() + place.y() * place.y();
-  const double keep2_m2 = seen ? std::min(keep_m_ * keep_m_, now2_m2) - kRounding_m2 : 0.0;
-  const double* const x = x_m_.data();
-  const double* const y = y_m_.data();
-  double* const nearest = nearest2_m2_.data();
-  double* const excess = excess_m2_.data();
-  const double px = place.x();
-  const double py = place.y();
-  const std::size_t count = x_m_.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const double dx = x[i] - px;
-    const double dy = y[i] - py;
-    const double distance2 = dx * dx + dy * dy;
-    const double over = distance2 - keep2_m2;
-    nearest[i] = distance2 < nearest[i] ? distance2 : nearest[i];
-    excess[i] = over < excess[i] ? over : excess[i];
+  const double keep2_m2 = std::min(keep_m_ * keep_m_, now2_m2) - kRounding_m2;
+  for (std::size_t i = 0; i < x_m_.size(); i += kLanes) {
+    const Lanes distance2 = distance2_m2(i, place);
+    const Lanes over = distance2 - keep2_m2;
+    const Lanes nearest = load_lanes(&nearest2_m2_[i]);
+    const Lanes excess = load_lanes(&excess_m2_[i]);
+    store_lanes(distance2 < nearest ? distance2 : nearest, &nearest2_m2_[i]);
+    store_lanes(over < excess ? over : excess, &excess_m2_[i]);
   }
+}
+
+/// What one that is remembered means for them: it counts in the density, and keeps nothing off.
+void DynamicWindow::measure_remembered(const core::Vec2& place) {
+  for (std::size_t i = 0; i < x_m_.size(); i += kLanes) {
+    const Lanes distance2 = distance2_m2(i, place);
+    const Lanes nearest = load_lanes(&nearest2_m2_[i]);
+    store_lanes(distance2 < nearest ? distance2 : nearest, &nearest2_m2_[i]);
+  }
+}
+
+/// Squared distances of a point from two samples.
+Lanes DynamicWindow::distance2_m2(std::size_t sample, const core::Vec2& place) const {
+  const Lanes dx = load_lanes(&x_m_[sample]) - place.x();
+  const Lanes dy = load_lanes(&y_m_[sample]) - place.y();
+  return dx * dx + dy * dy;
 }
 
 double DynamicWindow::density(std::size_t cell) const {

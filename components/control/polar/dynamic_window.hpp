@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "control/polar/lanes.hpp"
 #include "core/angle.hpp"
 #include "core/geometry.hpp"
 #include "domain/setup.hpp"
@@ -105,12 +106,15 @@ class DynamicWindow {
 
  private:
   static constexpr std::size_t kSamples = 8;  // of a way
+  static_assert(kSamples % kLanes == 0, "a way's samples fill lanes");
 
   void lay_out(double speed_mps, double turn_rate_radps, double cycle_s);
   void follow(std::size_t cell, double cycle_s);
   void box_ways();
   bool can_matter(const core::Vec2& place) const;
-  void measure(const core::Vec2& place, bool seen);
+  void measure_seen(const core::Vec2& place);
+  void measure_remembered(const core::Vec2& place);
+  Lanes distance2_m2(std::size_t sample, const core::Vec2& place) const;
   double braking_s(double speed_mps, double turn_rate_radps) const;
   double density(std::size_t cell) const;
 

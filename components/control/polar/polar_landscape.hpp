@@ -56,14 +56,22 @@ class PolarLandscape {
   std::optional<PolarUnit> subgoal() const;
 
   const PolarUnit& target() const { return target_; }
-  bool obstructed(const PolarUnit& unit) const { return free_[index(unit)] == 0.0; }
+  bool obstructed(const PolarUnit& unit) const {
+    const std::uint64_t word = obstructed_[unit.sector * words_ + unit.ring / kBits];
+    return (word >> (unit.ring % kBits) & 1U) != 0;
+  }
   /// Natural logarithm of the activation, which may be too small for a double; -infinity at 0.
   double log_activation(const PolarUnit& unit) const;
 
  private:
+  static constexpr std::size_t kBits = 64;
+
   /// A row has the sectors, and one more on each side: the ring closes.
   std::size_t row(std::size_t ring) const { return (ring + 1) * stride_; }
   std::size_t index(const PolarUnit& unit) const { return row(unit.ring) + 1 + unit.sector; }
+  void obstruct(std::size_t sector, std::size_t from, std::size_t to);
+  std::ptrdiff_t roughly_sector_of(const core::Vec2& place) const;
+  void lay_out_free();
   void update(std::size_t ring);
   void close_ring(std::size_t ring);
   std::optional<std::size_t> best_sector() const;
@@ -71,9 +79,11 @@ class PolarLandscape {
   PolarLattice lattice_;
   double beta_m_;
   std::size_t stride_;
+  std::size_t words_;                         // of a sector's rings
   std::vector<PolarLattice::Weights> gains_;  // beta w, by ring
   std::vector<double> activation_;            // by row, with a row of zeros on each side
-  std::vector<double> free_;                  // 1 or 0, by row
+  std::vector<double> free_;                  // 1 or 0, by row, while it settles
+  std::vector<std::uint64_t> obstructed_;     // a bit a ring, by sector
   std::vector<double> net_;                   // scratch: net input of a ring
   PolarUnit target_;
 };

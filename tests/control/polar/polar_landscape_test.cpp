@@ -187,6 +187,36 @@ TEST(PolarLandscape, ObstructsWhatIsNearerThanTheRadius) {
   }
 }
 
+// Unit by unit, with rings of more than a word and sectors that are odd and few, or many.
+TEST(PolarLandscape, ObstructsTheSameAsEachUnitAlone) {
+  const core::Random random(core::RandomKey{3, 0, 0, 0});
+  std::uint32_t drawn = 0;
+  for (const std::size_t sectors : {9, 48, 256}) {
+    for (int round = 0; round < 60; ++round) {
+      PolarLandscape map({PolarLattice(130, sectors, 3.0), kGain});
+      const double distance_m = 3.2 * random.uniform(drawn++);
+      const core::Vec2 place =
+          distance_m * core::direction(2.0 * core::kPi * random.uniform(drawn++));
+      const double radius_m = 0.4 * random.uniform(drawn++);
+      const double reach_m = std::min(radius_m, core::length(place));
+
+      map.obstruct(place, radius_m);
+
+      for (std::size_t sector = 0; sector < sectors; ++sector) {
+        for (std::size_t ring = 0; ring < 130; ++ring) {
+          const core::Vec2& direction = map.lattice().direction(sector);
+          const double along_m = place.x() * direction.x() + place.y() * direction.y();
+          const double across_m = place.x() * direction.y() - place.y() * direction.x();
+          const double off_m = static_cast<double>(ring) * map.lattice().ring_step_m() - along_m;
+          const bool inside = off_m * off_m + across_m * across_m < reach_m * reach_m;
+          ASSERT_EQ(map.obstructed({ring, sector}), inside && ring > 0 && ring < 129)
+              << place.x() << ' ' << place.y() << ' ' << radius_m << ": " << ring << ' ' << sector;
+        }
+      }
+    }
+  }
+}
+
 TEST(PolarLandscape, LetsTheRobotGoAwayFromWhatItIsCloseTo) {
   PolarLandscape map = landscape();
   map.obstruct({0.17, 0.0}, 0.22);  // closer than the radius

@@ -66,6 +66,36 @@ TEST_F(GiveWayTest, WhatRecedesOrStandsLetsItPass) {
   EXPECT_FALSE(react().has_value());
 }
 
+TEST_F(GiveWayTest, TellsWhomItGivesWayToAndWhatThatLeaves) {
+  const auto told = [&](const core::Pose2& pose) {
+    domain::Inside inside;
+    domain::Odometry odometry;
+    odometry.pose_odom_robot = pose;
+    reaction_.tell(odometry, scan_, landmark_, wanted_, inside);
+    return inside;
+  };
+  EXPECT_EQ(told({}).text, "Nothing comes near, so there is nobody to give way to.");
+
+  // They would not meet within the horizon.
+  see(ObjectMotion::kApproaching, {3.5, 0.0}, {-0.1, 0.0});
+  const std::string passing = told({}).text;
+  EXPECT_EQ(passing.find("Of 1 moving object, the nearest will leave "), 0u) << passing;
+  EXPECT_EQ(passing.find("Going aside"), std::string::npos) << passing;
+
+  see(ObjectMotion::kApproaching, {2.0, 0.0}, {-0.6, 0.0});
+  ASSERT_TRUE(react().has_value());
+  const domain::Inside meeting = told({10.0, 20.0, 0.5 * core::kPi});
+  EXPECT_EQ(meeting.text.find("Of 2 moving objects, the nearest will leave "), 0u) << meeting.text;
+  EXPECT_TRUE(meeting.text.find("Going aside leaves ") != std::string::npos ||
+              meeting.text.find("Waiting leaves ") != std::string::npos)
+      << meeting.text;
+  // What is 2 m ahead of a robot that looks along y.
+  ASSERT_EQ(meeting.picture.layers.size(), 2u);
+  const Vec2 seen = meeting.picture.layers[1].places_odom.at(0);
+  EXPECT_NEAR(seen.x(), 10.0, 0.1);
+  EXPECT_NEAR(seen.y(), 22.0, 0.5);
+}
+
 TEST_F(GiveWayTest, GoesAsideForWhatApproaches) {
   // They would meet after 2 s. To keep 0.25 m of room at 0.4 m/s the robot must leave the line.
   see(ObjectMotion::kApproaching, {2.0, 0.0}, {-0.6, 0.0});

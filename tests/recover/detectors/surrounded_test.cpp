@@ -43,7 +43,7 @@ class SurroundedTest : public ::testing::Test {
         seen.mark_hit(wall.from + along_m / length_m * (wall.to - wall.from));
       }
     }
-    local_map_.restore(std::move(seen.state()));
+    local_map_.restore(seen.state());
   }
 
   /// How often it says trap in ticks in which the robot steps from where it is.

@@ -124,13 +124,18 @@ function compare(): Difference | undefined {
 }
 
 let following = false;
+let is_live = false;
+/// Reads what has come, a piece a frame; of a run under way the newest tick stays chosen, unless
+/// somebody looks elsewhere.
 function follow(): void {
   if (following) return;
   following = true;
   const turn = (): void => {
+    const at_newest = is_live && session.tick >= session.last_tick;
     let more = false;
     for (const run of session.runs) attempt(() => { more = run.follow(12) || more; });
     attempt(() => session.tell("data"));
+    if (at_newest) attempt(() => session.go_to(Infinity));
     following = more;
     if (more) requestAnimationFrame(turn);
     else show_runs();
@@ -172,19 +177,15 @@ async function open_served(id: number, name: string, files: number): Promise<Run
   return run;
 }
 
-/// Follows a run under way, at its newest tick unless somebody looks elsewhere.
+/// Follows a run under way.
 async function watch(): Promise<void> {
   let run: Run | undefined;
-  const newest = (): void => {
-    const follows = session.tick >= session.last_tick;
-    follow();
-    if (follows) session.go_to(Infinity);
-  };
+  is_live = true;
   const live = new LiveRun({
-    grown: newest,
+    grown: follow,
     again: (recording) => run?.restart(recording),
     ended: (how, missed) => {
-      newest();
+      follow();
       control?.end();
       document.body.dataset["ended"] = how;
       notice(missed > 0 ? `${how}; while it ran, ${missed} ticks were too fast to be shown` : how);
