@@ -87,6 +87,21 @@ TEST_F(Plot, ShowsSeveralRunsInOnePicture) {
   EXPECT_TRUE(contains(svg, ">other</text>"));
 }
 
+TEST_F(Plot, NamesAllBehavioursOfARunBesideOthers) {
+  const std::string other = scratch_.file("other.mcap");
+  SmallRun run;
+  run.description.bundle["graph.yaml"] =
+      "format: clew-graph/1\nname: default\nrecover: {detector: known_detour, escape: "
+      "[remembered_map, obstacle_following]}\n";
+  run.write(other);
+
+  const std::string svg = svg_of({recording_, other});
+
+  EXPECT_TRUE(contains(svg, ">default, known_detour,</text>"));
+  EXPECT_TRUE(contains(svg, ">remembered_map+</text>"));
+  EXPECT_TRUE(contains(svg, ">obstacle_following</text>"));
+}
+
 TEST_F(Plot, SaysThatARecordingWasCutOff) {
   const std::string cut = scratch_.file("cut.mcap");
   run_.write(cut, false);

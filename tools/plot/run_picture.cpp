@@ -61,6 +61,22 @@ std::string shortened(const std::string& name) {
   return name.substr(0, kLongestName - 3) + "...";
 }
 
+/// A list of names over several lines, none longer than a name may be, if no name is.
+std::vector<std::string> broken(const std::string& list) {
+  std::vector<std::string> lines;
+  std::size_t begin = 0;
+  while (begin < list.size()) {
+    std::size_t end = list.size();
+    if (end - begin > kLongestName) {
+      const std::size_t last = list.find_last_of(",+", begin + kLongestName - 1);
+      if (last != std::string::npos && last > begin) end = last + 1;
+    }
+    lines.push_back(shortened(list.substr(begin, end - begin)));
+    begin = list.find_first_not_of(' ', end);
+  }
+  return lines;
+}
+
 /// Writes the legend's lines from top to bottom.
 class Legend {
  public:
@@ -175,7 +191,7 @@ void draw_legend(SvgWriter& svg, const Point& upper_left, const world::World& wo
     } else {
       const std::string number = are_robots(tracks) ? std::to_string(run + 1) + " " : "";
       legend.path(paint.seek, number + shortened(tracks[run].name));
-      if (!tracks[run].graph.empty()) legend.note(shortened(tracks[run].graph));
+      for (const std::string& line : broken(tracks[run].graph)) legend.note(line);
       legend.note(outcome_text(tracks[run]));
       legend.note("path " + short_number(tracks[run].last_state.path_length_m) + " m");
     }
@@ -206,7 +222,9 @@ void draw_legend(SvgWriter& svg, const Point& upper_left, const world::World& wo
 }
 
 double legend_height_px(const world::World& world, const std::vector<RunTrack>& tracks) {
-  const std::size_t runs = tracks.size() == 1 ? 1 : 4 * tracks.size();
+  std::size_t runs = 3 * tracks.size();
+  for (const RunTrack& track : tracks) runs += broken(track.graph).size();
+  if (tracks.size() == 1) runs = 1;
   const std::size_t lines = runs + 3 + under_entries(tracks).size() +
                             (shows_moving(world, tracks) ? 2 : 0) + symbols_of_all(tracks).size();
   return static_cast<double>(lines) * kLegendLinePx;

@@ -179,6 +179,12 @@ void SvgWriter::text(const Point& at, std::string_view text, const TextStyle& st
   if (style.anchor != Anchor::kStart) attribute("text-anchor", anchor_name(style.anchor));
   if (style.bold) attribute("font-weight", "bold");
   attribute("fill", style.colour);
+  if (style.halo) {
+    attribute("stroke", "#FFFFFF");
+    attribute("stroke-width", 3.0);
+    attribute("stroke-linejoin", "round");
+    attribute("paint-order", "stroke");
+  }
   out_ += '>' + escaped(text) + "</text>\n";
 }
 

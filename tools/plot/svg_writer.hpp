@@ -30,6 +30,7 @@ struct TextStyle {
   Anchor anchor = Anchor::kStart;
   std::string_view colour = "#222222";
   bool bold = false;
+  bool halo = false;  ///< white round the letters, where lines lie below them
 };
 
 /// Writes an SVG picture piece by piece. Numbers have at most two decimals and do not depend on the

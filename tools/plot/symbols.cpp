@@ -120,7 +120,7 @@ void draw_symbol(SvgWriter& svg, Symbol symbol, const Point& centre, std::string
       crossed_circle(svg, centre, outline);
       return;
     case Symbol::kVirtualTarget:
-      svg.polygon(star(centre, 10, 8.0, 3.4), {kPurple, outline, 1.0});
+      svg.polygon(star(centre, 10, 6.0, 2.5), {kPurple, outline, 1.0});
       return;
     case Symbol::kControllerTarget:
       svg.circle(centre, 2.0, {kGreen, kWhite, 0.5, "", 0.8});

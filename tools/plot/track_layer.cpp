@@ -111,7 +111,7 @@ void draw_tick_marks(SvgWriter& svg, const MapView& view, const RunTrack& track,
     if (crowded) continue;
     labelled.push_back(at);
     svg.text({at.x + 5.0, at.y - 4.0}, std::to_string(track.first_tick + tick),
-             {9.5, Anchor::kStart, colour});
+             {9.5, Anchor::kStart, colour, false, true});
   }
 }
 
