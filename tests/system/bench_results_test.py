@@ -217,6 +217,12 @@ class Whole(Published):
 
         self.assert_published(list(arrivals.lines(runs)))
 
+    def test_detectors_that_widen_with_drift(self):
+        self.bench("drift", name="drift")
+        notes = (SOURCE / "docs/notes/recover.md").read_text(encoding="utf-8")
+
+        self.assertIn(load_tool("drift-table").table(self.out / "drift"), notes)
+
     def test_the_worlds_by_how_hard_they_are(self):
         _, report = self.bench("severity")
         worlds = Run(["world", "severity", "*"], timeout_s=LONGEST_S)
