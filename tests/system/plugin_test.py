@@ -170,7 +170,7 @@ class PluginTest(unittest.TestCase):
 
     def test_a_new_project_builds_passes_its_tests_and_runs(self):
         kinds = ["detector", "escape", "controller", "classifier", "sensor", "drive"]
-        for kind in kinds if SOAK else ["sensor"]:
+        for kind in kinds if SOAK else ["sensor", "classifier"]:
             name = f"my_{kind}"
             made = self.clew("new", kind, name)
             self.assertEqual(made.status, 0, made.err)
