@@ -101,7 +101,10 @@ SeenMap::Tile* SeenMap::tile_at(const TileKey& key) {
 void SeenMap::restore(State state) {
   state_ = std::move(state);
   index_.clear();
-  for (const auto& entry : state_.tiles) index_.add(entry.first);
+  for (auto& [key, tile] : state_.tiles) {
+    tile.noted = 0;
+    index_.add(key);
+  }
   log_.begin_anew();
 }
 

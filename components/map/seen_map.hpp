@@ -43,7 +43,7 @@ class SeenMap {
     /// By mark, then by row from below; bit i is column i from the left. A cell has one mark at
     /// most.
     std::array<std::array<std::uint64_t, kTileCells>, kMarks> rows{};
-    TileLog::Position noted;  ///< of the map's log; no part of what was seen
+    std::uint64_t noted = 0;  ///< in the map's log; no part of what was seen
 
     bool is(Mark mark, std::size_t row, std::size_t column) const {
       return (rows[static_cast<std::size_t>(mark)][row] >> column & 1) != 0;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "map/tile_log.hpp"
 
-#include <atomic>
-
 namespace clew::map {
 namespace {
 
@@ -10,13 +8,8 @@ constexpr std::size_t kMost = 8192;
 
 }  // namespace
 
-std::uint64_t TileLog::next_log() {
-  static std::atomic<std::uint64_t> last{0};
-  return last.fetch_add(1) + 1;
-}
-
 void TileLog::begin_anew() {
-  log_ = next_log();
+  log_ = std::make_shared<const int>(0);
   keys_.clear();
   first_ = 0;
   round_ = 0;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -16,28 +17,37 @@ class TileLog {
  public:
   /// Of a log, how many entries had been made.
   struct Position {
-    std::uint64_t log = 0;  ///< 0: none
+    std::shared_ptr<const int> log;  ///< null: none
     std::uint64_t entries = 0;
   };
 
-  TileLog() : log_(next_log()) {}
-  /// A copy is another log: who has read the one knows nothing of the other.
-  TileLog(const TileLog& other) : TileLog() { static_cast<void>(other); }
+  TileLog() : log_(std::make_shared<const int>(0)) {}
+  /// A copy is another log: who has read the one knows nothing of the other. It goes on with the
+  /// same numbers, which the tiles keep.
+  TileLog(const TileLog& other)
+      : log_(std::make_shared<const int>(0)),
+        keys_(other.keys_),
+        first_(other.first_),
+        round_(other.round_) {}
   TileLog& operator=(const TileLog& other) {
-    if (this != &other) begin_anew();
+    if (this == &other) return *this;
+    log_ = std::make_shared<const int>(0);
+    keys_ = other.keys_;
+    first_ = other.first_;
+    round_ = other.round_;
     return *this;
   }
   ~TileLog() = default;
 
-  /// All may have changed.
+  /// All may have changed, and no tile was noted.
   void begin_anew();
   /// From here on, tiles that change are noted again.
   void begin_round();
-  /// A tile has changed; `noted` is where it was noted last, and is kept with it.
-  void note(const TileKey& key, Position& noted) {
-    if (noted.log == log_ && noted.entries > round_) return;
+  /// A tile has changed; `noted`, 0 at first, tells when it was noted last, and is kept with it.
+  void note(const TileKey& key, std::uint64_t& noted) {
+    if (noted > round_) return;
     keys_.push_back(key);
-    noted = {log_, first_ + keys_.size()};
+    noted = first_ + keys_.size();
   }
 
   /// Finds the tiles that may have changed since, some more than once, and sets the position to
@@ -45,9 +55,7 @@ class TileLog {
   bool read(Position& position, std::vector<TileKey>& keys) const;
 
  private:
-  static std::uint64_t next_log();
-
-  std::uint64_t log_;  // no other one in this process has that number
+  std::shared_ptr<const int> log_;  // whose address no other one has, as long as somebody knows it
   std::vector<TileKey> keys_;
   std::uint64_t first_ = 0;  // so many entries were forgotten
   std::uint64_t round_ = 0;  // so many were made before this round

@@ -20,7 +20,7 @@ bool holds(const std::vector<TileKey>& keys, const TileKey& key) {
 TEST(TileLog, TellsAReaderAllThatChangedSinceItRead) {
   TileLog log;
   std::mt19937_64 random(3);
-  std::map<TileKey, TileLog::Position> noted;
+  std::map<TileKey, std::uint64_t> noted;
   TileLog::Position position;
   std::vector<TileKey> keys;
   EXPECT_FALSE(log.read(position, keys));
@@ -39,7 +39,7 @@ TEST(TileLog, TellsAReaderAllThatChangedSinceItRead) {
 
 TEST(TileLog, NotesATileOnceARound) {
   TileLog log;
-  TileLog::Position noted;
+  std::uint64_t noted = 0;
   TileLog::Position position;
   std::vector<TileKey> keys;
   log.read(position, keys);
@@ -61,7 +61,7 @@ TEST(TileLog, DoesNotKnowWhatItForgot) {
   log.read(early, keys);
   for (int i = 0; i < 20000; ++i) {
     log.begin_round();
-    TileLog::Position noted;
+    std::uint64_t noted = 0;
     log.note({i, 0}, noted);
     if (i % 100 == 99) {
       EXPECT_TRUE(log.read(early, keys));
@@ -74,7 +74,7 @@ TEST(TileLog, DoesNotKnowWhatItForgot) {
 
 TEST(TileLog, IsAnotherOneWhereItIsCopied) {
   TileLog log;
-  TileLog::Position noted;
+  std::uint64_t noted = 0;
   TileLog::Position position;
   std::vector<TileKey> keys;
   log.read(position, keys);
@@ -82,7 +82,7 @@ TEST(TileLog, IsAnotherOneWhereItIsCopied) {
   TileLog copy = log;
 
   EXPECT_FALSE(copy.read(position, keys));
-  copy.note({1, 2}, noted);  // in the copy, the tile was not noted yet
+  copy.note({1, 2}, noted);
   EXPECT_TRUE(copy.read(position, keys));
   EXPECT_EQ(keys, (std::vector<TileKey>{{1, 2}}));
 }
