@@ -165,7 +165,7 @@ TEST_F(FleetRunTest, RefusesComponentsOnOtherHosts) {
   ASSERT_FALSE(plan.ok());
   EXPECT_EQ(plan.error().text(),
             "fleet.yaml:4:5: robot a: its sense is on host far; allowed in a fleet: none, all run "
-            "in one process");
+            "on this one");
 }
 
 TEST_F(FleetRunTest, RefusesMoreTicksThanCanBeRecorded) {
