@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "recording/run_hash.hpp"
+#include "run/allocations.hpp"
 #include "run/end_signals.hpp"
 #include "run/limits.hpp"
 #include "run/sample_account.hpp"
@@ -63,21 +64,46 @@ class Bookkeeper : public runtime::SampleObserver {
   std::string failure_;
 };
 
-/// Tells a profile when samples come and go, besides, while there is one.
-class ProfiledObserver : public runtime::SampleObserver {
+/// Tells a profile what comes when, besides, while there is one.
+class ProfiledObserver : public runtime::SampleObserver, runtime::PartObserver {
  public:
   ProfiledObserver(runtime::SampleObserver& observer, RunProfile* const& profile)
       : observer_(observer), profile_(profile) {}
 
   void on_output(runtime::Topic topic, const domain::Messages& messages) override {
-    if (profile_ != nullptr) profile_->begin_sample(topic, Clock::now());
+    tell([&](const auto& now) { profile_->begin_sample(topic, now); });
     observer_.on_output(topic, messages);
-    if (profile_ != nullptr) profile_->end_sample(Clock::now());
+    tell([&](const auto& now) { profile_->end_sample(now); });
+  }
+  runtime::PartObserver* parts() override { return profile_ == nullptr ? nullptr : this; }
+
+  void begin_tick(std::uint64_t tick) {
+    tell([&](const auto& now) { profile_->begin_tick(tick, now); });
+  }
+  void end_tick() {
+    tell([&](const auto& now) { profile_->end_tick(now); });
   }
 
  private:
+  void begin_part(std::string_view name) override {
+    tell([&](const auto& now) { profile_->begin_part(name, now); });
+  }
+  void end_part() override {
+    tell([&](const auto& now) { profile_->end_part(now); });
+  }
+
+  /// What the profile itself allocates does not count.
+  template <typename Call>
+  void tell(Call call) {
+    if (profile_ == nullptr) return;
+    const std::uint64_t before = allocation_count();
+    call(RunProfile::Moment{Clock::now(), before - own_});
+    own_ += allocation_count() - before;
+  }
+
   runtime::SampleObserver& observer_;
   RunProfile* const& profile_;
+  std::uint64_t own_ = 0;
 };
 
 double seconds_since(Clock::time_point start) {
@@ -148,9 +174,9 @@ class ComposedLoop {
   void step() {
     if (!clock_.is_free()) std::this_thread::sleep_until(clock_.due(executor_.next_tick()));
     bookkeeper_.checkpoint(executor_.nodes(), executor_.next_tick());
-    if (profile_ != nullptr) profile_->begin_tick(executor_.next_tick(), Clock::now());
+    profiled_.begin_tick(executor_.next_tick());
     executor_.step();
-    if (profile_ != nullptr) profile_->end_tick(Clock::now());
+    profiled_.end_tick();
     if (executor_.next_tick() == first_tick_ + 1) rate_.note(executor_.next_tick(), Clock::now());
     if (orders_ != nullptr) {
       orders_->note(executor_.next_tick() - 1, executor_.nodes(), executor_.messages());

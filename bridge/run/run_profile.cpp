@@ -27,12 +27,12 @@ std::uint64_t Durations::least_ns(std::size_t bucket) {
   return static_cast<std::uint64_t>(bucket - octave * kOctave) << octave;
 }
 
-void Durations::add(nanoseconds duration) {
+void Durations::add(nanoseconds duration, std::uint64_t times) {
   const auto ns = static_cast<std::uint64_t>(std::max<std::int64_t>(0, duration.count()));
-  ++count_;
-  sum_ns_ += ns;
+  count_ += times;
+  sum_ns_ += times * ns;
   greatest_ns_ = std::max(greatest_ns_, ns);
-  ++buckets_[bucket_of(ns)];
+  buckets_[bucket_of(ns)] += times;
 }
 
 double Durations::quantile_us(double share) const {
@@ -46,67 +46,101 @@ double Durations::quantile_us(double share) const {
 }
 
 RunProfile::RunProfile(const std::vector<Writer>& writers, std::size_t most_spans)
-    : most_spans_(most_spans) {
+    : most_spans_(most_spans), components_(writers.size()) {
+  rows_.push_back({"samples", kSamples, {}});
+  rows_.push_back({"tick", kTicks, {}});
   for (const Writer& writer : writers) {
-    for (const domain::Topic topic : writer.topics) {
-      writer_[index_of(topic)] = rows_.size();
-    }
-    rows_.push_back({writer.name, {}});
+    for (const domain::Topic topic : writer.topics) writer_[index_of(topic)] = rows_.size();
+    rows_.push_back({writer.name, rows_.size(), {}});
   }
-  rows_.push_back({"samples", {}});
-  rows_.push_back({"tick", {}});
 }
 
-void RunProfile::begin_tick(std::uint64_t tick, Clock::time_point now) {
-  if (ticks_ == 0) began_ = now;
+void RunProfile::begin_tick(std::uint64_t tick, const Moment& now) {
+  if (ticks_ == 0) began_ = now.at;
   tick_ = tick;
   ++ticks_;
   tick_began_ = now;
   last_ = now;
+  parts_.clear();
   for (Row& row : rows_) row.in_tick = nanoseconds(0);
 }
 
-void RunProfile::begin_sample(domain::Topic topic, Clock::time_point now) {
-  spend(writer_[index_of(topic)], now);
+void RunProfile::begin_part(std::string_view name, const Moment& now) {
+  parts_.push_back({std::string(name), now, now});
 }
 
-void RunProfile::end_sample(Clock::time_point now) { spend(rows_.size() - 2, now); }
+void RunProfile::end_part(const Moment& now) { parts_.back().until = now; }
 
-void RunProfile::end_tick(Clock::time_point now) {
-  last_ = tick_began_;
-  spend(rows_.size() - 1, now);
+void RunProfile::begin_sample(domain::Topic topic, const Moment& now) {
+  const std::size_t component = writer_[index_of(topic)];
+  spend(component, last_, now);
+  for (const OpenPart& part : parts_) spend(row_of(component, part.name), part.from, part.until);
+  parts_.clear();
+  last_ = now;
+}
+
+void RunProfile::end_sample(const Moment& now) {
+  spend(kSamples, last_, now);
+  last_ = now;
+}
+
+void RunProfile::end_tick(const Moment& now) {
+  spend(kTicks, tick_began_, now);
+  last_ = now;
   for (Row& row : rows_) row.durations.add(row.in_tick);
 }
 
-void RunProfile::spend(std::size_t row, Clock::time_point until) {
-  const nanoseconds length = until - last_;
-  rows_[row].in_tick += length;
-  if (spans_.size() < most_spans_) {
-    spans_.push_back({static_cast<std::uint32_t>(row), tick_, last_ - began_, length});
+/// The row of a component's part. One that is new took no time in the ticks before.
+std::size_t RunProfile::row_of(std::size_t component, const std::string& part) {
+  for (std::size_t i = kComponents + components_; i < rows_.size(); ++i) {
+    if (rows_[i].of == component && rows_[i].name == part) return i;
   }
-  last_ = until;
+  rows_.push_back({part, component, {}});
+  rows_.back().durations.add(nanoseconds(0), ticks_ - 1);
+  return rows_.size() - 1;
+}
+
+void RunProfile::spend(std::size_t row, const Moment& from, const Moment& until) {
+  const nanoseconds length = until.at - from.at;
+  rows_[row].in_tick += length;
+  rows_[row].allocations += until.allocations - from.allocations;
+  if (spans_.size() < most_spans_) {
+    spans_.push_back({static_cast<std::uint32_t>(row), tick_, from.at - began_, length});
+  }
 }
 
 StepTimes RunProfile::step_times(const std::string& name) const {
-  for (const Row& row : rows_) {
-    if (row.name != name) continue;
-    return {row.durations.count(), row.durations.quantile_us(0.5), row.durations.quantile_us(0.99)};
+  for (std::size_t i = kComponents; i < kComponents + components_; ++i) {
+    if (rows_[i].name != name) continue;
+    const Durations& spent = rows_[i].durations;
+    return {spent.count(), spent.quantile_us(0.5), spent.quantile_us(0.99)};
   }
   return {};
 }
 
 std::string RunProfile::table() const {
-  std::string text = fmt::format("{:<12} {:>10} {:>10} {:>10} {:>10} {:>7}\n", "us a tick", "mean",
-                                 "p50", "p99", "max", "share");
-  const double all_us = rows_.back().durations.sum_us();
-  for (const Row& row : rows_) {
-    const Durations& spent = row.durations;
-    const double share = all_us > 0.0 ? 100.0 * spent.sum_us() / all_us : 0.0;
-    text += fmt::format("{:<12} {:>10.2f} {:>10.2f} {:>10.2f} {:>10.2f} {:>6.1f}%\n", row.name,
-                        spent.mean_us(), spent.quantile_us(0.5), spent.quantile_us(0.99),
-                        spent.greatest_us(), share);
+  std::string text = fmt::format("{:<20} {:>10} {:>10} {:>10} {:>10} {:>7} {:>11}\n", "us a tick",
+                                 "mean", "p50", "p99", "max", "share", "allocations");
+  for (std::size_t component = kComponents; component < kComponents + components_; ++component) {
+    text += line(rows_[component]);
+    for (std::size_t i = kComponents + components_; i < rows_.size(); ++i) {
+      if (rows_[i].of == component) text += line(rows_[i]);
+    }
   }
-  return text;
+  return text + line(rows_[kSamples]) + line(rows_[kTicks]);
+}
+
+/// A line of the table; that of a part is set in.
+std::string RunProfile::line(const Row& row) const {
+  const Durations& spent = row.durations;
+  const double all_us = rows_[kTicks].durations.sum_us();
+  const double share = all_us > 0.0 ? 100.0 * spent.sum_us() / all_us : 0.0;
+  const bool is_part = row.of != static_cast<std::size_t>(&row - rows_.data());
+  const double allocations =
+      ticks_ > 0 ? static_cast<double>(row.allocations) / static_cast<double>(ticks_) : 0.0;
+  return fmt::format("{:<20} {:>10.2f} {:>10.2f} {:>10.2f} {:>10.2f} {:>6.1f}% {:>11.2f}\n",
+                     (is_part ? "  " : "") + row.name, spent.mean_us(), spent.quantile_us(0.5),
+                     spent.quantile_us(0.99), spent.greatest_us(), share, allocations);
 }
 
 std::string RunProfile::trace() const {

@@ -46,13 +46,14 @@ void ControlComponent::step(const runtime::TickInputs& inputs, runtime::TickOutp
   if (guidance != nullptr) {
     overlay_virtual_obstacles(*guidance, odometry.pose_odom_robot, radius_m_, seen_);
   }
-  motion = steer(inputs, guidance);
+  motion = steer(inputs, guidance, outputs);
   if (decider_ == Decider::kController) controller_->tell_virtual_targets(command.virtual_targets);
 }
 
 /// What recovery, the final approach or the controller wants, after reactions and guard.
 domain::Motion ControlComponent::steer(const runtime::TickInputs& inputs,
-                                       const domain::Guidance* guidance) {
+                                       const domain::Guidance* guidance,
+                                       const runtime::TickOutputs& outputs) {
   const auto& odometry = inputs.get<domain::Odometry>();
   reacted_.reset();
   auto steers = StepGuard::Steers::kAnybody;
@@ -70,11 +71,13 @@ domain::Motion ControlComponent::steer(const runtime::TickInputs& inputs,
     } else {
       if (const auto motion = approach(inputs, target)) return *motion;
       decider_ = Decider::kController;
+      const auto part = outputs.part("controller");
       wanted_ = controller_->step(odometry, seen_, target.position_odom);
     }
   }
   asked_ = react(inputs).value_or(wanted_);
   if (reacted_) steers = StepGuard::Steers::kAnybody;
+  const auto part = outputs.part("guard");
   return guard_.limit(asked_, odometry, seen_, steers);
 }
 

@@ -63,7 +63,8 @@ class ControlComponent final : public runtime::Component {
   std::optional<domain::Motion> react(const runtime::TickInputs& inputs);
   std::optional<domain::Motion> approach(const runtime::TickInputs& inputs,
                                          const ActiveTarget& target);
-  domain::Motion steer(const runtime::TickInputs& inputs, const domain::Guidance* guidance);
+  domain::Motion steer(const runtime::TickInputs& inputs, const domain::Guidance* guidance,
+                       const runtime::TickOutputs& outputs);
 
   std::unique_ptr<Controller> controller_;
   HeadingTurn heading_;

@@ -25,9 +25,16 @@ PlanComponent::PlanComponent(std::unique_ptr<Planner> planner, std::unique_ptr<M
 
 void PlanComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto& odometry = inputs.get<domain::Odometry>();
-  map_->see(odometry, inputs.get<domain::Scan>());
+  {
+    const auto part = outputs.part("map");
+    map_->see(odometry, inputs.get<domain::Scan>());
+  }
   route_.pass(odometry.pose_odom_robot);
-  const Subgoal subgoal = planner_->step(situation(odometry));
+  Subgoal subgoal;
+  {
+    const auto part = outputs.part("planner");
+    subgoal = planner_->step(situation(odometry));
+  }
   auto& target = outputs.get<domain::Target>();
   target.x_m = subgoal.place.x();
   target.y_m = subgoal.place.y();

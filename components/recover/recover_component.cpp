@@ -124,17 +124,32 @@ void RecoverComponent::decide(const runtime::TickInputs& inputs, runtime::TickOu
     return;
   }
 
-  const bool maps = parts_.local_map && (state_.maps || !parts_.maps_late);
-  if (maps) parts_.local_map->see(situation.odometry, situation.scan);
+  see(situation, outputs);
   if (waits) return;
   notice_arrival(target);
   for (auto& escape : parts_.escapes) escape.behaviour->watch(situation);
-  take_evidence(situation, event);
-  if (state_.escaping) step_escape(situation, guidance, event);
+  {
+    const auto part = outputs.part(parts_.detector.name);
+    take_evidence(situation, event);
+  }
+  if (state_.escaping) {
+    const auto part = outputs.part(parts_.escapes[state_.escape].name);
+    step_escape(situation, guidance, event);
+  }
   mark_virtual_target(guidance, event);
-  watch_shadows(situation, event);
+  if (!parts_.shadows.empty()) {
+    const auto part = outputs.part("shadows");
+    watch_shadows(situation, event);
+  }
   mark_landmarks(event, situation);
   if (!guidance.has_override) act_at_once(situation, guidance, event);
+}
+
+/// Takes what is seen into the local map, if there is one and it is begun.
+void RecoverComponent::see(const Situation& situation, const runtime::TickOutputs& outputs) {
+  if (!parts_.local_map || (parts_.maps_late && !state_.maps)) return;
+  const auto part = outputs.part("map");
+  parts_.local_map->see(situation.odometry, situation.scan);
 }
 
 /// Whether the robot is where the mission wants it, and only has to turn there. Once it has met the

@@ -85,6 +85,7 @@ class RecoverComponent final : public runtime::Component {
   void tell_detectors(const Situation& situation, domain::Inside& inside) const;
   void tell_escape(const Situation& situation, const domain::Guidance& guidance,
                    domain::Inside& inside) const;
+  void see(const Situation& situation, const runtime::TickOutputs& outputs);
   bool is_to_turn(const domain::Target& target, const core::Pose2& pose);
   void wait();
   void notice_arrival(const domain::Target& target);

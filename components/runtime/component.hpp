@@ -4,6 +4,7 @@
 #include <bitset>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/archive.hpp"
@@ -95,12 +96,38 @@ class TickInputs {
   std::uint64_t tick_;
 };
 
+/// Sees where the parts of a component's step begin and end, for a profile. No result depends on
+/// it.
+class PartObserver {
+ public:
+  virtual ~PartObserver() = default;
+  virtual void begin_part(std::string_view name) = 0;
+  virtual void end_part() = 0;
+};
+
+/// A part of a step, as long as its scope. Parts of a step follow one another.
+class Part {
+ public:
+  /// The observer may be null.
+  Part(PartObserver* observer, std::string_view name) : observer_(observer) {
+    if (observer_ != nullptr) observer_->begin_part(name);
+  }
+  ~Part() {
+    if (observer_ != nullptr) observer_->end_part();
+  }
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
+
+ private:
+  PartObserver* observer_;
+};
+
 /// The outputs of one tick. They come reset to default values, with the stamp set: a step that
 /// writes nothing has said *nothing*.
 class TickOutputs {
  public:
-  TickOutputs(domain::Messages& messages, TopicSet declared)
-      : messages_(messages), declared_(declared) {}
+  TickOutputs(domain::Messages& messages, TopicSet declared, PartObserver* parts = nullptr)
+      : messages_(messages), declared_(declared), parts_(parts) {}
 
   /// The sample, or null if another stage has taken this fallback output over.
   template <typename Message>
@@ -117,9 +144,14 @@ class TickOutputs {
     return *message;
   }
 
+  /// A part of the step begins, and ends with the scope of what is returned: `name` is what a
+  /// profile calls it.
+  [[nodiscard]] Part part(std::string_view name) const { return {parts_, name}; }
+
  private:
   domain::Messages& messages_;
   TopicSet declared_;
+  PartObserver* parts_;
 };
 
 /// A stage at work: a pure function of its inputs, its parameters and its saved state.

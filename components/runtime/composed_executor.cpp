@@ -16,11 +16,12 @@ ComposedExecutor::ComposedExecutor(std::vector<NodeSuccession> nodes, SampleObse
       next_tick_(next_tick) {}
 
 void ComposedExecutor::step() {
+  PartObserver* const parts = observer_ == nullptr ? nullptr : observer_->parts();
   for (NodeSuccession& node : nodes_) {
     TopicSet present = node.ports().inputs;
     // A delayed input still holds the sample of the tick before: its writer comes later.
     if (next_tick_ > 0) present |= node.ports().delayed_inputs;
-    node.step(next_tick_, present, messages_);
+    node.step(next_tick_, present, messages_, parts);
     if (observer_ == nullptr) continue;
     for (Topic topic : node.ports().output_order) observer_->on_output(topic, messages_);
   }

@@ -13,6 +13,8 @@ class SampleObserver {
  public:
   virtual ~SampleObserver() = default;
   virtual void on_output(Topic topic, const domain::Messages& messages) = 0;
+  /// Who is told of the parts of steps; null: nobody.
+  virtual PartObserver* parts() { return nullptr; }
 };
 
 /// Runs the nodes of a graph in one thread. Values pass by reference: nothing is serialised.

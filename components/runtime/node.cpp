@@ -32,7 +32,8 @@ Node::Node(std::string name, NodePorts ports, std::unique_ptr<Component> compone
       component_(std::move(component)),
       tick_s_(tick_s) {}
 
-void Node::step(std::uint64_t tick, const TopicSet& present, domain::Messages& messages) {
+void Node::step(std::uint64_t tick, const TopicSet& present, domain::Messages& messages,
+                PartObserver* parts) {
   for (Topic topic : ports_.output_order) {
     domain::visit_topic(topic, [&](auto constant) {
       constexpr auto kIndex = index_of(decltype(constant)::value);
@@ -42,7 +43,7 @@ void Node::step(std::uint64_t tick, const TopicSet& present, domain::Messages& m
     });
   }
   const TickInputs inputs(messages, ports_.declared_inputs, present, tick);
-  TickOutputs outputs(messages, ports_.outputs);
+  TickOutputs outputs(messages, ports_.outputs, parts);
   component_->step(inputs, outputs);
 }
 

@@ -39,8 +39,9 @@ class Node {
   const NodePorts& ports() const { return ports_; }
 
   /// Steps the component for `tick`. `messages` holds the inputs in `present` and takes the
-  /// outputs.
-  void step(std::uint64_t tick, const TopicSet& present, domain::Messages& messages);
+  /// outputs. `parts` may be null.
+  void step(std::uint64_t tick, const TopicSet& present, domain::Messages& messages,
+            PartObserver* parts = nullptr);
 
   /// Takes its place in a run that has got to `tick` without it: so many samples of each output
   /// were written by another.

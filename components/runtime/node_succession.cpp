@@ -44,12 +44,13 @@ void NodeSuccession::promote() {
 
 // What a successor writes is overwritten by the node whose turn it is: each begins with outputs
 // that are reset.
-void NodeSuccession::step(std::uint64_t tick, const TopicSet& present, domain::Messages& messages) {
+void NodeSuccession::step(std::uint64_t tick, const TopicSet& present, domain::Messages& messages,
+                          PartObserver* parts) {
   while (!successors_.empty() && successors_.front().tick <= tick) promote();
   for (Successor& successor : successors_) {
     if (is_fed(successor, tick)) feed(successor, tick, present, messages);
   }
-  current_.step(tick, present, messages);
+  current_.step(tick, present, messages, parts);
 }
 
 std::map<std::uint64_t, std::string> NodeSuccession::save_successors() const {

@@ -40,7 +40,8 @@ class NodeSuccession {
   const std::deque<Successor>& successors() const { return successors_; }
 
   /// Node::step of the node whose turn it is; successors that are being fed step before it.
-  void step(std::uint64_t tick, const TopicSet& present, domain::Messages& messages);
+  void step(std::uint64_t tick, const TopicSet& present, domain::Messages& messages,
+            PartObserver* parts = nullptr);
 
   /// Steps one that is to come with inputs of a tick that has been.
   static void feed(Successor& successor, std::uint64_t tick, const TopicSet& present,

@@ -74,16 +74,28 @@ class PingPong : public SampleListener {
   bool is_done_ = false;
 };
 
-/// One hop: half of a round trip of 200 bytes between two processes, each on a core of its own,
-/// since placement matters more than anything else. Arguments: the vendor of either side.
-void one_way(benchmark::State& state) {
+/// While it lives, this process may use the first core only.
+class OnFirstCore {
+ public:
+  OnFirstCore() {
+    sched_getaffinity(0, sizeof all_cores_, &all_cores_);
+    cpu_set_t first_core;
+    CPU_ZERO(&first_core);
+    CPU_SET(0, &first_core);
+    sched_setaffinity(0, sizeof first_core, &first_core);
+  }
+  ~OnFirstCore() { sched_setaffinity(0, sizeof all_cores_, &all_cores_); }
+  OnFirstCore(const OnFirstCore&) = delete;
+  OnFirstCore& operator=(const OnFirstCore&) = delete;
+
+ private:
+  cpu_set_t all_cores_{};
+};
+
+/// One hop: half of a round trip of 200 bytes between this process and one on `core`, or any if it
+/// is -1. Arguments: the vendor of either side.
+void hop(benchmark::State& state, int core) {
   constexpr int kRounds = 2000;
-  cpu_set_t all_cores;
-  sched_getaffinity(0, sizeof all_cores, &all_cores);
-  cpu_set_t first_core;
-  CPU_ZERO(&first_core);
-  CPU_SET(0, &first_core);
-  sched_setaffinity(0, sizeof first_core, &first_core);
   TestDomain domain;
   DiscoveryRecord discovery;
   PingPong game;
@@ -94,7 +106,7 @@ void one_way(benchmark::State& state) {
   const auto reader =
       (*participant)->create_reader({"answer", "clew::msg::Test", "", kEchoDepth}, game);
   {
-    EchoProcess echo(static_cast<Vendor>(state.range(1)), domain.number(), 1);
+    EchoProcess echo(static_cast<Vendor>(state.range(1)), domain.number(), core);
     std::string cdr("\x00\x01\x00\x00", 4);
     cdr.resize(200);
     bool is_playing = discovery.wait_for_matches(2);
@@ -104,14 +116,22 @@ void one_way(benchmark::State& state) {
       if (!is_playing) state.SkipWithError("the echo is silent, or a history is full");
     }
   }
-  sched_setaffinity(0, sizeof all_cores, &all_cores);
   state.SetLabel(std::string(vendor_name(vendor)) + " to " +
                  std::string(vendor_name(static_cast<Vendor>(state.range(1)))));
   state.counters["one_way"] = benchmark::Counter(
       2.0 * kRounds, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+/// Each side on a core of its own, since placement matters more than anything else.
+void one_way(benchmark::State& state) {
+  const OnFirstCore first;
+  hop(state, 1);
+}
 BENCHMARK(one_way)->ArgsProduct({{0, 1}, {0, 1}})->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// As the system places them.
+void hop_unpinned(benchmark::State& state) { hop(state, -1); }
+BENCHMARK(hop_unpinned)->Args({0, 0})->Args({1, 1})->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace clew::bridge

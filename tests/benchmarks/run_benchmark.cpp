@@ -45,9 +45,9 @@ constexpr Layout kProcesses[] = {
     {"mixed",
      " --middleware sense=fastdds --middleware recover=fastdds --middleware drive=fastdds"}};
 
-// Who acts, and who perceives and decides: two processes, on a core each.
+// Who acts, and who perceives and decides: two processes.
 std::string two_processes() {
-  std::string options = " --prefix drive='taskset -c 0' --prefix sense='taskset -c 1'";
+  std::string options;
   for (const char* stage : {"drive", "control"}) {
     options += std::string(" --set ") + stage + ".process.group=act";
   }
@@ -56,6 +56,8 @@ std::string two_processes() {
   }
   return options;
 }
+
+constexpr char kACoreEach[] = " --prefix drive='taskset -c 0' --prefix sense='taskset -c 1'";
 
 nlohmann::json run(const std::string& graph, const std::string& options) {
   const std::string command = "'" CLEW_COMMAND "' run " + graph + " --json" + options;
@@ -135,7 +137,9 @@ int main(int argc, char** argv) {
     // The mix would divide both groups.
     if (name != "mixed") {
       register_ticks("ticks/" + name + "/two-processes/pinned",
-                     layout.options + endless + two_processes(), 10000);
+                     layout.options + endless + two_processes() + kACoreEach, 10000);
+      register_ticks("ticks/" + name + "/two-processes", layout.options + endless + two_processes(),
+                     10000);
     }
     register_ticks("ticks/" + name + "/recorded",
                    layout.options + endless + " --record /tmp/clew-benchmark.mcap --force", 10000);

@@ -41,30 +41,53 @@ TEST(Durations, KeepShortAndLongOnesApart) {
   }
 }
 
-/// Two ticks: sense steps 3 and 5 us, its sample takes 1 us, drive steps 2 us.
+/// A clock that is set by hand, and a count of allocations.
+class Hand {
+ public:
+  const RunProfile::Moment& now() const { return moment_; }
+  const RunProfile::Moment& pass(int time_us, std::uint64_t allocations = 0) {
+    moment_.at += microseconds(time_us);
+    moment_.allocations += allocations;
+    return moment_;
+  }
+
+ private:
+  RunProfile::Moment moment_;
+};
+
+/// Two ticks: sense steps 3 and 5 us, the second time with 2 us and 3 allocations for rays; its
+/// sample takes 1 us and an allocation, drive steps 2 us.
 RunProfile two_ticks() {
   RunProfile profile({{"sense", {Topic::kScan}}, {"drive", {Topic::kState}}});
-  RunProfile::Clock::time_point now;
-  for (const int step_us : {3, 5}) {
-    profile.begin_tick(step_us == 3 ? 0 : 1, now);
-    profile.begin_sample(Topic::kScan, now += microseconds(step_us));
-    profile.end_sample(now += microseconds(1));
-    profile.begin_sample(Topic::kState, now += microseconds(2));
-    profile.end_sample(now);
-    profile.end_tick(now);
-    now += microseconds(100);  // between two ticks, which is nobody's
+  Hand hand;
+  for (const int rays_us : {0, 2}) {
+    profile.begin_tick(rays_us == 0 ? 0 : 1, hand.now());
+    hand.pass(2);
+    if (rays_us > 0) {
+      profile.begin_part("rays", hand.now());
+      profile.end_part(hand.pass(rays_us, 3));
+    }
+    profile.begin_sample(Topic::kScan, hand.pass(1));
+    profile.end_sample(hand.pass(1, 1));
+    profile.begin_sample(Topic::kState, hand.pass(2));
+    profile.end_sample(hand.now());
+    profile.end_tick(hand.now());
+    hand.pass(100, 50);  // between two ticks, which is nobody's
   }
   return profile;
 }
 
 TEST(RunProfile, TellsWhoSpentATick) {
-  // Ticks take 6 and 8 us: 14 in all, of which sense has 8, the samples 2 and drive 4.
-  EXPECT_EQ(two_ticks().table(),
-            "us a tick          mean        p50        p99        max   share\n"
-            "sense              4.00       2.94       4.99       5.00   57.1%\n"
-            "drive              2.00       1.98       1.98       2.00   28.6%\n"
-            "samples            1.00       0.99       0.99       1.00   14.3%\n"
-            "tick               7.00       5.89       7.94       8.00  100.0%\n");
+  // Ticks take 6 and 8 us: 14 in all, of which sense has 8, with 2 of rays, the samples 2 and
+  // drive 4. Sense allocates 3 times, all for rays, and the samples twice.
+  EXPECT_EQ(
+      two_ticks().table(),
+      "us a tick                  mean        p50        p99        max   share allocations\n"
+      "sense                      4.00       2.94       4.99       5.00   57.1%        1.50\n"
+      "  rays                     1.00       0.00       1.98       2.00   14.3%        1.50\n"
+      "drive                      2.00       1.98       1.98       2.00   28.6%        0.00\n"
+      "samples                    1.00       0.99       0.99       1.00   14.3%        1.00\n"
+      "tick                       7.00       5.89       7.94       8.00  100.0%        2.50\n");
 }
 
 TEST(RunProfile, TellsTheStepsOfAComponent) {
@@ -85,6 +108,10 @@ TEST(RunProfile, TracesEachStepAtItsTime) {
             std::string::npos);
   EXPECT_NE(trace.find("{\"name\":\"tick\",\"ph\":\"X\",\"pid\":1,\"tid\":1,\"ts\":106.000,"
                        "\"dur\":8.000,\"args\":{\"tick\":1}}"),
+            std::string::npos);
+  // The second tick begins at 106 us, its rays 2 us later.
+  EXPECT_NE(trace.find("{\"name\":\"rays\",\"ph\":\"X\",\"pid\":1,\"tid\":1,\"ts\":108.000,"
+                       "\"dur\":2.000,\"args\":{\"tick\":1}}"),
             std::string::npos);
 }
 

@@ -23,9 +23,34 @@ class Profile(unittest.TestCase):
         run = Run([*RUN, "--profile", self.folder / "trace.json"])
 
         self.assertEqual(run.report["hash"], Run(RUN).report["hash"])
-        rows = [line.split()[0] for line in run.err.splitlines() if "%" in line]
-        self.assertEqual(sorted(rows[:-2]), ["control", "drive", "sense"])
+        rows = self.rows(run)
+        self.assertEqual(sorted(row for row in rows[:-2] if row[0] != " "),
+                         ["control", "drive", "sense"])
         self.assertEqual(rows[-2:], ["samples", "tick"])
+
+    def test_map_detector_escape_and_controller_have_rows_of_their_own(self):
+        run = Run(["run", "default", "--world", "u-trap", "--layout", "composed", "--json",
+                   "--profile", self.folder / "trace.json"])
+
+        rows = self.rows(run)
+        recover = rows.index("recover")
+        self.assertEqual(set(rows[recover + 1:recover + 5]),
+                         {"  map", "  known_detour", "  remembered_map", "  shadows"})
+        self.assertIn("  controller", rows[rows.index("control"):])
+
+    def test_a_run_that_maps_allocates_and_the_guard_does_not(self):
+        run = Run(["run", "default", "--world", "u-trap", "--layout", "composed", "--json",
+                   "--profile", self.folder / "trace.json"])
+
+        allocations = {line.split()[0]: float(line.split()[-1])
+                       for line in run.err.splitlines() if "%" in line}
+        self.assertGreater(allocations["tick"], 0.0)
+        self.assertEqual(allocations["guard"], 0.0)
+
+    @staticmethod
+    def rows(run):
+        """The names of the table's rows, those of parts set in."""
+        return [line[:20].rstrip() for line in run.err.splitlines() if "%" in line]
 
     def test_the_trace_holds_every_tick_with_its_steps(self):
         Run([*RUN, "--profile", self.folder / "trace.json"])
