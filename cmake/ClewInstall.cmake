@@ -33,13 +33,14 @@ install(TARGETS clew_fastdds_module clew_cyclonedds_module clew_pictures_module 
   LIBRARY DESTINATION ${CLEW_MODULE_DIRECTORY})
 install(DIRECTORY configs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clew)
 install(DIRECTORY idl/ DESTINATION ${CMAKE_INSTALL_DATADIR}/clew/idl
-  FILES_MATCHING PATTERN "*.idl" PATTERN README.md)
+  FILES_MATCHING PATTERN "*.idl" PATTERN README.md PATTERN "*fingerprint*")
 install(DIRECTORY ${manual}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${manual}/clew.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   RENAME clew)
 install(FILES ${manual}/_clew DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME libclew-dev)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libclew-dev USE_SOURCE_PERMISSIONS)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/clew)
 set(libraries)
 foreach(name core yaml domain world scan map runtime sense classify recover plan control drive stages

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <system_error>
 
 namespace clew::fleet {
@@ -12,6 +13,8 @@ namespace clew::fleet {
 using core::Error;
 
 core::Result<std::string> make_folder(const std::string& folder) {
+  std::error_code code;
+  std::filesystem::create_directories(std::filesystem::path(folder).parent_path(), code);
   if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) {
     return Error{"the folder cannot be made: " + std::generic_category().message(errno), folder};
   }

@@ -7,7 +7,8 @@
 
 namespace clew::fleet {
 
-/// The whole path of a folder, which is made if it is not there. Refused: what is no folder.
+/// The whole path of a folder, which is made if it is not there, with those above it. Refused: what
+/// is no folder.
 core::Result<std::string> make_folder(const std::string& folder);
 
 /// Refused without `force`: a file that exists.

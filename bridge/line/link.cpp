@@ -110,9 +110,10 @@ Link::~Link() { ::close(socket_); }
 
 core::Result<int> Link::connect(int domain, Time deadline) {
   const std::string number = std::to_string(domain);
-  return connect_to(address_of(line_of(domain)), "domain " + number, deadline,
-                    "no run holds domain " + number + "; start one with 'clew run ... --domain " +
-                        number + " --external STAGE'");
+  return connect_to(
+      address_of(line_of(domain)), "domain " + number, deadline,
+      "no run holds domain " + number + "; 'clew run ... --domain " + number +
+          "' starts one, and with --external STAGE waits for a component that you start");
 }
 
 core::Result<int> Link::connect(const std::string& name, Time deadline) {

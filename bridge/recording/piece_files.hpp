@@ -10,7 +10,7 @@
 namespace clew::bridge {
 
 /// More files than this a recording is not cut into: the last one takes the rest.
-inline constexpr std::uint64_t kMaxPieces = 500;
+inline constexpr std::uint64_t kMaxPieces = 10000;
 
 /// The file of a recording that is split: `a.mcap`, `a_1.mcap`, `a_2.mcap`, ... Its first file is
 /// named by `path`, under its own name or the one that it grows under; so are the others, but

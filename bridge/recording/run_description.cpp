@@ -114,7 +114,9 @@ core::Result<void> read_split(const mcap::Metadata& metadata, RunDescription& de
   description.split = {bytes.value_or(0), seconds.value_or(0.0)};
   const auto piece = number_from<std::uint64_t>(entry(metadata, kPieceKey), 10);
   const auto before = hash_from(entry(metadata, kHashBeforeKey));
-  if (!piece || *piece >= kMaxPieces) return refused(metadata, "has no number 'piece' below 500");
+  if (!piece || *piece >= kMaxPieces) {
+    return refused(metadata, "has no number 'piece' below " + std::to_string(kMaxPieces));
+  }
   if (!before) return refused(metadata, "has no 'hash_before' of 32 hexadecimal digits");
   description.piece = *piece;
   description.hash_before = *before;

@@ -30,12 +30,12 @@ bool add(RunSurvey::TopicSurvey& topic, const SampleView& sample) {
 }  // namespace
 
 core::Result<std::optional<SampleView>> SampleStream::next() {
-  for (; part_ < parts_.size(); ++part_) {
-    const auto message = parts_[part_].messages.next();
+  for (; !parts_.empty(); parts_.pop_front()) {
+    const auto message = parts_.front().messages.next();
     if (!message.ok()) return message.error();
     if (!*message) continue;
     const mcap::Message& found = **message;
-    SampleView sample{parts_[part_].topics.at(found.channel_id),
+    SampleView sample{parts_.front().topics.at(found.channel_id),
                       ns_to_tick(found.log_time_ns, tick_s_), found.sequence, found.data};
     if (older_) CLEW_RETURN_IF_ERROR(bring_up_to_date(sample));
     return std::optional(sample);
@@ -285,7 +285,7 @@ SampleStream RunRecording::stream(const SampleFilter& filter,
   if (static_cast<double>(filter.last_tick) * tick_ns < kLast_ns) {
     messages.last_ns = tick_to_ns(filter.last_tick, description_.tick_s);
   }
-  std::vector<SampleStream::Part> parts;
+  std::deque<SampleStream::Part> parts;
   parts.push_back(part(filter.topics, messages));
   for (const RunRecording& file : later_) parts.push_back(file.part(filter.topics, messages));
   return {std::move(parts), description_.tick_s, std::move(older)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <map>
 #include <memory>
@@ -43,7 +44,7 @@ class SampleStream {
   };
 
   /// The files one after another.
-  SampleStream(std::vector<Part> parts, double tick_s, std::shared_ptr<const OlderTypes> older)
+  SampleStream(std::deque<Part> parts, double tick_s, std::shared_ptr<const OlderTypes> older)
       : parts_(std::move(parts)), tick_s_(tick_s), older_(std::move(older)) {}
 
   /// The next sample, valid until the next call; nothing at the end. An error, a changed byte, a
@@ -54,8 +55,7 @@ class SampleStream {
   core::Result<void> bring_up_to_date(SampleView& sample);
   core::Result<std::string_view> in_todays_type(domain::Topic topic, std::string_view cdr);
 
-  std::vector<Part> parts_;
-  std::size_t part_ = 0;  ///< that is read
+  std::deque<Part> parts_;  ///< that are not at their end; the first is read
   double tick_s_;
   std::shared_ptr<const OlderTypes> older_;  ///< null: samples are given as they are
   std::vector<char> buffer_;                 ///< of a sample in today's type

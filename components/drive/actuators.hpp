@@ -3,35 +3,29 @@
 
 #include "core/random.hpp"
 #include "drive/drive_model.hpp"
+#include "drive/motion_errors.hpp"
 
 namespace clew::drive {
 
 struct ActuatorParameters {
   double lag_s = 0.0;
-  double slip_m_per_m = 0.0;
-  double slip_rad_per_rad = 0.0;
-  double slip_m_per_sqrt_m = 0.0;
-  double slip_rad_per_sqrt_m = 0.0;
+  MotionErrors slip;
 
-  bool slips() const {
-    return slip_m_per_m != 0.0 || slip_rad_per_rad != 0.0 || slip_m_per_sqrt_m != 0.0 ||
-           slip_rad_per_sqrt_m != 0.0;
-  }
   /// Whether the robot moves otherwise than its drive has it.
-  bool any() const { return lag_s != 0.0 || slips(); }
+  bool any() const { return lag_s != 0.0 || slip.any(); }
 };
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, ActuatorParameters& p) {
   visit.number("lag_s", p.lag_s, "s", {0.0, 5.0},
                "time constant with which the motion follows the command; 0: at once");
-  visit.number("slip_m_per_m", p.slip_m_per_m, "m/m", {0.0, 0.9},
+  visit.number("slip_m_per_m", p.slip.m_per_m, "m/m", {0.0, 0.9},
                "share of the way that the wheels turn in vain");
-  visit.number("slip_rad_per_rad", p.slip_rad_per_rad, "rad/rad", {0.0, 0.9},
+  visit.number("slip_rad_per_rad", p.slip.rad_per_rad, "rad/rad", {0.0, 0.9},
                "share of a turn that the wheels turn in vain");
-  visit.number("slip_m_per_sqrt_m", p.slip_m_per_sqrt_m, "m/m^0.5", {0.0, 0.5},
+  visit.number("slip_m_per_sqrt_m", p.slip.m_per_sqrt_m, "m/m^0.5", {0.0, 0.5},
                "standard deviation of the way after a metre");
-  visit.number("slip_rad_per_sqrt_m", p.slip_rad_per_sqrt_m, "rad/m^0.5", {0.0, 0.5},
+  visit.number("slip_rad_per_sqrt_m", p.slip.rad_per_sqrt_m, "rad/m^0.5", {0.0, 0.5},
                "standard deviation of the heading after a metre");
 }
 
@@ -49,6 +43,9 @@ void visit_parameters(Visitor& visit, ActuatorParameters& p) {
 /// of their turn and by slip_rad_per_sqrt_m sqrt(|s|) N_4 more, with N_i standard normal.
 class Actuators {
  public:
+  /// Chance does not owe more than this.
+  static constexpr double kMostOwed_m = 1e9;
+
   /// Everything that lasts from one tick to the next.
   struct State {
     double turn_rad = 0.0;  ///< on the spot, of the wheels, in the last tick
@@ -58,8 +55,6 @@ class Actuators {
     double owed_m = 0.0;      ///< of chance, that did not fit into it
 
     void add(const Leg& leg);
-    /// Whether it is one that motions lead to, and not a stranger's.
-    bool is_sound() const;
   };
   /// How the robot's motion differed from its wheels', in the last tick.
   struct Slip {
@@ -71,7 +66,7 @@ class Actuators {
   explicit Actuators(const ActuatorParameters& parameters) : parameters_(parameters) {}
 
   bool any() const { return parameters_.any(); }
-  bool slips() const { return parameters_.slips(); }
+  bool slips() const { return parameters_.slip.any(); }
 
   /// The motion that comes of `legs`; `brakes`: without lag.
   Legs act(const Legs& legs, bool brakes, const core::Random& random);

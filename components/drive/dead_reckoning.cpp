@@ -65,8 +65,8 @@ void bound(PoseCovariance& p) {
 
 }  // namespace
 
-DeadReckoning::DeadReckoning(const core::Pose2& start, const DriftParameters& drift,
-                             const DriftParameters& told)
+DeadReckoning::DeadReckoning(const core::Pose2& start, const MotionErrors& drift,
+                             const MotionErrors& told)
     : drift_(drift), told_(told) {
   state_.pose_odom_robot = start;
 }

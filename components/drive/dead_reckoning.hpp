@@ -6,23 +6,11 @@
 #include "core/geometry.hpp"
 #include "core/random.hpp"
 #include "domain/messages.hpp"
+#include "drive/motion_errors.hpp"
 
 namespace clew::drive {
 
-struct DriftParameters {
-  double m_per_m = 0.0;
-  double rad_per_rad = 0.0;
-  double rad_per_m = 0.0;
-  double m_per_sqrt_m = 0.0;
-  double rad_per_sqrt_rad = 0.0;
-  double rad_per_sqrt_m = 0.0;
-
-  /// Whether there is any error at all.
-  bool any() const {
-    return m_per_m != 0.0 || rad_per_rad != 0.0 || rad_per_m != 0.0 || m_per_sqrt_m != 0.0 ||
-           rad_per_sqrt_rad != 0.0 || rad_per_sqrt_m != 0.0;
-  }
-};
+struct DriftParameters : MotionErrors {};
 
 template <typename Visitor>
 void visit_parameters(Visitor& visit, DriftParameters& p) {
@@ -106,9 +94,8 @@ class DeadReckoning {
 
   /// `drift` is what it counts wrongly, `told` what its covariance goes by: that, and how the
   /// wheels slip.
-  DeadReckoning(const core::Pose2& start, const DriftParameters& drift,
-                const DriftParameters& told);
-  DeadReckoning(const core::Pose2& start, const DriftParameters& drift)
+  DeadReckoning(const core::Pose2& start, const MotionErrors& drift, const MotionErrors& told);
+  DeadReckoning(const core::Pose2& start, const MotionErrors& drift)
       : DeadReckoning(start, drift, drift) {}
 
   void count(const Tick& tick, const core::Random& random);
@@ -122,8 +109,8 @@ class DeadReckoning {
  private:
   void propagate(const core::Vec2& way_odom, double counted_m, double counted_rad);
 
-  DriftParameters drift_;
-  DriftParameters told_;
+  MotionErrors drift_;
+  MotionErrors told_;
   State state_;
 };
 

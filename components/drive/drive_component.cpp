@@ -19,21 +19,6 @@ Mission mission_of(const runtime::RunSetup& setup, const ArrivalParameters& arri
   return mission;
 }
 
-/// What odometry may be off by: its own errors, and those that come of wheels that slip.
-DriftParameters with_slip(DriftParameters drift, const ActuatorParameters& actuators) {
-  const auto both = [](double size, double slip) {
-    return slip == 0.0 ? size : std::fabs(size) + slip;
-  };
-  const auto together = [](double deviation, double slip) {
-    return slip == 0.0 ? deviation : std::sqrt(deviation * deviation + slip * slip);
-  };
-  drift.m_per_m = both(drift.m_per_m, actuators.slip_m_per_m);
-  drift.rad_per_rad = both(drift.rad_per_rad, actuators.slip_rad_per_rad);
-  drift.m_per_sqrt_m = together(drift.m_per_sqrt_m, actuators.slip_m_per_sqrt_m);
-  drift.rad_per_sqrt_m = together(drift.rad_per_sqrt_m, actuators.slip_rad_per_sqrt_m);
-  return drift;
-}
-
 }  // namespace
 
 std::vector<runtime::PortInfo> DriveComponent::ports() {
@@ -51,11 +36,11 @@ DriveComponent::DriveComponent(std::unique_ptr<DriveModel> model, const SafetyPa
       world_(setup.world),
       seed_(setup.seed),
       robot_index_(setup.robot_index),
-      counts_(drift.any() || actuators.slips()),
+      counts_(drift.any() || actuators.slip.any()),
       referee_(mission_of(setup, arrival)),
       body_(world_->start(), setup.behaviour.robot.radius_m, safety),
       actuators_(actuators),
-      reckoning_(world_->start(), drift, with_slip(drift, actuators)) {}
+      reckoning_(world_->start(), drift, drift.with(actuators.slip)) {}
 
 void DriveComponent::step(const runtime::TickInputs& inputs, runtime::TickOutputs& outputs) {
   const auto* command = inputs.find<domain::Command>();
@@ -147,14 +132,45 @@ void DriveComponent::save(core::StateWriter& writer) const {
   referee_.save(writer);
 }
 
+namespace {
+
+/// Whether any drive, with any of its parameters, moves so in a tick. A state may come from a
+/// stranger's file, and what goes farther than that would take for ever to be swept.
+bool is_motion_of_a_tick(double way_m, double turn_rad) {
+  constexpr double kMostWay_m = 1e3;
+  constexpr double kMostTurn_rad = 3e4;
+  return std::fabs(way_m) <= kMostWay_m && std::fabs(turn_rad) <= kMostTurn_rad;
+}
+
+bool is_sound(const Body::State& body, double tick_s) {
+  return is_motion_of_a_tick(body.speed_mps * tick_s, body.turn_rate_radps * tick_s);
+}
+
+bool is_sound(const Actuators::State& wheels, double tick_s) {
+  const double speed_ratio = wheels.duration_s > 0.0 ? tick_s / wheels.duration_s : 0.0;
+  const auto fits = [&](double ratio) {
+    return is_motion_of_a_tick(ratio * wheels.step_m, ratio * wheels.turn_rad) &&
+           is_motion_of_a_tick(0.0, ratio * wheels.bend_rad);
+  };
+  return wheels.duration_s >= 0.0 && std::isfinite(wheels.duration_s) && fits(1.0) &&
+         fits(speed_ratio) && std::fabs(wheels.owed_m) <= Actuators::kMostOwed_m;
+}
+
+}  // namespace
+
 void DriveComponent::load(core::StateReader& reader) {
   reader(body_.state(), reckoning_.state());
+  if (!reader.check(is_sound(body_.state(), model_->tick_s()),
+                    "a speed of the robot is one that no drive leads to")) {
+    body_.state() = {};
+  }
   if (!reader.check(reckoning_.state().is_sound(), "a covariance of the odometry is none")) {
     reckoning_.state() = {};
   }
   if (actuators_.any()) {
     reader(actuators_.state());
-    if (!reader.check(actuators_.state().is_sound(), "a motion of the wheels is none")) {
+    if (!reader.check(is_sound(actuators_.state(), model_->tick_s()),
+                      "a motion of the wheels is one that no drive leads to")) {
       actuators_.state() = {};
     }
   }

@@ -102,7 +102,10 @@ std::string hint_at_file(const std::string& name) {
   for (const std::string& file : {name, name + kExtension}) {
     std::error_code code;
     if (!fs::is_regular_file(file, code)) continue;
-    return "; '" + file + "' is a file here: a path has a slash or ends in .yaml";
+    const bool recording = fs::path(file).extension() == ".mcap";
+    return "; '" + file + "' is a file here: " +
+           (recording ? "'clew info', 'clew replay' and 'clew view' read recordings"
+                      : "a path has a slash or ends in .yaml");
   }
   return {};
 }

@@ -21,6 +21,9 @@ using core::YamlNode;
 constexpr const char* kFormat = "clew-world/1";
 
 Result<void> read_head(const YamlNode& root, WorldFile& world) {
+  if (const auto image = root.at("image"); image.ok() && !root.at("format").ok()) {
+    return image->error("is a map of ROS, not a world: 'clew world import' makes a world of it");
+  }
   CLEW_RETURN_IF_ERROR(core::check_format(root, kFormat));
   CLEW_RETURN_IF_ERROR(
       root.check_keys({"format", "name", "about", "bounds", "walls", "polygons", "circles",

@@ -49,8 +49,8 @@ TEST(ActuatedDrive, StopsAtOnceWithLagWhenItIsToldToStop) {
 
 TEST(ActuatedDrive, GoesLessFarThanItsWheelsWhenTheySlip) {
   ActuatorParameters actuators;
-  actuators.slip_m_per_m = 0.25;
-  actuators.slip_rad_per_rad = 0.5;
+  actuators.slip.m_per_m = 0.25;
+  actuators.slip.rad_per_rad = 0.5;
   DriveRun run = run_with(actuators);
   run.start();
   Motion motion = ahead(0.1);
@@ -70,8 +70,8 @@ TEST(ActuatedDrive, GoesLessFarThanItsWheelsWhenTheySlip) {
 
 TEST(ActuatedDrive, SlipsByChanceAroundWhatItSlipsAlways) {
   ActuatorParameters actuators;
-  actuators.slip_m_per_sqrt_m = 0.05;
-  actuators.slip_rad_per_sqrt_m = 0.1;
+  actuators.slip.m_per_sqrt_m = 0.05;
+  actuators.slip.rad_per_sqrt_m = 0.1;
   DriveRun run = run_with(actuators);
   run.start();
   double way_m = 0.0;
@@ -99,8 +99,8 @@ TEST(ActuatedDrive, TellsOfLagAndSlipOnlyWhereTheyShow) {
   ActuatorParameters lag;
   lag.lag_s = 0.5;
   ActuatorParameters slip;
-  slip.slip_m_per_m = 0.2;
-  slip.slip_rad_per_sqrt_m = 0.1;
+  slip.slip.m_per_m = 0.2;
+  slip.slip.rad_per_sqrt_m = 0.1;
   for (const ActuatorParameters& actuators : {lag, slip}) {
     DriveRun run = run_with(actuators);
     run.start();
@@ -116,9 +116,9 @@ TEST(ActuatedDrive, TellsHowFarSlipMayHaveLedItsOdometryAstray) {
   drift.m_per_m = -0.1;
   drift.m_per_sqrt_m = 0.03;
   ActuatorParameters actuators;
-  actuators.slip_m_per_m = 0.2;
-  actuators.slip_rad_per_rad = 0.5;
-  actuators.slip_m_per_sqrt_m = 0.04;
+  actuators.slip.m_per_m = 0.2;
+  actuators.slip.rad_per_rad = 0.5;
+  actuators.slip.m_per_sqrt_m = 0.04;
   DriveRun run("", true, 100, drift, {}, std::nullopt, actuators);
   run.start();
   run.step(ahead(0.1));
@@ -135,36 +135,55 @@ TEST(ActuatedDrive, TellsHowFarSlipMayHaveLedItsOdometryAstray) {
   EXPECT_NEAR(odometry.covariance.heading_rad2, 0.2 * 0.2, 1e-12);
 }
 
-TEST(ActuatedDrive, RefusesAStateOfWheelsThatIsNone) {
+/// A state with another number where `from` stands, at its first or its last place.
+std::string with_number(const std::string& state, double from, double to, bool last) {
+  std::size_t at = std::string::npos;
+  for (std::size_t i = 0; i + sizeof(double) <= state.size(); ++i) {
+    double value = 0.0;
+    std::memcpy(&value, state.data() + i, sizeof(value));
+    if (std::fabs(value - from) < 1e-12 && (last || at == std::string::npos)) at = i;
+  }
+  EXPECT_NE(at, std::string::npos) << from;
+  std::string changed = state;
+  if (at != std::string::npos) std::memcpy(changed.data() + at, &to, sizeof(to));
+  return changed;
+}
+
+// Sweeping what a state of 1e300 m/s leads to would not end.
+TEST(ActuatedDrive, RefusesAStateWhoseMotionNoDriveLeadsTo) {
   ActuatorParameters actuators;
   actuators.lag_s = 0.5;
+  actuators.slip.m_per_sqrt_m = 0.1;
   DriveRun run = run_with(actuators);
   run.start();
   run.step(ahead(0.1));
   const std::string saved = run.saved();
   ASSERT_EQ(run.fault_of(saved), "");
-  // The wheels' last step stands at its only place.
-  const double step_m = 0.1 * (1.0 - std::exp(-0.3 / 0.5));
-  std::size_t at = std::string::npos;
-  for (std::size_t i = 0; i + sizeof(double) <= saved.size(); ++i) {
-    double value = 0.0;
-    std::memcpy(&value, saved.data() + i, sizeof(value));
-    if (std::fabs(value - step_m) < 1e-12) at = i;
-  }
-  ASSERT_NE(at, std::string::npos);
-  std::string endless = saved;
-  const double infinite = std::numeric_limits<double>::infinity();
-  std::memcpy(endless.data() + at, &infinite, sizeof(infinite));
+  const double tick_s = 0.3;
+  const double wheels_m = 0.1 * (1.0 - std::exp(-tick_s / 0.5));
+  const double speed_mps = std::get<domain::State>(run.messages()).speed_mps;
 
-  EXPECT_NE(run.fault_of(endless).find("a motion of the wheels is none"), std::string::npos);
+  for (const double number : {HUGE_VAL, 1e300, -1e300, 1e6}) {
+    EXPECT_NE(run.fault_of(with_number(saved, wheels_m, number, true))
+                  .find("a motion of the wheels is one that no drive leads to"),
+              std::string::npos)
+        << number;
+    EXPECT_NE(run.fault_of(with_number(saved, speed_mps, number, false))
+                  .find("a speed of the robot is one that no drive leads to"),
+              std::string::npos)
+        << number;
+  }
+  for (const double duration_s : {-0.1, 1e-300, HUGE_VAL}) {
+    EXPECT_NE(run.fault_of(with_number(saved, tick_s, duration_s, true)), "") << duration_s;
+  }
   EXPECT_TRUE(std::isfinite(run.step(ahead(0.1)).pose_world_robot.x_m));
 }
 
 TEST(ActuatedDrive, GoesOnAsBeforeAfterSaveAndLoadWithLagAndSlip) {
   ActuatorParameters actuators;
   actuators.lag_s = 0.5;
-  actuators.slip_m_per_m = 0.1;
-  actuators.slip_rad_per_sqrt_m = 0.1;
+  actuators.slip.m_per_m = 0.1;
+  actuators.slip.rad_per_sqrt_m = 0.1;
   DriveRun run = run_with(actuators);
   run.start();
   run.step(ahead(0.1));

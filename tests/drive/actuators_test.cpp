@@ -16,7 +16,7 @@ Legs ahead(double step_m) {
 
 TEST(Actuators, SlipByChanceAlikeHoweverLongATickIs) {
   ActuatorParameters parameters;
-  parameters.slip_m_per_sqrt_m = 0.2;
+  parameters.slip.m_per_sqrt_m = 0.2;
   // In ticks of 1 cm the way of each would vary by twice itself: most of that must wait.
   for (const int ticks : {2, 10, 100}) {
     constexpr int kRuns = 1000;
@@ -40,19 +40,6 @@ TEST(Actuators, SlipByChanceAlikeHoweverLongATickIs) {
     EXPECT_NEAR(mean_m, 1.0, 5.0 * 0.2 / std::sqrt(kRuns)) << ticks;
     EXPECT_NEAR(std::sqrt(variance_m2), 0.2, 0.04) << ticks;
   }
-}
-
-TEST(Actuators, KnowAStateThatIsNone) {
-  Actuators::State state;
-  EXPECT_TRUE(state.is_sound());
-  state.step_m = HUGE_VAL;
-  EXPECT_FALSE(state.is_sound());
-  state = {};
-  state.duration_s = -0.1;
-  EXPECT_FALSE(state.is_sound());
-  state = {};
-  state.owed_m = -1e10;
-  EXPECT_FALSE(state.is_sound());
 }
 
 }  // namespace

@@ -152,6 +152,13 @@ TEST_F(QueryOfThreeRuns, RefusesARunThatTheTableCannotHold) {
   expect_refused("SELECT 1", "a run has a key that 'runs' has no column for");
 }
 
+TEST_F(QueryOfThreeRuns, TakesRunsWhoseCoverageWasCounted) {
+  write({R"({"graph":"g","world":"a","coverage":[{"of":"rules","decided":{"1":7}}]})"});
+
+  EXPECT_EQ(ask("SELECT c.value ->> '$.decided.1' FROM runs, json_each(coverage) AS c").rows[0][0],
+            Cell(std::int64_t{7}));
+}
+
 TEST(RunsTable, HasNoColumnTwice) {
   std::vector<std::string> names;
   for (const Column& column : runs_columns()) {

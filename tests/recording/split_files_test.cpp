@@ -170,24 +170,103 @@ TEST(SplitRecording, IsReadWhereEachOfItsFilesIsALink) {
   EXPECT_EQ(recording->pieces(), 3U);
 }
 
+/// While it is there, this process may open `more` files beside those that it has open.
+class FewOpenFiles {
+ public:
+  explicit FewOpenFiles(rlim_t more) {
+    EXPECT_EQ(::getrlimit(RLIMIT_NOFILE, &before_), 0);
+    const int next = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    ::close(next);
+    limit_ = {static_cast<rlim_t>(next) + more, before_.rlim_max};
+    EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &limit_), 0);
+  }
+  ~FewOpenFiles() { EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &before_), 0); }
+  FewOpenFiles(const FewOpenFiles&) = delete;
+  FewOpenFiles& operator=(const FewOpenFiles&) = delete;
+
+  rlim_t limit() const { return limit_.rlim_cur; }
+
+ private:
+  rlimit before_{};
+  rlimit limit_{};
+};
+
+/// A file for each of `ticks` ticks.
+void record_files(const std::string& path, std::uint64_t ticks) {
+  RunDescription run = description();
+  run.split.seconds = run.tick_s;
+  record_split(path, run, samples_of_run(ticks));
+}
+
 TEST(SplitRecording, NamesTheLimitOfOpenFiles) {
   const ScratchDirectory scratch;
-  record_split(scratch.file("a.mcap"), split_by_time(), samples_of_run(20));
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
-  const int next = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-  ::close(next);
-  // Room for the first file.
-  const rlimit tight{static_cast<rlim_t>(next) + 1, before.rlim_max};
-  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &tight), 0);
+  record(scratch.file("a.mcap"), samples_of_run(2));
+  const FewOpenFiles none(0);
   const auto recording = RunRecording::open(scratch.file("a.mcap"));
-  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
 
   ASSERT_FALSE(recording.ok());
-  EXPECT_NE(recording.error().text().find("this process may have " +
-                                          std::to_string(tight.rlim_cur) + " (ulimit -n)"),
+  EXPECT_NE(recording.error().text().find("this process may have " + std::to_string(none.limit()) +
+                                          " (ulimit -n)"),
             std::string::npos)
       << recording.error().text();
+}
+
+TEST(SplitRecording, MayHaveMoreFilesThanAProcessMayOpen) {
+  const ScratchDirectory scratch;
+  constexpr std::uint64_t kFiles = 3 * mcap::InputFile::kMostOpen;
+  record_files(scratch.file("a.mcap"), kFiles);
+  for (const rlim_t more : {rlim_t{1}, rlim_t{mcap::InputFile::kMostOpen}}) {
+    const FewOpenFiles few(more);
+    const auto recording = RunRecording::open(scratch.file("a.mcap"));
+    ASSERT_TRUE(recording.ok()) << recording.error().text();
+
+    EXPECT_EQ(recording->pieces(), kFiles);
+    EXPECT_TRUE(recording->complete());
+    EXPECT_EQ(read_samples(recording->samples()), samples_of_run(kFiles));
+    EXPECT_TRUE(recording->survey().ok());
+  }
+}
+
+TEST(SplitRecording, LeavesRoomForOtherFiles) {
+  const ScratchDirectory scratch;
+  record_files(scratch.file("a.mcap"), 3 * mcap::InputFile::kMostOpen);
+  const FewOpenFiles few(mcap::InputFile::kMostOpen + 1);
+  const auto recording = RunRecording::open(scratch.file("a.mcap"));
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
+
+  const int other = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+
+  EXPECT_GE(other, 0);
+  ::close(other);
+}
+
+TEST(SplitRecording, IsReadToTheEndWhileItsFilesGetTheirNames) {
+  const ScratchDirectory scratch;
+  constexpr std::uint64_t kFiles = 2 * mcap::InputFile::kMostOpen;
+  record_files(scratch.file("a.mcap"), kFiles);
+  fs::rename(scratch.file("a.mcap"), scratch.file("a.mcap.tmp~"));
+  const auto recording = RunRecording::open(scratch.file("a.mcap.tmp~"));
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
+  EXPECT_EQ(recording->pieces(), kFiles);
+
+  fs::rename(scratch.file("a.mcap.tmp~"), scratch.file("a.mcap"));
+
+  EXPECT_EQ(read_samples(recording->samples()), samples_of_run(kFiles));
+}
+
+TEST(SplitRecording, IsRefusedWhereAFileWasReplacedWhileItWasRead) {
+  const ScratchDirectory scratch;
+  record_files(scratch.file("a.mcap"), 2 * mcap::InputFile::kMostOpen);
+  const auto recording = RunRecording::open(scratch.file("a.mcap"));
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
+
+  fs::copy_file(scratch.file("a.mcap"), scratch.file("other"));
+  fs::rename(scratch.file("other"), scratch.file("a.mcap"));
+  const auto survey = recording->survey();
+
+  ASSERT_FALSE(survey.ok());
+  EXPECT_EQ(survey.error().text(),
+            scratch.file("a.mcap") + ": is another file than when it was opened");
 }
 
 }  // namespace

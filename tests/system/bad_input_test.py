@@ -60,7 +60,7 @@ class Graphs(BadInput):
             self.refused(Run(["run", "mine"], cwd=directory), "unknown graph 'mine'",
                          "'mine.yaml' is a file here: a path has a slash or ends in .yaml")
             self.refused(Run(["world", "check", "run.mcap"], cwd=directory),
-                         "'run.mcap' is a file here")
+                         "'run.mcap' is a file here: 'clew info', 'clew replay' and 'clew view' read")
 
     def test_a_file_of_another_kind_is_called_by_its_format(self):
         self.refused(Run(["check", write_file(WORLD)]), "file.yaml:1:9: found a file of the format "
@@ -215,11 +215,21 @@ class Options(BadInput):
                 self.refused(Run([*command.split(), f"{option}=010"]), option,
                              "found '010'; allowed: ", " without leading zeros")
 
+    def test_no_command_is_told_where_they_are_listed(self):
+        self.refused(Run([]), "clew: what shall it do? 'clew --help' lists the commands")
+        self.refused(Run(["world"]), "clew: what shall 'world' do? 'clew world --help' lists its commands")
+
+    def test_help_is_a_command_too(self):
+        for words in ([], ["run"], ["world", "check"]):
+            helped = Run(["help", *words])
+            self.assertEqual((helped.status, helped.out), (0, Run([*words, "--help"]).out))
+        self.refused(Run(["help", "rnu"]), "unknown command 'rnu' (did you mean 'run'?)")
+
     def test_no_command_and_an_unknown_one(self):
         self.assertEqual(Run([]).status, 2)
         self.refused(Run(["chekc", "reactive"]), "did you mean 'check'?")
         self.refused(Run(["train", "smo"]), "clew: unknown command 'smo' (did you mean 'som'?)")
-        self.refused(Run(["train"]), "clew: ", "see --help")
+        self.refused(Run(["train"]), "clew: what shall 'train' do?")
 
     def test_an_unknown_option_is_named_before_what_is_missing(self):
         for command, option, nearest in (("plot", "--tikc", "--tick"), ("info", "--jsno", "--json"),
@@ -272,6 +282,10 @@ class Worlds(BadInput):
 
     def test_self_crossing_polygon(self):
         self.refused_world(WORLD + "polygons: [[[4,4],[6,6],[6,4],[4,6]]]\n", "cross")
+
+    def test_a_map_of_ros_is_pointed_to_the_import(self):
+        self.refused_world("image: room.pgm\nresolution: 0.05\n", ".yaml:1:8: is a map of ROS, not a world",
+                           "clew world import")
 
     def test_empty_world(self):
         self.refused_world("", "file.yaml")

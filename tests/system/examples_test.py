@@ -8,7 +8,8 @@ import subprocess
 import tempfile
 import unittest
 
-from clew_command import CLEW, SOURCE
+from clew_command import SOURCE
+from installed import Installation
 
 BUILD_TIMEOUT_S = 600
 PAGE = SOURCE / "docs" / "your-own-component.md"
@@ -23,12 +24,16 @@ def commands_of(section):
 
 
 class Examples(unittest.TestCase):
-    """In a copy of examples/ somewhere else, with clew in PATH and CLEW_IDL for the folder idl/."""
+    """In a copy of the installed examples, with the installed clew in PATH and its folder idl/ in CLEW_IDL."""
 
     @classmethod
     def setUpClass(cls):
+        cls.installation = Installation()
+        cls.addClassCleanup(cls.installation.close)
         cls.directory = tempfile.TemporaryDirectory(prefix="clew-examples-")
-        shutil.copytree(SOURCE / "examples", pathlib.Path(cls.directory.name) / "examples")
+        cls.share = cls.installation.prefix / "share"
+        shutil.copytree(cls.share / "doc/libclew-dev/examples",
+                        pathlib.Path(cls.directory.name) / "examples")
 
     @classmethod
     def tearDownClass(cls):
@@ -37,9 +42,9 @@ class Examples(unittest.TestCase):
     def follow(self, section):
         """Runs the page's commands of a section in one shell; returns what the last one printed."""
         script = "set -e\n" + "\n".join(commands_of(section))
-        environment = {**os.environ, "CLEW_IDL": str(SOURCE / "idl"),
-                       "PATH": f"{pathlib.Path(CLEW).parent}:{os.environ['PATH']}"}
-        done = subprocess.run(["sh", "-c", script], cwd=f"{self.directory.name}/examples",
+        environment = {**os.environ, "CLEW_IDL": str(self.share / "clew/idl"),
+                       "PATH": f"{self.installation.prefix}/bin:{os.environ['PATH']}"}
+        done = subprocess.run(["sh", "-c", script], cwd=self.directory.name,
                               env=environment, capture_output=True, text=True, timeout=BUILD_TIMEOUT_S,
                               check=False)
         self.assertEqual(done.returncode, 0, f"{script}\n{done.stdout}{done.stderr}")

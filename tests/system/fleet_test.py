@@ -26,7 +26,7 @@ class Fleet(unittest.TestCase):
         self.assertEqual(listed.out.split(), [file.stem for file in FLEETS])
         for file in FLEETS:
             with self.subTest(file.stem):
-                folder = self.directory / file.stem
+                folder = self.directory / "not" / "there" / file.stem
                 one = Run(["run", file.stem, "--max-ticks", 120, "--threads", 1, "--json"])
                 two = Run(["run", file, "--max-ticks", 120, "--threads", 2, "--json",
                            "--record", folder])

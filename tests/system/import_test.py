@@ -2,6 +2,7 @@
 """Bags of ROS 2 as recordings, and worlds of others as worlds: what was imported is used."""
 import json
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -94,6 +95,20 @@ class Import(unittest.TestCase):
         self.assertGreater(solved.report["shortest_path_m"], 9.0)
         self.assertEqual(run.report["outcome"], "reached")
 
+    def test_a_place_is_numbers_with_commas_or_without(self):
+        (self.directory / "room.pgm").write_text(PICTURE)
+        source, world = self.directory / "room.yaml", self.directory / "world.yaml"
+        source.write_text(MAP)
+        self.assertEqual(Run(["world", "import", source, "-o", world]).status, 0)
+        whole = world.read_text()
+        start = re.search(r"^start: \[(.*)\]$", whole, re.M).group(1).split(", ")
+        for words in (start, [",".join(start)]):
+            done = Run(["world", "import", source, "-o", world, "--start", *words])
+
+            self.assertEqual((done.status, world.read_text()), (0, whole), done.err)
+        refused = Run(["world", "import", source, "-o", world, "--start", "1,x,0"])
+        self.assertIn("--start: found 'x'", refused.err)
+
     def test_severity_is_depth_over_range(self):
         done = Run(["world", "severity", "u-trap", "--range", "2", "--json"])
         solved = Run(["world", "solve", "u-trap", "--json"])
@@ -116,6 +131,7 @@ class Import(unittest.TestCase):
     def test_a_source_is_refused_with_its_place(self):
         bad = self.directory / "bad.yaml"
         bad.write_text(MAP + "mode: other\n")
+        (self.directory / "room.pgm").write_text(PICTURE)
         for source, words in ((bad, "bad.yaml:7"), (self.directory / "none.map", "No such file"),
                               (self.directory / "a.txt", ".scen (MovingAI)")):
             run = Run(["world", "import", source, "-o", self.directory / "w.yaml"])

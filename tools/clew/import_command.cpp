@@ -70,6 +70,7 @@ void add_import(CLI::App& main, int& status) {
   app->add_option("--odom-topic", options->order.topics.odometry, "else the only Odometry");
   app->add_option("--target", options->target, "x and y in the odometry frame; else the bag's end")
       ->expected(2)
+      ->delimiter(',')
       ->check(number_between(-kMost_m, kMost_m));
   app->add_flag("--json", options->json, "print it as one JSON object");
   app->callback([options, &status] { status = import_command(*options); });

@@ -65,16 +65,31 @@ core::Result<void> check_command(const CLI::App& app, const std::string& name) {
   return core::Error{core::unknown_name("command", name, known)};
 }
 
-core::Result<void> check_commands(const CLI::App& app, int argc, char** argv) {
-  const std::string command = argc > 1 ? argv[1] : "";
+core::Result<void> check_commands(const CLI::App& app, const std::vector<char*>& words) {
+  if (words.size() < 2) {
+    return core::Error{
+        "what shall it do? 'clew --help' lists the commands, 'clew run default' runs a robot"};
+  }
+  const std::string command = words[1];
   CLEW_RETURN_IF_ERROR(check_command(app, command));
   for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
-    const bool has_commands = known->get_require_subcommand_min() > 0;
-    if (argc > 2 && known->get_name() == command && has_commands) {
-      return check_command(*known, argv[2]);
-    }
+    if (known->get_name() != command || known->get_require_subcommand_min() == 0) continue;
+    if (words.size() > 2) return check_command(*known, words[2]);
+    return core::Error{"what shall '" + command + "' do? 'clew " + command +
+                       " --help' lists its commands"};
   }
   return {};
+}
+
+/// The words of the command line: `clew help run` is `clew run --help`.
+std::vector<char*> words_of(int argc, char** argv) {
+  std::vector<char*> words(argv, argv + argc);
+  static char help[] = "--help";
+  if (words.size() > 1 && std::string(words[1]) == "help") {
+    words.erase(words.begin() + 1);
+    words.push_back(help);
+  }
+  return words;
 }
 
 /// CLI11 would rather name an argument that is missing than an option that nobody knows.
@@ -125,7 +140,7 @@ struct LogRefusal {
   core::Error error;
 };
 
-int parse_and_run(int argc, char** argv) {
+int parse_and_run(const std::vector<char*>& words) {
   CLI::App app("Sensor-based navigation of a mobile robot as a graph of DDS components", "clew");
   app.require_subcommand(1);
   // CLI11's callbacks return nothing, so each command leaves its status here.
@@ -149,11 +164,11 @@ int parse_and_run(int argc, char** argv) {
   app.parse_complete_callback([&] {
     if (const auto opened = open_log(app, *log); !opened.ok()) throw LogRefusal{opened.error()};
   });
-  if (const auto known = check_commands(app, argc, argv); !known.ok()) {
+  if (const auto known = check_commands(app, words); !known.ok()) {
     return complain(known.error());
   }
   try {
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(words.size()), words.data());
   } catch (const LogRefusal& refusal) {
     return complain(refusal.error);
   } catch (const CLI::ParseError& error) {
@@ -191,7 +206,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    const int status = parse_and_run(argc, argv);
+    const int status = parse_and_run(words_of(argc, argv));
     errno = 0;
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
     return complain_of_output(errno);

@@ -71,11 +71,13 @@ void add_world_import(CLI::App& world, int& status) {
   app->add_option("-o,--output", options->output, "the world file to write")
       ->required()
       ->check(given_name());
-  app->add_option("--start", options->start, "x, y in m and heading in rad")
+  app->add_option("--start", options->start, "x, y in m and heading in rad: 1 2 0 or 1,2,0")
       ->expected(3)
+      ->delimiter(',')
       ->check(number_between(-kMost_m, kMost_m));
   app->add_option("--target", options->target, "x and y in m")
       ->expected(2)
+      ->delimiter(',')
       ->check(number_between(-kMost_m, kMost_m));
   app->add_option("--target-radius", options->target_radius_m, "in m")
       ->check(number_between(1e-3, kMost_m));

@@ -34,6 +34,7 @@ const std::vector<Column>& runs_columns() {
                                               {"detectors", "JSON"},
                                               {"still_since", "JSON"},
                                               {"notes", "JSON"},
+                                              {"coverage", "JSON"},
                                               {"restarts", "INTEGER"},
                                               {"refused_samples", "INTEGER"},
                                               {"lost_samples", "INTEGER"},

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <system_error>
 
 #include "core/angle.hpp"
 #include "core/math.hpp"
@@ -81,6 +82,9 @@ Result<Head> read_head(const std::string& path) {
   const auto name = image->string();
   if (!name.ok()) return name.error();
   head.image = (std::filesystem::path(path).parent_path() / *name).string();
+  if (std::error_code code; !std::filesystem::exists(head.image, code)) {
+    return image->error("there is no image '" + head.image + "'");
+  }
   const auto resolution = number_in(*root, "resolution", 1e-3, 100.0);
   if (!resolution.ok()) return resolution.error();
   head.resolution_m = *resolution;
