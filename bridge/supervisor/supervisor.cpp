@@ -51,6 +51,7 @@ Supervisor::Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout
       restart_policy_(members_, plan.graph),
       live_control_(outside_.control, members_, layout.pace == Pace::kRealtime),
       late_watch_(plan, layout.pace == Pace::kRealtime, outside_.activity),
+      arrival_watch_(outside_.activity),
       started_at_(now),
       shown_(page() != nullptr && page()->is_open()),
       lead_(lead_of(plan, layout)),

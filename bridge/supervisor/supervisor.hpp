@@ -17,6 +17,7 @@
 #include "run/run_report.hpp"
 #include "run/tick_rate.hpp"
 #include "runtime/run_plan.hpp"
+#include "supervisor/arrival_watch.hpp"
 #include "supervisor/incident_log.hpp"
 #include "supervisor/late_watch.hpp"
 #include "supervisor/launcher.hpp"
@@ -136,6 +137,7 @@ class Supervisor {
   std::unique_ptr<ThirdPartyObserver> observer_;
   IncidentLog incidents_;
   LateWatch late_watch_;
+  ArrivalWatch arrival_watch_;
   RunReport report_;
   const Time started_at_;
   TickRate rate_;

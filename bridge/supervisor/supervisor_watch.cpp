@@ -18,6 +18,10 @@ using Clock = std::chrono::steady_clock;
 void Supervisor::watch(Time now) {
   forgive_own_absence(now);
   watch_late(now);
+  // In real time a kill is the end of the run.
+  if (!launcher_.patient() && layout_.pace != Pace::kRealtime) {
+    log(arrival_watch_.watch(members_, now));
+  }
   if (gone_) {
     watch_stall(now);
   } else {
@@ -96,7 +100,8 @@ void Supervisor::got_on(Time now) {
   for (Member& member : members_) member.beats = 0;
 }
 
-// How long nothing has gone on. A step goes on while it gets processor time, be that little. And a
+// How long nothing has gone on. A step goes on while it gets processor time, be that little, and so
+// does the start of a process that comes back. And a
 // machine on which heartbeats come late is late with all else: its time is that of the member that
 // was heard least, half as often as on a quiet machine being often enough. Where nobody is killed
 // for being silent, silence must not stop the clock.

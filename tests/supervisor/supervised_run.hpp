@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -96,7 +97,7 @@ class SupervisedRun : public testing::Test {
     supervisor_ = std::make_unique<Supervisor>(
         plan_, layout_, 1, std::nullopt, ProcessStart{},
         Supervisor::Outside{[this](logs::Level, const std::string& line) { log_.push_back(line); },
-                            nullptr, start_sleeping, [](auto) { return std::nullopt; }},
+                            nullptr, start_sleeping, [this](auto) { return activity_; }},
         now_);
     supervisor_->start();
   }
@@ -162,6 +163,7 @@ class SupervisedRun : public testing::Test {
   Texts log_;
   std::map<std::string, std::unique_ptr<Peer>> peers_;
   std::unique_ptr<Supervisor> supervisor_;
+  std::optional<ProcessActivity> activity_;  ///< of every process; none: nobody knows
   bool busy_ = false;
   std::uint64_t processor_ns_ = 0;
   std::uint64_t nanoseconds_per_beat_ = 0;

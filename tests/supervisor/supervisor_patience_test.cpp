@@ -89,6 +89,23 @@ TEST_F(Patience, HasMorePatienceOnAMachineThatIsLateWithHeartbeats) {
   EXPECT_TRUE(logged("though all report; restarting all"));
 }
 
+TEST_F(Patience, WaitsForAProcessThatComesBackAsLongAsItGetsOn) {
+  all_join();
+  all_report(5);
+  supervisor_->turn(now_);
+  peers_.erase("sense");
+  kill("sense");
+  activity_ = ProcessActivity{};
+  activity_->runnable = true;
+
+  pass(3 * kStallTimeout, {"sense"});
+  EXPECT_FALSE(supervisor_->over());
+  activity_->runnable = false;
+  pass(kStallTimeout + seconds(1), {"sense"});
+
+  EXPECT_EQ(aborted().rfind("no tick was completed for 10 s", 0), 0u);
+}
+
 TEST_F(Patience, EndsWhenAProcessThatAPersonStartedStaysSilent) {
   layout_.external = {"sense"};
   TearDown();
