@@ -81,6 +81,7 @@ core::Result<ScratchFolder> ScratchFolder::make(const std::string& prefix) {
     if (lock >= 0 || (tries >= kTries && fs::exists(path, code))) {
       return ScratchFolder(std::move(path), lock);
     }
+    ::rmdir(path.c_str());
   }
 }
 

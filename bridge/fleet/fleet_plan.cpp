@@ -111,7 +111,7 @@ Result<void> FleetPlan::check_robot(const RobotPlan& robot) const {
     }
     if (!stage.deployment.host.empty()) {
       return refuse("its " + stage.info->name + " is on host " + stage.deployment.host +
-                    "; allowed in a fleet: none, all run on this one");
+                    "; a fleet's components all run on this host");
     }
   }
   const auto* drive = graph.find("drive");

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 #include "fleet/output_folder.hpp"
 #include "fleet/robot_run.hpp"
@@ -78,7 +79,7 @@ class FleetLoop {
     std::size_t ended = 0;
     while (ended < runs_.size()) {
       if (const int signal = options_.interrupted(); signal != 0) return note_interrupt(signal);
-      crew_.each(runs_.size(), step);
+      crew_->each(runs_.size(), step);
       ++steps_;
       for (std::size_t i = 0; i < runs_.size(); ++i) note_place(i);
       note_gaps();
@@ -136,7 +137,7 @@ class FleetLoop {
   }
 
   void record() {
-    crew_.each(report_.robots.size(), [this](std::size_t i) {
+    crew_->each(report_.robots.size(), [this](std::size_t i) {
       RobotReport& robot = report_.robots[i];
       const auto recorded = record(i);
       if (recorded.ok()) {
@@ -171,6 +172,7 @@ class FleetLoop {
                             ? std::string()
                             : recording_of(options_.record, plan_.robots()[i].entry)});
     }
+    crew_.reset();  // processes begin as copies of this one: by then it has no other threads
     const AloneResults results = options_.again(robots);
     for (std::size_t i = 0; i < report_.robots.size(); ++i) note_again(results, robots[i], i);
     if (results.interrupted_by != 0) note_interrupt(results.interrupted_by);
@@ -240,7 +242,7 @@ class FleetLoop {
 
   const FleetPlan& plan_;
   const FleetOptions& options_;
-  TickCrew crew_;
+  std::optional<TickCrew> crew_;
   std::vector<std::unique_ptr<RobotRun>> runs_;
   std::vector<std::vector<Vec2>> ways_;  ///< of each robot, a place a tick
   std::uint64_t steps_ = 0;              ///< ticks that have been, with tick 0

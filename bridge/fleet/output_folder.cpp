@@ -14,7 +14,9 @@ using core::Error;
 
 core::Result<std::string> make_folder(const std::string& folder) {
   std::error_code code;
-  std::filesystem::create_directories(std::filesystem::path(folder).parent_path(), code);
+  const std::filesystem::path above = std::filesystem::path(folder).parent_path();
+  if (!above.empty()) std::filesystem::create_directories(above, code);
+  if (code) return Error{"the folder cannot be made: " + code.message(), above.string()};
   if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) {
     return Error{"the folder cannot be made: " + std::generic_category().message(errno), folder};
   }

@@ -67,7 +67,8 @@ class OpenFiles {
     return descriptor;
   }
 
-  /// open(2) for reading; where the process may have no more files, instead of all that it holds.
+  /// open(2) for reading. If the process has no descriptor left, all files held here are closed
+  /// first.
   int open(const std::string& path) {
     // A pipe that nobody writes would keep open waiting for ever.
     constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK;

@@ -73,6 +73,8 @@ core::Result<void> MessageStream::open_another() {
   const Segment& place = index_->segments[segment->ordinal];
   if (const auto loaded = segment->content.load(*file_, place, limits_, declarations_);
       !loaded.ok()) {
+    // What the file system says names the file itself.
+    if (!loaded.error().file.empty()) return loaded.error();
     return file_->error("is damaged at byte " + std::to_string(place.offset) + ": " +
                         loaded.error().message);
   }

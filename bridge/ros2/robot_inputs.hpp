@@ -43,8 +43,8 @@ class OdometryInput {
  public:
   /// Refused: a pose that is none.
   core::Result<domain::Odometry> next(const Odometry& odometry);
-  /// What is wrong with the covariance of the last message, with its place; empty: nothing. The
-  /// odometry of a message with such a one has none, as if it were exact.
+  /// What is wrong with the covariance of the last message, with its place; empty: nothing. Such a
+  /// covariance is left out, and the pose counts as exact.
   const std::string& covariance_fault() const { return covariance_fault_; }
 
  private:

@@ -7,9 +7,9 @@
 
 namespace clew::bridge {
 
-/// Whoever looks on gets the states of this many checkpoints first: one of them is common to all
-/// components, though each begins when it hears of it, and one that replaces another is started
-/// first.
+/// Whoever looks on gets the states of this many checkpoints first. Components hear at different
+/// ticks that somebody looks on, and one that replaces another has to start before it hears. With
+/// this many, all have one in common.
 inline constexpr std::uint64_t kFirstShownStates = 16;
 /// How often whoever looks on gets states after those.
 inline constexpr std::uint64_t kTicksPerShownState = 64 * kTicksPerCheckpoint;

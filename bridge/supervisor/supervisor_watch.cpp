@@ -101,10 +101,10 @@ void Supervisor::got_on(Time now) {
 }
 
 // How long nothing has gone on. A step goes on while it gets processor time, be that little, and so
-// does the start of a process that comes back. And a
-// machine on which heartbeats come late is late with all else: its time is that of the member that
-// was heard least, half as often as on a quiet machine being often enough. Where nobody is killed
-// for being silent, silence must not stop the clock.
+// does the start of a process that comes back. A machine on which heartbeats come late is late with
+// all else: its time is that of the member that was heard least, half as often as on a quiet
+// machine being often enough. Where nobody is killed for being silent, silence must not stop the
+// clock.
 Clock::duration Supervisor::stalled(Time now) const {
   Time since = stalled_since_;
   auto by_heartbeats = Clock::duration::max();

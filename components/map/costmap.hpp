@@ -34,8 +34,8 @@ struct Costmap {
   /// Cells that may cost something else than at the revision before, if the grid is the same. Some
   /// may be in it more than once.
   std::vector<std::size_t> changed;
-  /// That is told, too, if the grid is another one: cells that only this one has cost 1 else, and
-  /// before the first revision all do.
+  /// Whether `changed` holds if the grid has moved, too. Cells that only the new grid has cost 1 if
+  /// they are not in it; before the first revision all cells cost 1.
   bool tells_moves = false;
   /// Where all cells cost 1; of costs that come from elsewhere, nowhere.
   PlainBlocks plain;
@@ -73,7 +73,8 @@ Inflation inflation_of(double radius_m, double hit_spread_m, double seen_cell_m)
 /// a new builder would compute.
 class CostmapBuilder {
  public:
-  /// How the costs' grid holds them. In a ring, a grid that moves on costs what comes and goes.
+  /// How the costs' grid holds them. In a ring, a move of the grid takes work only for cells that
+  /// come and go.
   enum class Places : std::uint8_t { kInRows, kInRing };
 
   /// Planning cells have twice the side of the map's.

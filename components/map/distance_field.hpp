@@ -34,7 +34,7 @@ namespace clew::map {
 /// distance became void, look-aheads that led over it are found anew only when it is their block's
 /// turn: once, after all that they led over.
 ///
-/// 16 bytes a block.
+/// 16 bytes a block of the ring, which has up to three times the blocks of the grid.
 class DistanceField {
  public:
   /// Of a path there is none of.

@@ -66,7 +66,7 @@ void DistanceField::keep_laid_out(const Grid& before) {
   if (!stays) queue_anew();
 }
 
-/// All who wait do so elsewhere now.
+/// The buckets' numbers are others now: all blocks that wait are put into them anew.
 void DistanceField::queue_anew() {
   queue_.clear();
   for (std::int32_t row = 0; row < blocks_.rows; ++row) {

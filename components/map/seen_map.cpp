@@ -101,7 +101,10 @@ SeenMap::Tile* SeenMap::tile_at(const TileKey& key) {
 void SeenMap::restore(State state) {
   state_ = std::move(state);
   index_.clear();
-  for (const auto& entry : state_.tiles) index_.add(entry.first);
+  for (auto& [key, tile] : state_.tiles) {
+    index_.add(key);
+    tile.noted = 0;  // an entry of another map's log says nothing here
+  }
   changes_.begin_anew();
 }
 

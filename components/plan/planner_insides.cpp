@@ -17,7 +17,7 @@ namespace {
 constexpr std::int32_t kReach = 32;
 // What is drawn of it: all, in as many blocks a side at most.
 constexpr std::int32_t kMostBlocks = 64;
-// In a larger map only what is not farther from the target than the robot: it takes longer.
+// In a larger map only what is not farther from the target than the robot: all of it takes long.
 constexpr std::size_t kMostWhole = 256 * 256;
 
 const char* say_room(map::Clearance room) {
@@ -131,20 +131,23 @@ void NeuralMapPlanner::tell_landscape(const core::Vec2& robot, domain::Inside& i
 void NeuralMapPlanner::draw_landscape(domain::Picture& picture) const {
   const std::int32_t across = std::max(units_.columns, units_.rows);
   const std::int32_t side = std::max(1, (across + kMostBlocks - 1) / kMostBlocks);
-  const double column_m = side * units_.cell_m;
-  const double row_m = column_m * map::row_distance(parameters_.lattice);
+  const core::Vec2 cell_m = units_.cell_m * core::Vec2(1.0, map::row_distance(parameters_.lattice));
   domain::PictureLayer activation{
       "activation of the map", domain::PictureLayer::Kind::kValues, {}, {}};
   double least = std::numeric_limits<double>::max();
   double most = std::numeric_limits<double>::lowest();
   for (std::int32_t row = 0; row * side < units_.rows; ++row) {
     for (std::int32_t column = 0; column * side < units_.columns; ++column) {
-      const double log = most_active_of({column * side, row * side}, side);
+      const map::Cell first{column * side, row * side};
+      const double log = most_active_of(first, side);
       if (!std::isfinite(log)) continue;
       least = std::min(least, log);
       most = std::max(most, log);
-      const core::Vec2 from = units_.corner + core::Vec2(column * column_m, row * row_m);
-      const core::Vec2 to = from + core::Vec2(column_m, row_m);
+      // Blocks at the rim end with the map.
+      const core::Vec2 cells(std::min(side, units_.columns - first.column),
+                             std::min(side, units_.rows - first.row));
+      const core::Vec2 from = map::centre(parameters_.lattice, units_, first) - 0.5 * cell_m;
+      const core::Vec2 to = from + cells.cwiseProduct(cell_m);
       activation.cells.push_back(
           {{from, core::Vec2(to.x(), from.y()), to, core::Vec2(from.x(), to.y())}, log});
     }

@@ -164,8 +164,8 @@ TEST_F(FleetRunTest, RefusesComponentsOnOtherHosts) {
   const auto plan = FleetPlan::prepare(std::move(file).value(), {}, source, stages_);
   ASSERT_FALSE(plan.ok());
   EXPECT_EQ(plan.error().text(),
-            "fleet.yaml:4:5: robot a: its sense is on host far; allowed in a fleet: none, all run "
-            "on this one");
+            "fleet.yaml:4:5: robot a: its sense is on host far; a fleet's components all run "
+            "on this host");
 }
 
 TEST_F(FleetRunTest, RefusesMoreTicksThanCanBeRecorded) {

@@ -267,9 +267,8 @@ TEST(SplitRecording, IsRefusedWhereAFileWasReplacedWhileItWasRead) {
   const auto survey = recording->survey();
 
   ASSERT_FALSE(survey.ok());
-  const std::string text = survey.error().text();
-  EXPECT_EQ(text.find(scratch.file("a.mcap") + ": "), 0u) << text;
-  EXPECT_NE(text.find("is another file than when it was opened"), std::string::npos) << text;
+  EXPECT_EQ(survey.error().text(),
+            scratch.file("a.mcap") + ": is another file than when it was opened");
 }
 
 }  // namespace

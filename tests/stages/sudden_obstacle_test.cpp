@@ -55,7 +55,6 @@ std::string sudden_disc(double radius_m, double x_m, double y_m) {
 }
 
 TEST(SuddenObstacle, OnTheRobotIsWaitedFor) {
-  std::uint64_t hits = 0;
   for (const double radius_m : {0.2, 0.5, 1.0}) {
     for (const core::Vec2& place :
          {core::Vec2(4.2, 5.0), core::Vec2(4.45, 5.0), core::Vec2(4.3, 5.2)}) {
@@ -69,11 +68,10 @@ TEST(SuddenObstacle, OnTheRobotIsWaitedFor) {
         EXPECT_EQ(mission.state().outcome, Outcome::kReached);
         EXPECT_EQ(mission.state().collisions, 0u);
         EXPECT_LE(mission.state().safety_stops, 1u);
-        hits += mission.state().hit_by;
+        EXPECT_GE(mission.state().hit_by, 1u);  // the disc came over the robot
       }
     }
   }
-  EXPECT_GE(hits, 27u);  // as many as runs: the discs came over the robot
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ class Supervised {
 
   Result<void> start(const RobotAlone& robot, const bridge::ProcessLayout& layout, bool force) {
     int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0) return failed("pipe");
+    if (::pipe2(ends, O_CLOEXEC) != 0) return failed("a pipe for a robot cannot be made");
     const pid_t parent = ::getpid();
     process_ = ::fork();
     if (process_ == 0) {
@@ -90,7 +90,7 @@ class Supervised {
           ::write(ends[1], answer.data(), answer.size()) == static_cast<ssize_t>(answer.size());
       core::end_at_once(told ? 0 : 1);
     }
-    const auto error = failed("fork");
+    const auto error = failed("a process for a robot cannot be made");
     ::close(ends[1]);
     socket_ = ends[0];
     return process_ > 0 ? Result<void>() : Result<void>(error);
@@ -99,7 +99,7 @@ class Supervised {
   pollfd to_poll() const { return {has_ended_ ? -1 : socket_, POLLIN, 0}; }
   bool has_ended() const { return has_ended_; }
   void signal(int number) const {
-    if (!has_ended_) ::kill(process_, number);
+    if (process_ > 0 && !has_ended_) ::kill(process_, number);
   }
   /// Takes what there is to read.
   void read() {

@@ -6,6 +6,7 @@
 #include "clew/commands.hpp"
 #include "clew/exit_status.hpp"
 #include "files/whole_file.hpp"
+#include "log/log.hpp"
 #include "recording/run_recording.hpp"
 #include "view/page_file.hpp"
 #include "view/report.hpp"
@@ -24,6 +25,9 @@ struct ReportOptions {
 Result<view::ReportedRecording> read_recording(const std::string& path, const std::string& output) {
   const auto recording = bridge::RunRecording::open(path);
   if (!recording.ok()) return recording.error();
+  if (!recording->missing_piece().empty()) {
+    logs::warning("{}: {}; shown is what is there", recording->path(), recording->cut_off());
+  }
   view::ReportedRecording reported{std::filesystem::path(path).filename().string(), {}};
   std::error_code ignored;
   for (const std::string& file : recording->files()) {

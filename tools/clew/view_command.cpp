@@ -14,6 +14,7 @@
 #include "line/command_desk.hpp"
 #include "line/domain_lock.hpp"
 #include "line/wake_up.hpp"
+#include "log/log.hpp"
 #include "plugins/plugin_loader.hpp"
 #include "recording/run_recording.hpp"
 #include "run/end_signals.hpp"
@@ -76,6 +77,9 @@ Result<std::vector<bridge::ServedRecording>> open_all(const std::vector<std::str
   for (const std::string& path : paths) {
     const auto recording = bridge::RunRecording::open(path);
     if (!recording.ok()) return recording.error();
+    if (!recording->missing_piece().empty()) {
+      logs::warning("{}: {}; shown is what is there", recording->path(), recording->cut_off());
+    }
     auto served = bridge::ServedRecording::open(recording->files());
     if (!served.ok()) return served.error();
     opened.push_back(std::move(served).value());
