@@ -94,7 +94,9 @@ core::Result<std::unique_ptr<SampleReader>> GroupParticipant::create_reader(
   if (channel == channels_.end()) return wire_->create_reader(spec, listener);
   {
     const std::lock_guard lock(mutex_);
-    channel->second.listeners.push_back(&listener);
+    Listeners more = *channel->second.listeners;
+    more.push_back(&listener);
+    channel->second.listeners = std::make_shared<const Listeners>(std::move(more));
   }
   const std::string guid = inner_guid("reader", spec);
   discovery_.on_matched({false, spec.topic, spec.type, spec.user_data, guid, ::getpid()});
@@ -122,10 +124,10 @@ void GroupParticipant::deliver() {
     if (ended_) return;
     const Sample sample = std::move(waiting_.front());
     waiting_.pop_front();
-    const std::vector<SampleListener*> listeners = sample.channel->listeners;
+    const std::shared_ptr<const Listeners> listeners = sample.channel->listeners;
     ++begun_deliveries_;
     lock.unlock();
-    for (SampleListener* listener : listeners) {
+    for (SampleListener* listener : *listeners) {
       listener->on_sample(sample.cdr, &sample.channel->writer);
     }
     lock.lock();
@@ -136,8 +138,9 @@ void GroupParticipant::deliver() {
 
 void GroupParticipant::remove(Channel& channel, const SampleListener& listener) {
   std::unique_lock lock(mutex_);
-  auto& listeners = channel.listeners;
-  listeners.erase(std::remove(listeners.begin(), listeners.end(), &listener), listeners.end());
+  Listeners left = *channel.listeners;
+  left.erase(std::remove(left.begin(), left.end(), &listener), left.end());
+  channel.listeners = std::make_shared<const Listeners>(std::move(left));
   // Only of the delivery under way: the next one begins without this listener, and a lock that it
   // took again and again would keep whoever wants to remove one waiting.
   const std::uint64_t under_way = begun_deliveries_;

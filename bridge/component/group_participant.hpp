@@ -24,6 +24,9 @@ namespace clew::bridge {
 /// A thread of its own delivers, since a stage writes in the middle of its step, and what it writes
 /// may come back to it around the loop of the graph. What waits for that thread is bounded as what
 /// waits on the wire is: by the lead of the stage that starts ticks.
+///
+/// A reader must not be destroyed from on_sample of a listener: its destructor waits for the end of
+/// the delivery under way, which would wait for itself.
 class GroupParticipant : public Participant {
  public:
   /// `stages` are those of the process, `expected` the endpoints that theirs shall match, those of
@@ -44,10 +47,13 @@ class GroupParticipant : public Participant {
  private:
   class Writer;
   class Reader;
+  using Listeners = std::vector<SampleListener*>;
   /// A topic that is written and read here.
   struct Channel {
-    RemoteEndpoint writer;                   ///< as readers see it
-    std::vector<SampleListener*> listeners;  ///< guarded by mutex_
+    RemoteEndpoint writer;  ///< as readers see it
+    /// Another one after each change, since a delivery goes on with the one that it began with. The
+    /// pointer is guarded by mutex_.
+    std::shared_ptr<const Listeners> listeners = std::make_shared<const Listeners>();
   };
   struct Sample {
     Channel* channel = nullptr;
@@ -59,6 +65,7 @@ class GroupParticipant : public Participant {
   void push(Channel& channel, std::string_view cdr);
   void deliver();
   /// Returns when nothing is delivered to the listener any more, however much waits for others.
+  /// Not to be called from on_sample.
   void remove(Channel& channel, const SampleListener& listener);
 
   std::unique_ptr<Participant> wire_;

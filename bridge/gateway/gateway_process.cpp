@@ -5,12 +5,14 @@
 
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <utility>
 
 #include "core/archive.hpp"
 #include "gateway/insides_answer.hpp"
 #include "gateway/json_text.hpp"
+#include "gateway/kept_texts.hpp"
 #include "gateway/live_feed.hpp"
 #include "gateway/live_stream.hpp"
 #include "gateway/program_runs.hpp"
@@ -70,14 +72,15 @@ class OrderDesk {
 /// another process is fed with it. It gives way to the run, as this one does.
 class InsidesDesk {
  public:
-  InsidesDesk(const GatewayPage& page, const LiveStream& stream) : page_(page), stream_(stream) {}
+  InsidesDesk(const GatewayPage& page, const LiveStream& stream)
+      : page_(page), stream_(stream), changed_(page.changed) {}
 
   void serve_with(WebServer& server) { server_ = &server; }
 
   void take(const std::string& body, const WebContent::Answer& answer) {
     const auto asked = page_.read_question(body);
     if (!asked.ok()) return answer(json_response(400, {{"error", asked.error().message}}));
-    auto held = HeldRecording::write(stream_, asked->tick, page_.changed);
+    auto held = HeldRecording::write(stream_, asked->tick, std::ref(changed_));
     if (!held.ok()) return answer(json_response(409, {{"error", held.error().text()}}));
     const auto recording = std::make_shared<HeldRecording>(std::move(held).value());
     std::vector<std::string> words = page_.explain;
@@ -96,6 +99,7 @@ class InsidesDesk {
  private:
   const GatewayPage& page_;
   const LiveStream& stream_;
+  KeptTexts changed_;
   WebServer* server_ = nullptr;
   ProgramRuns programs_{kExplainPatience};
   bool polls_ = false;

@@ -141,14 +141,14 @@ void LiveFeed::wait(EndSignals& signals) {
 }
 
 void FedSink::add_state(const SpooledState& state) {
-  if (page_.is_open() && shows(state.tick)) append_to_spool(state, spool_);
+  if (page_.is_open() && shown_states_.shows(state.tick)) append_to_spool(state, spool_);
   if (next_ != nullptr && next_->wants_states()) next_->add_state(state);
 }
 
 core::Result<void> FedSink::add(const SampleView& sample) {
   next_tick_ = sample.tick + 1;
   if (page_.is_open()) {
-    if (!shown_from_) shown_from_ = sample.tick;
+    shown_states_.look_on(sample.tick);
     append_to_spool(sample, spool_);
     const auto now = Clock::now();
     if (spool_.size() >= kBatchBytes || now - handed_on_at_ >= kPassOnPeriod) {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -84,12 +83,12 @@ class FedSink : public SampleSink {
     return page_.is_open() || (next_ != nullptr && next_->wants_samples());
   }
   bool wants_states() const override {
-    return shows(next_tick_) || (next_ != nullptr && next_->wants_states());
+    return shown_states_.shows(next_tick_) || (next_ != nullptr && next_->wants_states());
   }
   void add_state(const SpooledState& state) override;
   void add_intervention(const domain::Intervention& intervention) override {
     page_.add_intervention(intervention);
-    if (page_.is_open() && !intervention.changes.empty()) shown_from_ = intervention.tick;
+    if (!intervention.changes.empty()) shown_states_.change_at(intervention.tick);
     if (next_ != nullptr) next_->add_intervention(intervention);
   }
   void add_incident(const domain::Incident& incident) override {
@@ -98,15 +97,11 @@ class FedSink : public SampleSink {
   }
 
  private:
-  /// Whether the page gets the states before `tick`.
-  bool shows(std::uint64_t tick) const { return shown_from_ && shows_states(tick, *shown_from_); }
-
   SampleSink* next_;
   RunPage& page_;
   std::string spool_;
   std::uint64_t next_tick_ = 0;  ///< behind that of the last sample
-  /// The tick of the first sample that the page got, or of the last change.
-  std::optional<std::uint64_t> shown_from_;
+  ShownStates shown_states_;     ///< the page looks on from the first sample that it got
   std::chrono::steady_clock::time_point handed_on_at_{};
 };
 

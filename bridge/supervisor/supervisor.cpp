@@ -53,7 +53,6 @@ Supervisor::Supervisor(const runtime::RunPlan& plan, const ProcessLayout& layout
       late_watch_(plan, layout.pace == Pace::kRealtime, outside_.activity),
       arrival_watch_(outside_.activity),
       started_at_(now),
-      shown_(page() != nullptr && page()->is_open()),
       lead_(lead_of(plan, layout)),
       credit_(start.next_tick + lead_),
       watched_at_(now) {
@@ -145,6 +144,7 @@ void Supervisor::welcome(std::unique_ptr<Link> link, const Hello& hello, Time no
   live_control_.fill(assignment);
   assignment.input_histories = member->input_files();
   link->post(FrameType::kAssignment, std::move(assignment));
+  if (shown_) link->post(FrameType::kSpool, Text{});
   if (member->starts_ticks) link->post(FrameType::kCredit, Tick{credit_});
   if (last_tick_) link->post(FrameType::kFinish, Tick{*last_tick_});
   member->joined_at = now;
@@ -187,30 +187,14 @@ void Supervisor::serve_commands(Time now) {
         static_cast<std::uint64_t>(std::ceil(kRealtimeNotice_s / plan_.graph.tick_s));
   }
   live_control_.serve(situation, now);
-  if (!shown_ && page() != nullptr && page()->is_open()) show();
   for (const domain::Intervention& change : live_control_.take_interventions()) {
     if (page() != nullptr) page()->add_intervention(change);
-    if (shown_ && !change.changes.empty()) show();
+    if (!change.changes.empty()) changed_at_.insert(change.tick);
     if (recording_) recording_->add(spooled(change), change.tick + 1);
   }
+  show_what_is_new();
   if (live_control_.holds()) got_on(now);
   if (!live_control_.stopped().empty()) end_at_rest(live_control_.stopped(), now);
-}
-
-/// From now on somebody looks on, who was not there before; or is to get states anew, since another
-/// behaviour was put in.
-void Supervisor::show() {
-  shown_ = true;
-  launcher_.spool();
-  if (observer_) observer_->spool();
-  for (const Member& member : members_) {
-    if (member.link) member.link->post(FrameType::kSpool, Text{});
-  }
-}
-
-void Supervisor::hand_on(std::string spool, std::uint64_t end_tick) {
-  if (page() != nullptr) page()->add(spool);
-  if (recording_) recording_->add(std::move(spool), end_tick);
 }
 
 void Supervisor::interrupt(int number, Time now) {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,7 @@ class Supervisor {
   void take_last_reports();
   void serve_commands(Time now);
   RunPage* page() const { return outside_.control == nullptr ? nullptr : outside_.control->page(); }
+  void show_what_is_new();
   void show();
   void hand_on(std::string spool, std::uint64_t end_tick);
   void watch(Time now);
@@ -143,7 +145,8 @@ class Supervisor {
   TickRate rate_;
   bool gone_ = false;
   bool all_finished_ = false;
-  bool shown_;                ///< everybody hands over what he writes, for a page
+  bool shown_ = false;                  ///< everybody hands over what he writes, for a page
+  std::set<std::uint64_t> changed_at_;  ///< other behaviours that are not shown anew yet
   const std::uint64_t lead_;  ///< ticks that may be started before the slowest member has done them
   std::uint64_t credit_;
   std::optional<std::uint64_t> last_tick_;

@@ -222,6 +222,17 @@ Result<PlanSequence> change_all(const RunPlan& first,
   return plans;
 }
 
+// A plan's own bundle holds what the plan needs; that of a run also what its changes need.
+Result<Bundle> changed_bundle(const Bundle& bundle, const std::vector<Intervention>& interventions,
+                              const std::vector<StageInfo>& stages) {
+  auto first = prepare_run(bundle, stages);
+  if (!first.ok()) return first.error();
+  first->bundle.insert(bundle.begin(), bundle.end());
+  const auto plans = change_all(*first, interventions, stages);
+  if (!plans.ok()) return plans.error();
+  return plans->empty() ? first->bundle : plans->back()->bundle;
+}
+
 std::optional<Successor> successor(const RunPlan& before,
                                    const std::shared_ptr<const RunPlan>& after,
                                    const Intervention& intervention, const std::string& stage,

@@ -43,6 +43,12 @@ core::Result<PlanSequence> change_all(const RunPlan& first,
                                       const std::vector<StageInfo>& stages,
                                       const std::optional<std::string>& only = {});
 
+/// The texts of a run, once `interventions` are in force: all of `bundle`, those of changes still
+/// to come as well, and those that came with them.
+core::Result<Bundle> changed_bundle(const Bundle& bundle,
+                                    const std::vector<Intervention>& interventions,
+                                    const std::vector<StageInfo>& stages);
+
 /// What becomes of the component of `stage` at an intervention; none: it stays as it is. `make`
 /// makes the new one.
 std::optional<Successor> successor(const RunPlan& before,

@@ -5,6 +5,8 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -15,6 +17,7 @@
 #include "component/start_barrier.hpp"
 #include "fake_participant.hpp"
 #include "line/user_data.hpp"
+#include "run/allocations.hpp"
 #include "wire/codec.hpp"
 
 namespace clew::bridge {
@@ -113,6 +116,35 @@ TEST_F(Group, DeliversWithinTheProcessInOrderAndWritesForTheOthers) {
   EXPECT_EQ(wire_->writers().size(), 1u);
   const RemoteEndpoint seen = inbox_.writer();
   EXPECT_TRUE(barrier_.accepts(&seen));
+}
+
+/// Counts what its thread allocates between the first sample and the last.
+class Meter : public SampleListener {
+ public:
+  explicit Meter(std::size_t last) : last_(last) {}
+  void on_sample(std::string_view, const RemoteEndpoint*) override {
+    if (++count_ == 1) first_count_ = allocation_count();
+    if (count_ == last_) allocations_.set_value(allocation_count() - first_count_);
+  }
+  std::uint64_t allocations() { return allocations_.get_future().get(); }
+
+ private:
+  const std::size_t last_;
+  std::size_t count_ = 0;
+  std::uint64_t first_count_ = 0;
+  std::promise<std::uint64_t> allocations_;
+};
+
+TEST_F(Group, DeliversWithoutACopyOfItsListeners) {
+  constexpr std::size_t kSamples = 1000;
+  Meter meter(kSamples);
+  const auto scan = writer(spec("scan", "sense"));
+  const auto reads = reader(spec("scan", "control"), meter);
+  for (std::size_t i = 0; i < kSamples; ++i) scan->write("one");
+
+  group_->start();
+
+  EXPECT_EQ(meter.allocations(), 0U);
 }
 
 TEST_F(Group, HasItsSealWithinTheProcessToo) {

@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 
+#include "gateway/kept_texts.hpp"
 #include "recording/run_recording.hpp"
 #include "run/sample_account.hpp"
 #include "run/spool.hpp"
+#include "runtime/intervention.hpp"
+#include "stages/all.hpp"
+#include "tests/source_path.hpp"
 #include "wire/codec.hpp"
 
 namespace clew::bridge {
@@ -158,6 +163,85 @@ TEST_F(AHeldRun, HasWhatWasChangedBeforeItInItsTexts) {
   EXPECT_EQ(recording->description().bundle.at("graph.yaml"), "recover.detector=none\n");
   ASSERT_EQ(recording->interventions().size(), 1U);
   EXPECT_EQ(recording->interventions()[0].tick, 9U);
+}
+
+/// Two changes of rules, whose files are among those that the run was made of.
+std::vector<domain::Intervention> planned_rules(std::map<std::string, std::string>& bundle) {
+  const runtime::ConfigPath shipped({tests::source_path("configs")});
+  auto plan = runtime::prepare_run("wang_yang_meng", {}, shipped, stages::all());
+  EXPECT_TRUE(plan.ok()) << plan.error().text();
+  std::vector<domain::Intervention> planned = {
+      runtime::planned_at(4, {"control.rules=wang_yang_meng"}),
+      runtime::planned_at(20, {"control.rules=wang_yang_meng_printed"})};
+  bundle = plan->bundle;
+  for (domain::Intervention& each : planned) {
+    const auto after = runtime::change(*plan, shipped, stages::all(), each);
+    EXPECT_TRUE(after.ok()) << after.error().text();
+    bundle.merge(each.files);
+    each.files.clear();
+  }
+  return planned;
+}
+
+TEST_F(AHeldRun, HasTheFilesOfPlannedChangesThatWereAndThatAreToCome) {
+  RunDescription description = *stream_.description();
+  description.planned = planned_rules(description.bundle);
+  stream_.describe(description, "run", 2);
+  for (const auto& each : description.planned) stream_.add(spooled(each));
+  for (std::uint64_t tick = 0; tick < 10; ++tick) {
+    if (tick == 8) add_states(tick, {"drive", "sense"});
+    add_tick(tick);
+  }
+
+  const auto held = HeldRecording::write(stream_, 9, [](const auto& run, const auto& changes) {
+    return runtime::changed_bundle(run.bundle, changes, stages::all());
+  });
+  ASSERT_TRUE(held.ok()) << held.error().text();
+  const auto recording = RunRecording::open(held->path());
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
+
+  ASSERT_TRUE(recording->description().black_box.has_value());
+  const auto& bundle = recording->description().bundle;
+  EXPECT_NE(bundle.at("graph.yaml").find("rules: wang_yang_meng\n"), std::string::npos)
+      << bundle.at("graph.yaml");
+  for (const auto& [name, text] : description.bundle) {
+    EXPECT_EQ(bundle.count(name), 1U) << name;
+  }
+  ASSERT_EQ(recording->description().planned.size(), 1U);
+  EXPECT_TRUE(
+      runtime::changed_bundle(bundle, recording->description().planned, stages::all()).ok());
+}
+
+TEST_F(AHeldRun, IsNotPlannedAnewForTheNextQuestionAfterTheSameChanges) {
+  stream_.add(spooled({5, 5, {"goal=1,2"}, {}, {}}));
+  for (std::uint64_t tick = 0; tick < 10; ++tick) {
+    if (tick == 6 || tick == 8) add_states(tick, {"drive", "sense"});
+    add_tick(tick);
+  }
+  int made = 0;
+  KeptTexts texts([&made](const RunDescription& description, const auto& changes) {
+    auto bundle = description.bundle;
+    bundle["graph.yaml"] = std::to_string(++made) + " after " + std::to_string(changes.size());
+    return KeptTexts::Texts(bundle);
+  });
+  const auto graph_at = [&](std::uint64_t tick) {
+    const auto held = HeldRecording::write(stream_, tick, std::ref(texts));
+    EXPECT_TRUE(held.ok()) << held.error().text();
+    const auto recording = RunRecording::open(held->path());
+    EXPECT_TRUE(recording.ok()) << recording.error().text();
+    return recording->description().bundle.at("graph.yaml");
+  };
+
+  EXPECT_EQ(graph_at(7), "1 after 1");
+  EXPECT_EQ(graph_at(9), "1 after 1") << "no other change took effect in between";
+
+  stream_.add(spooled({10, 10, {"goal=3,4"}, {}, {}}));
+  add_tick(10);
+  add_states(11, {"drive", "sense"});
+  add_tick(11);
+  EXPECT_EQ(graph_at(11), "2 after 2");
+  EXPECT_EQ(graph_at(9), "1 after 1");
+  EXPECT_EQ(made, 2);
 }
 
 TEST_F(AHeldRun, IsRefusedBeforeItsOnlyCheckpoint) {

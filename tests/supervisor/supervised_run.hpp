@@ -97,7 +97,7 @@ class SupervisedRun : public testing::Test {
     supervisor_ = std::make_unique<Supervisor>(
         plan_, layout_, 1, std::nullopt, ProcessStart{},
         Supervisor::Outside{[this](logs::Level, const std::string& line) { log_.push_back(line); },
-                            nullptr, start_sleeping, [this](auto) { return activity_; }},
+                            nullptr, start_sleeping, [this](auto) { return activity_; }, control_},
         now_);
     supervisor_->start();
   }
@@ -164,6 +164,7 @@ class SupervisedRun : public testing::Test {
   std::map<std::string, std::unique_ptr<Peer>> peers_;
   std::unique_ptr<Supervisor> supervisor_;
   std::optional<ProcessActivity> activity_;  ///< of every process; none: nobody knows
+  RunControl* control_ = nullptr;            ///< from the next begin() on
   bool busy_ = false;
   std::uint64_t processor_ns_ = 0;
   std::uint64_t nanoseconds_per_beat_ = 0;

@@ -5,8 +5,15 @@
 
 #include <csignal>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "run/run_control.hpp"
+#include "run/run_page.hpp"
+#include "runtime/config_source.hpp"
+#include "runtime/intervention.hpp"
 #include "supervised_run.hpp"
 
 namespace clew::bridge {
@@ -221,6 +228,73 @@ TEST_F(SupervisedRun, IsAbortedByAComponentThatCannotGoOn) {
   supervisor_->turn(now_);
 
   EXPECT_EQ(aborted(), "control lost 'scan' of tick 3");
+}
+
+/// A page that somebody looks at.
+class OpenPage : public RunPage {
+ public:
+  const std::string& address() const override { return address_; }
+  std::optional<core::Result<std::string>> open(const std::string&) override { return address_; }
+  void add(std::string_view) override {}
+  void add_intervention(const domain::Intervention&) override {}
+
+ private:
+  std::string address_ = "here";
+};
+
+/// The same run with a page, and another goal from tick 1000 on.
+class ShownRun : public SupervisedRun {
+ protected:
+  ShownRun() {
+    run_control_.set_page(&page_);
+    const auto planned = run_control_.plan({runtime::planned_at(1000, {"goal=1,1"})});
+    EXPECT_TRUE(planned.ok()) << planned.error().text();
+    control_ = &run_control_;
+  }
+  void TearDown() override {
+    SupervisedRun::TearDown();
+    supervisor_.reset();  // before its page
+  }
+  std::vector<std::size_t> told_to_show() {
+    std::vector<std::size_t> told;
+    for (const std::string& stage : kStages) {
+      told.push_back(peer(stage).take(FrameType::kSpool).size());
+    }
+    return told;
+  }
+  void get_to(std::uint64_t tick) {
+    all_report(tick);
+    supervisor_->turn(now_);
+  }
+
+  OpenPage page_;
+  runtime::BundleSource files_{plan_.bundle};
+  RunControl run_control_{plan_, stages::all(), files_};
+};
+
+TEST_F(ShownRun, TellsEverybodyAtTheStartAndShortlyBeforeAPlannedChange) {
+  using Told = std::vector<std::size_t>;
+  all_join();
+  EXPECT_EQ(told_to_show(), (Told{1, 1, 1}));
+
+  get_to(1000 - kLead - 1);
+  EXPECT_EQ(told_to_show(), (Told{0, 0, 0}));
+  get_to(1000 - kLead);
+  EXPECT_EQ(told_to_show(), (Told{1, 1, 1}));
+  get_to(1000);
+  EXPECT_EQ(told_to_show(), (Told{0, 0, 0}));
+}
+
+TEST_F(ShownRun, TellsAComponentThatComesBack) {
+  all_join();
+  get_to(100);
+  told_to_show();
+
+  kill("sense");
+  peers_.erase("sense");
+  supervisor_->turn(now_);
+
+  EXPECT_EQ(join("sense").take(FrameType::kSpool).size(), 1U);
 }
 
 }  // namespace

@@ -21,7 +21,6 @@
 #include "runtime/config_source.hpp"
 #include "runtime/graph.hpp"
 #include "runtime/intervention.hpp"
-#include "runtime/run_plan.hpp"
 #include "stages/all.hpp"
 #include "view/page_file.hpp"
 #include "view/page_order.hpp"
@@ -100,11 +99,7 @@ std::size_t count_stages(const bridge::RunDescription& description) {
 
 core::Result<runtime::Bundle> changed_texts(const bridge::RunDescription& description,
                                             const std::vector<domain::Intervention>& changes) {
-  const auto first = runtime::prepare_run(description.bundle, stages::all());
-  if (!first.ok()) return first.error();
-  const auto plans = runtime::change_all(*first, changes, stages::all());
-  if (!plans.ok()) return plans.error();
-  return plans->empty() ? first->bundle : plans->back()->bundle;
+  return runtime::changed_bundle(description.bundle, changes, stages::all());
 }
 
 struct Ends {
