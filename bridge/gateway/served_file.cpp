@@ -9,11 +9,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <filesystem>
 
 #include "core/check.hpp"
 #include "gateway/web_limits.hpp"
+#include "recording/input_file.hpp"
+#include "recording/piece_files.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -27,6 +28,10 @@ std::optional<std::uint64_t> number_of(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+WebResponse refusal(unsigned status, const std::string& why) {
+  return {status, "text/plain; charset=utf-8", why + '\n', {}};
 }
 
 std::string read_piece(int descriptor, std::uint64_t first, std::uint64_t size) {
@@ -65,10 +70,66 @@ std::optional<ByteRange> read_range(std::string_view header, std::uint64_t size)
   return range;
 }
 
+/// A file while it answers.
+class ServedFile::Opened {
+ public:
+  explicit Opened(const std::string& path) : descriptor_(open_there(path)) {
+    struct statx state {};
+    constexpr unsigned kWanted = STATX_BASIC_STATS | STATX_BTIME;
+    if (descriptor_ < 0 || ::statx(descriptor_, "", AT_EMPTY_PATH, kWanted, &state) != 0) {
+      error_number_ = errno;
+      return;
+    }
+    is_regular_ = S_ISREG(state.stx_mode);
+    size_ = state.stx_size;
+    identity_.device = {state.stx_dev_major, state.stx_dev_minor};
+    identity_.inode = state.stx_ino;
+    if ((state.stx_mask & STATX_BTIME) == 0) return;
+    identity_.born = {state.stx_btime.tv_sec, state.stx_btime.tv_nsec};
+  }
+  ~Opened() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Opened(const Opened&) = delete;
+  Opened& operator=(const Opened&) = delete;
+
+  int descriptor() const { return descriptor_; }
+  std::uint64_t size() const { return size_; }
+  const Identity& identity() const { return identity_; }
+  bool is_gone() const { return error_number_ == ENOENT || error_number_ == ENOTDIR; }
+  /// Empty: nothing.
+  std::string what_is_wrong() const {
+    if (error_number_ != 0) return mcap::why_not_opened(error_number_);
+    return is_regular_ ? std::string() : "is no regular file";
+  }
+
+ private:
+  /// Of a file that its recorder has finished since, the name that it grew under is gone.
+  static int open_there(const std::string& path) {
+    // A pipe that nobody writes would keep open waiting for ever.
+    constexpr int kFlags = O_RDONLY | O_CLOEXEC | O_NONBLOCK;
+    const int number = ::open(path.c_str(), kFlags);
+    if (number >= 0 || errno != ENOENT) return number;
+    return ::open(piece_path(path, 0).c_str(), kFlags);
+  }
+
+  int descriptor_;
+  int error_number_ = 0;
+  bool is_regular_ = false;
+  std::uint64_t size_ = 0;
+  Identity identity_;
+};
+
+ServedFile::ServedFile(std::string path, const Identity& identity)
+    : path_(std::move(path)),
+      name_(std::filesystem::path(path_).filename().string()),
+      identity_(identity) {}
+
 core::Result<ServedFile> ServedFile::open(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return core::Error{std::strerror(errno), path};
-  return ServedFile(descriptor, std::filesystem::path(path).filename().string());
+  const Opened file(path);
+  const std::string wrong = file.what_is_wrong();
+  if (!wrong.empty()) return core::Error{wrong, path};
+  return ServedFile(path, file.identity());
 }
 
 core::Result<ServedRecording> ServedRecording::open(const std::vector<std::string>& paths) {
@@ -82,18 +143,22 @@ core::Result<ServedRecording> ServedRecording::open(const std::vector<std::strin
   return ServedRecording(std::move(files));
 }
 
-ServedFile::~ServedFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+WebResponse ServedFile::answer(const std::string& range) const {
+  const Opened file(path_);
+  const std::string wrong = file.what_is_wrong();
+  if (file.is_gone()) return refusal(410, name_ + " was removed since it was opened here");
+  if (!wrong.empty()) return refusal(500, name_ + " cannot be read again: " + wrong);
+  if (!(file.identity() == identity_)) {
+    return refusal(410, name_ + " is another file than when it was opened here");
+  }
+  return piece_of(file, range);
 }
 
-WebResponse ServedFile::answer(const std::string& range) const {
-  struct stat state {};
-  if (::fstat(descriptor_, &state) != 0)
-    return {500, "text/plain", "the file cannot be read\n", {}};
-  const auto size = static_cast<std::uint64_t>(state.st_size);
+WebResponse ServedFile::piece_of(const Opened& file, const std::string& range) const {
+  const std::uint64_t size = file.size();
   if (range.empty()) {
-    if (size > kMostWholeBytes) return {413, "text/plain", "ask for ranges of this file\n", {}};
-    return {200, kType, read_piece(descriptor_, 0, size), {{"Accept-Ranges", "bytes"}}};
+    if (size > kMostWholeBytes) return refusal(413, "ask for ranges of this file");
+    return {200, kType, read_piece(file.descriptor(), 0, size), {{"Accept-Ranges", "bytes"}}};
   }
   const auto wanted = read_range(range, size);
   if (!wanted) {
@@ -102,8 +167,8 @@ WebResponse ServedFile::answer(const std::string& range) const {
   }
   const std::uint64_t most = wanted->last - wanted->first + 1;
   std::string bytes =
-      read_piece(descriptor_, wanted->first, std::min<std::uint64_t>(most, kMostRangeBytes));
-  if (bytes.empty()) return {500, "text/plain", "the file has become shorter\n", {}};
+      read_piece(file.descriptor(), wanted->first, std::min<std::uint64_t>(most, kMostRangeBytes));
+  if (bytes.empty()) return refusal(500, name_ + " has become shorter");
   const std::string told =
       fmt::format("bytes {}-{}/{}", wanted->first, wanted->first + bytes.size() - 1, size);
   return {206, kType, std::move(bytes), {{"Accept-Ranges", "bytes"}, {"Content-Range", told}}};

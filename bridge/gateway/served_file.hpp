@@ -23,14 +23,13 @@ struct ByteRange {
 /// if there is no such range.
 std::optional<ByteRange> read_range(std::string_view header, std::uint64_t size);
 
-/// A file that was named on the command line, held open: it stays the one that was named.
+/// A file that was named on the command line. It is opened for each answer and closed after it: a
+/// recording may have more files than a process may have open. One that was removed or replaced
+/// since is not served.
 class ServedFile {
  public:
+  /// Refused: what cannot be opened, and what is no regular file.
   static core::Result<ServedFile> open(const std::string& path);
-  ServedFile(ServedFile&& other) noexcept
-      : descriptor_(std::exchange(other.descriptor_, -1)), name_(std::move(other.name_)) {}
-  ServedFile& operator=(ServedFile&&) = delete;
-  ~ServedFile();
 
   /// Its name without the folder, for people.
   const std::string& name() const { return name_; }
@@ -38,10 +37,24 @@ class ServedFile {
   WebResponse answer(const std::string& range) const;
 
  private:
-  ServedFile(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
+  /// A number of an inode may be given again: the time of birth, where the disk keeps it, tells.
+  struct Identity {
+    std::pair<std::uint32_t, std::uint32_t> device;
+    std::uint64_t inode = 0;
+    std::pair<std::int64_t, std::uint32_t> born;
 
-  int descriptor_;
+    bool operator==(const Identity& other) const {
+      return device == other.device && inode == other.inode && born == other.born;
+    }
+  };
+  class Opened;
+
+  ServedFile(std::string path, const Identity& identity);
+  WebResponse piece_of(const Opened& file, const std::string& range) const;
+
+  std::string path_;
   std::string name_;
+  Identity identity_;
 };
 
 /// The files of a recording, in their order; more than one if it is split.

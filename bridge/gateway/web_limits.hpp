@@ -17,6 +17,8 @@ inline constexpr std::size_t kMostBodyBytes = 1024 * 1024;
 inline constexpr std::size_t kMostFrameBytes = 256 * 1024;
 /// A connection that sends nothing for so long is closed.
 inline constexpr auto kIdleTimeout = std::chrono::seconds(30);
+/// Where this process may open no more files, the next connection waits so long for another try.
+inline constexpr auto kAcceptAgainAfter = std::chrono::milliseconds(100);
 /// A client that queues more than this is not reading any more, and is closed.
 inline constexpr std::size_t kMostQueuedBytes = 64 * 1024 * 1024;
 /// A viewer with more than this under way gets nothing new.

@@ -55,6 +55,14 @@ Credentials credentials_of(const Request& request) {
           target_of(request).query, header(request, http::field::cookie)};
 }
 
+/// Of files that this process or this machine may open, or of memory.
+bool lacks_room(error_code error) {
+  return error == boost::system::errc::too_many_files_open ||
+         error == boost::system::errc::too_many_files_open_in_system ||
+         error == boost::system::errc::no_buffer_space ||
+         error == boost::system::errc::not_enough_memory;
+}
+
 /// What all sessions share.
 struct Shared {
   WebContent& content;
@@ -275,6 +283,7 @@ class WebServer::Implementation {
  public:
   explicit Implementation(WebContent& content)
       : acceptor_(context_),
+        accept_again_(context_),
         signals_(context_, SIGINT, SIGTERM),
         shared_{content, Access::with_random_token()} {}
 
@@ -344,12 +353,23 @@ class WebServer::Implementation {
           session->read();
         }
       }
-      if (error != asio::error::operation_aborted) accept();
+      if (error == asio::error::operation_aborted) return;
+      if (lacks_room(error)) return accept_later();
+      accept();
+    });
+  }
+
+  /// The connection stays in the kernel's queue: a try at once would fail again, and so on.
+  void accept_later() {
+    accept_again_.expires_after(kAcceptAgainAfter);
+    accept_again_.async_wait([this](error_code error) {
+      if (!error) accept();
     });
   }
 
   asio::io_context context_{1};
   tcp::acceptor acceptor_;
+  asio::steady_timer accept_again_;
   asio::signal_set signals_;
   Shared shared_;
 };

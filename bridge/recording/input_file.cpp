@@ -20,14 +20,14 @@ namespace {
 
 constexpr std::size_t kWindowBytes = 1 << 18;
 
+}  // namespace
+
 std::string why_not_opened(int error_number) {
   const std::string why = std::strerror(error_number);
   struct rlimit limit {};
   if (error_number != EMFILE || ::getrlimit(RLIMIT_NOFILE, &limit) != 0) return why;
   return why + "; this process may have " + std::to_string(limit.rlim_cur) + " (ulimit -n)";
 }
-
-}  // namespace
 
 class InputFile::Descriptor {
  public:

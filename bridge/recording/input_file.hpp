@@ -13,6 +13,9 @@
 
 namespace clew::bridge::mcap {
 
+/// The text of an errno of open(2); of too many open files, with the limit and how it is asked for.
+std::string why_not_opened(int error_number);
+
 /// A file that is read, and its size when it was opened. Safe to share between threads.
 ///
 /// A process keeps at most kMostOpen of them open, those that were read last: a recording may have

@@ -4,7 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/few_open_files.hpp"
 
 namespace clew::bridge {
 namespace {
@@ -63,14 +68,73 @@ TEST_F(AServedFile, GivesAllWithoutARange) {
   EXPECT_EQ(file->answer("").status, 200U);
 }
 
-TEST_F(AServedFile, StaysTheOneThatWasNamed) {
+TEST_F(AServedFile, GrowsWithTheFile) {
+  const auto file = ServedFile::open(path_);
+  ASSERT_TRUE(file.ok());
+
+  std::ofstream(path_, std::ios::binary | std::ios::app) << "ab";
+
+  EXPECT_EQ(file->answer("bytes=8-").body, "89ab");
+}
+
+TEST_F(AServedFile, IsGoneWhenItWasRemoved) {
   const auto file = ServedFile::open(path_);
   ASSERT_TRUE(file.ok());
 
   std::remove(path_.c_str());
-  std::ofstream(path_, std::ios::binary) << "another";
 
-  EXPECT_EQ(file->answer("").body, "0123456789");
+  EXPECT_EQ(file->answer("").status, 410U);
+  EXPECT_EQ(file->answer("bytes=2-4").body,
+            file->name() + " was removed since it was opened here\n");
+}
+
+TEST_F(AServedFile, IsGoneWhenAnotherHasItsName) {
+  const auto file = ServedFile::open(path_);
+  ASSERT_TRUE(file.ok());
+
+  std::ofstream(path_ + "2", std::ios::binary) << "another";
+  std::filesystem::rename(path_ + "2", path_);
+
+  const WebResponse response = file->answer("bytes=2-4");
+  EXPECT_EQ(response.status, 410U);
+  EXPECT_EQ(response.body, file->name() + " is another file than when it was opened here\n");
+}
+
+TEST_F(AServedFile, IsServedOnWhenItsRecorderHasFinishedIt) {
+  const std::string growing = path_ + ".tmp~";
+  std::filesystem::rename(path_, growing);
+  const auto file = ServedFile::open(growing);
+  ASSERT_TRUE(file.ok());
+
+  std::filesystem::rename(growing, path_);
+
+  EXPECT_EQ(file->answer("bytes=2-4").body, "234");
+}
+
+TEST_F(AServedFile, NamesTheLimitOfOpenFiles) {
+  const auto file = ServedFile::open(path_);
+  ASSERT_TRUE(file.ok());
+  const FewOpenFiles none(0);
+
+  const WebResponse response = file->answer("");
+  const auto other = ServedFile::open(path_);
+
+  const std::string limit =
+      "; this process may have " + std::to_string(none.limit()) + " (ulimit -n)";
+  EXPECT_EQ(response.status, 500U);
+  EXPECT_EQ(response.body,
+            file->name() + " cannot be read again: Too many open files" + limit + '\n');
+  ASSERT_FALSE(other.ok());
+  EXPECT_EQ(other.error().text(), path_ + ": Too many open files" + limit);
+}
+
+TEST_F(AServedFile, TakesNoDescriptorBetweenAnswers) {
+  const FewOpenFiles one(1);
+  const auto recording = ServedRecording::open(std::vector<std::string>(100, path_));
+  ASSERT_TRUE(recording.ok()) << recording.error().text();
+
+  EXPECT_EQ(recording->files().size(), 100U);
+  for (const ServedFile& file : recording->files()) EXPECT_EQ(file.answer("bytes=2-4").body, "234");
 }
 
 TEST_F(AServedFile, TellsTheSizeWhereTheRangeIsNone) {
@@ -89,6 +153,13 @@ TEST(ServedFile, SaysWhyAFileCannotBeOpened) {
 
   ASSERT_FALSE(file.ok());
   EXPECT_EQ(file.error().text(), "/no/such/file: No such file or directory");
+}
+
+TEST(ServedFile, RefusesWhatIsNoFile) {
+  const auto file = ServedFile::open("/");
+
+  ASSERT_FALSE(file.ok());
+  EXPECT_EQ(file.error().text(), "/: is no regular file");
 }
 
 }  // namespace

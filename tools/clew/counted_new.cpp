@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "run/allocations.hpp"
-
+// The program's own `new`, for `clew run --profile`: it counts, which costs one addition to a
+// number of the thread. It belongs to the program and to no library: a user's program keeps its
+// own.
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
-namespace {
+#include "run/allocations.hpp"
 
-thread_local std::uint64_t count = 0;
+#ifndef CLEW_SANITIZER_HAS_NEW
 
-}  // namespace
-
-namespace clew::bridge {
-
-std::uint64_t allocation_count() { return count; }
-
-}  // namespace clew::bridge
-
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-
-// The standard's other forms call these two, or pair with this delete: all end in malloc and free,
+// The arrays' and the nothrow forms call these, or pair with this delete. The forms for types of a
+// greater alignment do not: they stay the library's, and do not count. All end in malloc and free,
 // as the library's own do, so that it does not matter who allocates and who frees.
 void* operator new(std::size_t size) {
-  ++count;
+  ++clew::bridge::allocations_of_thread;
   while (true) {
     if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
     const std::new_handler handler = std::get_new_handler();
