@@ -7,7 +7,7 @@ import path from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { clew, open_browser, open_page, request, scratch_directory, serve, ticks_of } from "./view_server.mjs";
+import { clew, json_lines, open_browser, open_page, request, scratch_directory, serve, ticks_of } from "./view_server.mjs";
 
 test("a report holds the run and needs nobody", async (context) => {
   const directory = scratch_directory(context);
@@ -58,11 +58,21 @@ test("a recording that is split is shown as one, by a report and by the server",
   assert.equal(of_split.end.hash, JSON.parse(clew("info", whole, "--json").out).hash);
   await served.keyboard.press("d");
   assert.match(await served.textContent("#notice"), /the two recordings hold the same samples/);
+  // What comes after a change cannot be branched off, and the page says so at once.
+  await served.evaluate(() => window.clew.session.go_to(100));
+  await served.keyboard.press("b");
+  assert.match(await served.textContent("#no-branch"), /the run was changed at tick 60: choose a tick before it/);
+  assert.ok(await served.isDisabled("#branch"));
   // A branch and insides of it go by its first file.
-  // The last tick is the run's end: nothing goes on from there.
   await served.evaluate(() => window.clew.session.go_to(50));
   await served.keyboard.press("b");
   await served.waitForFunction(() => window.clew.session.runs.length === 3, undefined, { timeout: 60000 });
+  // The chosen run is that of the split recording still: its insides are those that the command tells of the whole one.
+  await served.keyboard.press("x");
+  await served.waitForFunction(() => document.querySelector("#insides").dataset.tick === "50", undefined, { timeout: 60000 });
+  assert.equal(await served.evaluate(() => window.clew.session.chosen), 0);
+  const insides = await served.$$eval("#insides section", (all) => all.map((each) => [each.dataset.stage, each.querySelector(".told").textContent]));
+  assert.deepEqual(insides, json_lines(clew("explain", whole, "--tick", "50", "--json").out).map(({ stage, text }) => [stage, text]));
   assert.deepEqual(complaints, []);
 
   const { page } = await open_page(browser, pathToFileURL(output));
