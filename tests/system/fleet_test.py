@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Several robots in one world: one hash, recordings that replay by themselves, and encounters."""
 import json
-import os
 import pathlib
 import signal
 import subprocess
@@ -93,13 +92,20 @@ class Fleet(unittest.TestCase):
             [CLEW, "run", str(fleet), "--layout", "processes", "--log-dir",
              str(self.directory / "logs"), "--json"],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        deadline = time.monotonic() + 120
-        while not list(self.directory.glob("logs/*drive*")) and time.monotonic() < deadline:
-            time.sleep(0.05)
-        os.kill(process.pid, signal.SIGINT)
+        self.addCleanup(process.kill)
+        self.wait_for(lambda: list(self.directory.glob("logs/*drive*")), process)
+        process.send_signal(signal.SIGINT)
         out, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130, out + err)
         self.assertEqual(json.loads(out)["outcome"], "aborted")
+
+    def wait_for(self, is_there, process):
+        """Until what a process makes is there; it must not end before."""
+        deadline = time.monotonic() + 120
+        while not is_there():
+            self.assertIsNone(process.poll(), "it ended before it was interrupted")
+            self.assertLess(time.monotonic(), deadline, "what is waited for did not come")
+            time.sleep(0.05)
 
     def four_robots(self):
         """They start at the sides of a field and meet in its middle."""
@@ -122,11 +128,10 @@ class Fleet(unittest.TestCase):
         process = subprocess.Popen(
             [CLEW, "run", "twenty_in_a_hall", "--max-ticks", "25000", "--json", "--record",
              str(folder)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        deadline = time.monotonic() + 60
-        while not folder.is_dir() and time.monotonic() < deadline:
-            time.sleep(0.05)
+        self.addCleanup(process.kill)
+        self.wait_for(folder.is_dir, process)
         time.sleep(0.5)
-        os.kill(process.pid, signal.SIGINT)
+        process.send_signal(signal.SIGINT)
         out, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 130, err)
         report = json.loads(out)

@@ -69,7 +69,7 @@ class PackagesTest(unittest.TestCase):
         if not SOAK:
             raise unittest.SkipTest("SKIPPED: builds Clew twice; tools/soak runs it")
         if os.geteuid() != 0:
-            raise unittest.SkipTest("SKIPPED: debootstrap needs root")
+            raise RuntimeError("debootstrap needs root: run tools/soak as root")
         cls.scratch = tempfile.TemporaryDirectory(prefix="clew-packages-")
         cls.addClassCleanup(cls.scratch.cleanup)
         cls.folder = pathlib.Path(cls.scratch.name)

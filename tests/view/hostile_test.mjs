@@ -11,10 +11,10 @@ const require = createRequire(path.join(directory, "package.json"));
 const { build } = require("esbuild");
 const { McapWriter } = require("@mcap/core");
 const made = await build({
-  stdin: { contents: 'export { McapFeed, Recording } from "./recording"; export { Run } from "./run"; export { read_world } from "./world"; export { Schema } from "./cdr_fields";', resolveDir: path.join(directory, "src") },
+  stdin: { contents: 'export { McapFeed, Recording, tell_complaints_to } from "./recording"; export { Run } from "./run"; export { read_world } from "./world"; export { Schema } from "./cdr_fields";', resolveDir: path.join(directory, "src") },
   bundle: true, write: false, format: "esm",
 });
-const { McapFeed, Recording, Run, Schema, read_world } = await import(`data:text/javascript;base64,${Buffer.from(made.outputFiles[0].contents).toString("base64")}`);
+const { McapFeed, Recording, tell_complaints_to, Run, Schema, read_world } = await import(`data:text/javascript;base64,${Buffer.from(made.outputFiles[0].contents).toString("base64")}`);
 
 const kState = `module clew { module msg {
 struct Pose { double x_m; double y_m; double heading_rad; };
@@ -72,7 +72,9 @@ test("a side channel that is no JSON is left out, and told", async () => {
       [1, 7, bytes("[1]")], [0, 8, bytes('{"changes": ["goal=1"], "order": ""}')], [2, 9, state(1, 2)]],
     texts: { "graph.yaml": "drive: {}\n", "world.yaml": "bounds: [0, 0, 9, 9]\nstart: [1, 1, 0]\ntarget: [8, 8]\n" },
   });
-  assert.equal(recording.complaint, "clew/interventions at tick 3 is no JSON: what it says is left out");
+  // The first of each channel.
+  assert.deepEqual(recording.complaints, ["clew/interventions at tick 3 is no JSON: what it says is left out",
+    "clew/incidents at tick 4 is no JSON: what it says is left out"]);
   assert.deepEqual(recording.changes.map(({ tick, changes, order }) => [tick, changes, order]), [[5, [], ""], [6, [], ""], [8, ["goal=1"], ""]]);
   assert.equal(recording.incidents.length, 1);
   const run = new Run(recording, 0);
@@ -86,7 +88,8 @@ test("schemas and samples that cannot be read are left out, and told", async () 
     messages: [[0, 0, bytes("any")], [1, 0, new Uint8Array(64).fill(255)], [2, 0, state(1, 2)], [2, 1, new Uint8Array(3)]],
     texts: { "graph.yaml": "- 1\n- 2\n", "world.yaml": "a: [", "robot.yaml": "7" },
   });
-  assert.match(recording.complaint, /^the schema of topic 'odometry' cannot be read \(.+\): the topic is left out$/);
+  assert.equal(recording.complaints.length, 1);
+  assert.match(recording.complaints[0], /^the schema of topic 'odometry' cannot be read \(.+\): the topic is left out$/);
   const run = new Run(recording, 0);
   assert.equal(run.follow(1000), false);
   assert.deepEqual(run.ticks, [0, 1]);
@@ -94,6 +97,44 @@ test("schemas and samples that cannot be read are left out, and told", async () 
   assert.deepEqual(run.graph, {});
   assert.equal(run.radius_m, 0.15);
   assert.equal(recording.topic("event").message(0), undefined);
+  // The texts, the event, and the sample of the state behind the first one: the first of each kind.
+  const [, graph, world, robot, event, sample, ...rest] = recording.complaints;
+  assert.equal(graph, "graph.yaml cannot be read (no names with values): it is left out");
+  assert.match(world, /^world\.yaml cannot be read \(.+\): it is left out$/);
+  assert.equal(robot, "robot.yaml cannot be read (no names with values): it is left out");
+  assert.equal(event, "topic 'event' at tick 0 is no message of its type: it is left out");
+  assert.equal(sample, "topic 'state' at tick 1 is no message of its type: it is left out");
+  assert.deepEqual(rest, []);
+});
+
+test("a tick that cannot be read is told, and those behind it are read", async () => {
+  const idl = "module clew { module msg { struct Event { double a; double b; double c; double d; double entries; }; }; };";
+  const recording = await read({
+    channels: [["/event", "clew::msg::Event", idl], ["/state", "clew::msg::State", kState]],
+    // No list of events, but a number: 44 bytes with it.
+    messages: [0, 1, 2, 3].flatMap((tick) => [[1, tick, state(tick, 2)], ...tick === 1 ? [[0, tick, Uint8Array.from({ length: 44 }, (_, i) => i === 1 ? 1 : 0)]] : []]),
+    texts: { "graph.yaml": "drive: {}\n", "world.yaml": "bounds: [0, 0, 9, 9]\nstart: [1, 1, 0]\ntarget: [8, 8]\n", "robot.yaml": "radius_m: 0.2\n" },
+  });
+  const run = new Run(recording, 0);
+  assert.equal(run.follow(1000), false);
+  assert.deepEqual(run.ticks, [0, 1, 2, 3]);
+  assert.deepEqual(run.truth.map(({ x }) => x), [0, 1, 2, 3]);
+  assert.equal(run.belief.length, 4);
+  assert.equal(recording.complaints.length, 1);
+  assert.match(recording.complaints[0], /^tick 1 cannot be read whole \(.*iterable.*\): what cannot is left out$/);
+});
+
+test("somebody hears of each new complaint, and they have an end", () => {
+  let heard = 0;
+  tell_complaints_to(() => heard++);
+  const recording = new Recording("full");
+  recording.complain("a", "first");
+  recording.complain("a", "second");
+  for (let i = 0; i < 100; i++) recording.complain(`kind ${i}`, "more");
+  tell_complaints_to(() => undefined);
+  assert.equal(recording.complaints[0], "first");
+  assert.equal(recording.complaints.length, 12);
+  assert.equal(heard, 12);
 });
 
 test("the first list of a sample is read without the rest, as with it", () => {
@@ -114,11 +155,26 @@ test("the first list of a sample is read without the rest, as with it", () => {
 
 test("of a world that is anything what can be drawn is left", () => {
   const head = "bounds: [0, 0, 9, 9]\nstart: [1, 1, 0]\ntarget: [8, 8]\n";
-  assert.equal(read_world("7"), undefined);
-  assert.equal(read_world(head.replace("[0, 0, 9, 9]", "[9, 9, 0, 0]")), undefined);
-  assert.equal(read_world(head.replace("[1, 1, 0]", "[1, .nan, 0]")), undefined);
+  const told = [];
+  const complain = (kind, text) => {
+    if (!told.some(([known]) => known === kind)) told.push([kind, text]);
+  };
+  for (const none of ["7", head.replace("[0, 0, 9, 9]", "[9, 9, 0, 0]"), head.replace("[1, 1, 0]", "[1, .nan, 0]")]) {
+    assert.equal(read_world(none, complain), undefined);
+    assert.match(told.pop()?.[1] ?? "", /^world\.yaml (cannot be read \(.+\)|is no world: .+)/);
+  }
+  assert.ok(read_world(head, complain));
+  assert.deepEqual(told, []);
   const world = read_world(`${head}name: {a: 1}\nwalls: [[1, 2, 3, 4], [1], 7]\npolygons: {a: 1}\ncircles: [[1, 1, -1], [2, 2, 1]]
-moving: [7, {path: 3}, {circle: [1, 1, 1], path: [[0, 1, 1], []]}]\nwaypoints: [[1, 2], 3, [4, 5, ~, 0], [6, 7, 0.5]]\ntarget_radius: [1]\n`);
+moving: [7, {path: 3}, {circle: [1, 1, 1], path: [[0, 1, 1], []]}]\nwaypoints: [[1, 2], 3, [4, 5, ~, 0], [6, 7, 0.5]]\ntarget_radius: [1]\n`, complain);
+  assert.deepEqual(told, [
+    ["walls", "walls[1] of the world cannot be read: it is left out"],
+    ["polygons", "polygons of the world: no list; they are left out"],
+    ["circles", "circles[0] of the world cannot be read: it is left out"],
+    ["moving", "moving[0] of the world cannot be read: it is left out"],
+    ["path of moving", "path of moving of the world: no list; they are left out"],
+    ["waypoints", "waypoints[1] of the world cannot be read: it is left out"],
+  ]);
   assert.deepEqual(world.walls, [[1, 2, 3, 4]]);
   assert.deepEqual(world.polygons, []);
   assert.deepEqual(world.circles, [[2, 2, 1]]);

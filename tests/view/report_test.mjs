@@ -2,12 +2,42 @@
 // `clew report`: one file that opens without a server, is small, and lets no text of a recording
 // become HTML.
 import assert from "node:assert/strict";
-import { copyFileSync, readFileSync, readdirSync, statSync } from "node:fs";
+import { copyFileSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { clew, open_browser, open_page, request, scratch_directory, serve, ticks_of } from "./view_server.mjs";
+import { clew, json_lines, open_browser, open_page, request, require, scratch_directory, serve, ticks_of } from "./view_server.mjs";
+
+const { McapStreamReader, McapWriter } = require("@mcap/core");
+
+/// A recording in which the odometry of a tick is no message.
+async function spoilt(file, tick) {
+  const pieces = [];
+  const writer = new McapWriter({
+    writable: { position: () => BigInt(pieces.reduce((sum, each) => sum + each.length, 0)), write: async (piece) => { pieces.push(piece.slice()); } },
+    useChunks: false,
+  });
+  await writer.start({ profile: "", library: "test" });
+  const reader = new McapStreamReader();
+  reader.append(readFileSync(file));
+  const ids = { Schema: new Map(), Channel: new Map() };
+  let odometry;
+  for (let record = reader.nextRecord(); record; record = reader.nextRecord()) {
+    if (record.type === "Schema" && !ids.Schema.has(record.id)) ids.Schema.set(record.id, await writer.registerSchema(record));
+    if (record.type === "Channel" && !ids.Channel.has(record.id)) {
+      if (/odometry$/.test(record.topic)) odometry = record.id;
+      ids.Channel.set(record.id, await writer.registerChannel({ ...record, schemaId: ids.Schema.get(record.schemaId) ?? 0 }));
+    }
+    if (record.type === "Metadata") await writer.addMetadata(record);
+    if (record.type === "Attachment") await writer.addAttachment(record);
+    if (record.type !== "Message") continue;
+    const is_it = record.channelId === odometry && record.sequence === tick;
+    await writer.addMessage({ ...record, channelId: ids.Channel.get(record.channelId), data: is_it ? record.data.slice(0, 3) : record.data });
+  }
+  await writer.end();
+  return Buffer.concat(pieces);
+}
 
 test("a report holds the run and needs nobody", async (context) => {
   const directory = scratch_directory(context);
@@ -58,11 +88,21 @@ test("a recording that is split is shown as one, by a report and by the server",
   assert.equal(of_split.end.hash, JSON.parse(clew("info", whole, "--json").out).hash);
   await served.keyboard.press("d");
   assert.match(await served.textContent("#notice"), /the two recordings hold the same samples/);
+  // What comes after a change cannot be branched off, and the page says so at once.
+  await served.evaluate(() => window.clew.session.go_to(100));
+  await served.keyboard.press("b");
+  assert.match(await served.textContent("#no-branch"), /the run was changed at tick 60: choose a tick before it/);
+  assert.ok(await served.isDisabled("#branch"));
   // A branch and insides of it go by its first file.
-  // The last tick is the run's end: nothing goes on from there.
   await served.evaluate(() => window.clew.session.go_to(50));
   await served.keyboard.press("b");
   await served.waitForFunction(() => window.clew.session.runs.length === 3, undefined, { timeout: 60000 });
+  // The chosen run is that of the split recording still: its insides are those that the command tells of the whole one.
+  await served.keyboard.press("x");
+  await served.waitForFunction(() => document.querySelector("#insides").dataset.tick === "50", undefined, { timeout: 60000 });
+  assert.equal(await served.evaluate(() => window.clew.session.chosen), 0);
+  const insides = await served.$$eval("#insides section", (all) => all.map((each) => [each.dataset.stage, each.querySelector(".told").textContent]));
+  assert.deepEqual(insides, json_lines(clew("explain", whole, "--tick", "50", "--json").out).map(({ stage, text }) => [stage, text]));
   assert.deepEqual(complaints, []);
 
   const { page } = await open_page(browser, pathToFileURL(output));
@@ -72,6 +112,24 @@ test("a recording that is split is shown as one, by a report and by the server",
   for (const place of [`0/${files.length}`, "0/", "0/-1", "0/1/0", "9/0", "/0"]) {
     assert.equal((await request(port, `/recordings/${place}`, cookie)).status, 404, place);
   }
+});
+
+test("what cannot be read is told, however late it comes, and the rest is shown", async (context) => {
+  const directory = scratch_directory(context);
+  const whole = path.join(directory, "whole.mcap");
+  const file = path.join(directory, "spoilt.mcap");
+  assert.equal(clew("run", "krishna_kalra", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none", "--layout", "composed",
+    "--max-ticks", "6000", "--compression", "none", "--record", whole).status, 3);
+  writeFileSync(file, await spoilt(whole, 5990));
+  const output = path.join(directory, "spoilt.html");
+  const made = clew("report", file, "-o", output);
+  assert.equal(made.status, 0, made.err);
+
+  const { page, complaints } = await open_page(await open_browser(context), pathToFileURL(output));
+  await page.waitForFunction(() => document.querySelector("#left-out").textContent !== "");
+  assert.equal(await page.textContent("#left-out"), "spoilt.mcap: topic 'odometry' at tick 5990 is no message of its type: it is left out");
+  await page.waitForFunction(() => window.clew.session.last_tick === 6000);
+  assert.deepEqual(complaints, []);
 });
 
 test("a name that is HTML stays a name", async (context) => {

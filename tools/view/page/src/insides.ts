@@ -58,6 +58,7 @@ export class Insides {
     this.editors.set(run, of_run);
     const editors = of_run.get(stage) ?? rule_files(run, choices, stage).map((file) => new RuleEditor(file, use));
     of_run.set(stage, editors);
+    for (const editor of editors) editor.refresh();
     return editors;
   }
 

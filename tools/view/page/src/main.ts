@@ -6,7 +6,7 @@ import { field_text } from "./cdr_fields";
 import { Control } from "./control";
 import { first_difference } from "./difference";
 import type { Difference } from "./difference";
-import { attempt, button, by_id, element, tell_trouble_to } from "./elements";
+import { attempt, button, by_id, element, once_a_frame, tell_trouble_to } from "./elements";
 import { embedded, has_embedded } from "./embedded";
 import { Insides } from "./insides";
 import { Inspector } from "./inspector";
@@ -16,7 +16,7 @@ import { LiveRun } from "./live";
 import { MapView } from "./map_view";
 import { Overview } from "./overview";
 import { Plots } from "./plots";
-import { Recording } from "./recording";
+import { Recording, tell_complaints_to } from "./recording";
 import type { Run } from "./run";
 import { Session } from "./session";
 import { read_embedded, read_served, read_session } from "./sources";
@@ -40,6 +40,14 @@ function notice(text: string): void {
 }
 const message_of = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 tell_trouble_to((error) => notice(`not all of it can be shown: ${message_of(error)}`));
+
+/// What of the recordings is left out, as long as they are shown: whenever it is found, each once.
+function show_complaints(): void {
+  const told = session.runs.filter(({ recording }) => recording.complaints.length > 0)
+    .map(({ recording }) => `${recording.name}: ${recording.complaints.join("; ")}`).join(" · ");
+  if (by_id("left-out").textContent !== told) by_id("left-out").textContent = told;
+}
+tell_complaints_to(once_a_frame(show_complaints));
 
 // ---- panels ----
 
@@ -138,7 +146,10 @@ function follow(): void {
     if (at_newest) attempt(() => session.go_to(Infinity));
     following = more;
     if (more) requestAnimationFrame(turn);
-    else show_runs();
+    else {
+      show_runs();
+      show_complaints();
+    }
   };
   turn();
 }
@@ -152,7 +163,6 @@ export async function open(name: string, read: (recording: Recording, on_piece: 
     notice(`${name}: ${message_of(error)}; shown is what came before`);
   }
   follow();
-  if (run.recording.complaint !== "") notice(`${name}: ${run.recording.complaint}`);
   return run;
 }
 
@@ -162,6 +172,7 @@ async function add_what_if(): Promise<void> {
   const asked = what_if;
   insides.let_edit(choices, {
     label: "Branch with these rules", title: "Go on from the chosen tick with the rule base as it is written here",
+    why_not: () => asked.why_no_branch(),
     use: async (rules) => {
       const { command, report } = await asked.branch_with(rules);
       return { said: `${report.outcome} after ${report.ticks} ticks`, command };
@@ -250,7 +261,7 @@ listen_to_keys([
   { keys: ["i"], shown: "i", what: "messages of the tick", act: () => show_panel("messages") },
   { keys: ["x"], shown: "x", what: "insides of the tick, explained", act: () => show_panel("insides") },
   { keys: ["e"], shown: "e", what: "what if", act: () => show_panel("what-if") },
-  { keys: ["b"], shown: "b", what: "branch from this tick", act: () => void what_if?.branch() },
+  { keys: ["b"], shown: "b", what: "branch from this tick", act: branch },
   { keys: ["c"], shown: "c", what: "control of a run under way", act: () => control && show_panel("control") },
   { keys: ["k"], shown: "k", what: "pause or resume a run under way", act: () => void control?.toggle() },
   { keys: ["j"], shown: "j", what: "a tick of a run that is paused", act: () => void control?.do_step() },
@@ -264,6 +275,12 @@ listen_to_keys([
   { keys: ["t"], shown: "t", what: "light or dark", act: redraw_theme },
   { keys: ["?"], shown: "?", what: "these keys", act: () => by_id<HTMLDialogElement>("keys").showModal() },
 ]);
+
+/// Where there can be no branch, the panel says why.
+function branch(): void {
+  if (what_if && what_if.why_no_branch() !== "") show_panel("what-if");
+  else void what_if?.branch();
+}
 
 function pan_of(key: string): [number, number] {
   switch (key.toLowerCase()) {

@@ -43,29 +43,46 @@ export function draw_steering(scene: Scene, run: Run): void {
   const [x, y] = view.at(...run.to_world(scene.tick, target.x_m, target.y_m));
   const next = standing.mission.waypoints[standing.passed];
   const [goal_x, goal_y] = next ? view.at(...next.place) : [x, y];
-  // Where odometry is off, way-points of its frame lie a little beside those of the world.
-  const off_m = Math.hypot(x - goal_x, y - goal_y) / view.scale;
-  if (off_m > kSubgoal_m && run.graph["plan"] !== undefined) draw_subgoal(scene, run, x, y);
+  if (is_subgoal(run, scene.tick, target)) draw_subgoal(scene, run, x, y);
   if (target.has_heading !== true) return;
   const truth = run.truth[run.index_at(scene.tick)]?.heading ?? 0;
   const belief = run.belief[run.index_at(scene.tick)]?.heading ?? truth;
   const heading = (target.heading_rad ?? 0) + truth - belief;
   const tolerance = Math.min(Math.PI, target.heading_tolerance_rad ?? 0);
-  g.lineWidth = 1.5;
+  // Outside of what is drawn of the way-point itself; a target has a cross.
+  const is_last = standing.passed + 1 >= standing.mission.waypoints.length;
+  const ring = Math.max(5, (next?.radius_m ?? 0) * view.scale) * (is_last ? kCross : 1) + 2;
   const arm = (angle: number, length: number): void => {
-    g.moveTo(goal_x, goal_y);
-    g.lineTo(goal_x + length * Math.cos(angle), goal_y - length * Math.sin(angle));
+    g.moveTo(goal_x + ring * Math.cos(angle), goal_y - ring * Math.sin(angle));
+    g.lineTo(goal_x + (ring + length) * Math.cos(angle), goal_y - (ring + length) * Math.sin(angle));
   };
+  g.lineWidth = 2;
   g.beginPath();
-  arm(heading, 26);
+  arm(heading, kArrow);
   g.stroke();
-  draw_arrow_head(g, goal_x + 26 * Math.cos(heading), goal_y - 26 * Math.sin(heading), heading);
+  draw_arrow_head(g, goal_x + (ring + kArrow) * Math.cos(heading), goal_y - (ring + kArrow) * Math.sin(heading), heading);
+  g.lineWidth = 1.5;
   g.setLineDash([2, 3]);
   g.beginPath();
-  arm(heading - tolerance, 20);
-  arm(heading + tolerance, 20);
+  arm(heading - tolerance, kArrow - 6);
+  arm(heading + tolerance, kArrow - 6);
   g.stroke();
   g.setLineDash([]);
+}
+
+/// Pixels.
+const kArrow = 20;
+/// How much longer than its radius the arms of a target's cross are.
+const kCross = 1.7;
+
+/// Whether a target is a place that the plan chose on the way to the next way-point.
+export function is_subgoal(run: Run, tick: number, target: { x_m: number; y_m: number }): boolean {
+  const standing = run.progress.at(tick);
+  const next = standing?.mission.waypoints[standing.passed];
+  // Without a plan: where odometry is off, way-points of its frame lie a little beside those of the world.
+  if (!next || run.graph["plan"] === undefined) return false;
+  const [x, y] = run.to_world(tick, target.x_m, target.y_m);
+  return Math.hypot(x - next.place[0], y - next.place[1]) > kSubgoal_m;
 }
 
 /// Nearer than this it is the way-point itself.
@@ -108,7 +125,7 @@ function draw_arrow_head(g: CanvasRenderingContext2D, x: number, y: number, head
 /// The number of a robot below the place where it goes.
 function name_target({ g, view, theme }: Scene, { place, radius_m }: Waypoint, run: Run, nth: number): void {
   const [x, y] = view.at(...place);
-  const below = 1.7 * Math.max(5, radius_m * view.scale) + 8;
+  const below = kCross * Math.max(5, radius_m * view.scale) + 8;
   g.font = "700 12px system-ui, sans-serif";
   g.textAlign = "center";
   g.textBaseline = "middle";
@@ -150,7 +167,7 @@ function draw_target({ g, view, theme }: Scene, target: Waypoint): void {
   g.beginPath();
   for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
     g.moveTo(x + (dx ?? 0) * radius * 0.4, y + (dy ?? 0) * radius * 0.4);
-    g.lineTo(x + (dx ?? 0) * radius * 1.7, y + (dy ?? 0) * radius * 1.7);
+    g.lineTo(x + (dx ?? 0) * radius * kCross, y + (dy ?? 0) * radius * kCross);
   }
   g.stroke();
 }

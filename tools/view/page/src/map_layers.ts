@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What lies on the map, layer by layer, from the ground up.
 
+import { draw_moving } from "./map_moving";
 import type { Run, RunEvent } from "./run";
 import { draw_mark, run_colour, run_dash } from "./theme";
 import type { Theme } from "./theme";
 import { thinned } from "./thinned";
-import { corners_at, place_at } from "./world";
-import type { MovingObstacle, Point, World } from "./world";
-
-/// How thick the sides of a moving shape are.
-const kSide_m = 0.04;
+import type { Point, World } from "./world";
 
 export const kLayers: [string, string][] = [
   ["grid", "Grid"], ["path", "Path"], ["ahead", "Path still to come"], ["belief", "Believed path"],
@@ -73,7 +70,7 @@ export function draw_world(scene: Scene, world: World, time_s: number, robots: W
   if (scene.layers.has("moving")) draw_moving(scene, world, time_s, robots);
 }
 
-function disc(scene: Scene, place: Point, radius_m: number, fill: boolean): void {
+export function disc(scene: Scene, place: Point, radius_m: number, fill: boolean): void {
   scene.g.beginPath();
   scene.g.arc(...scene.view.at(...place), radius_m * scene.view.scale, 0, 2 * Math.PI);
   if (fill) scene.g.fill();
@@ -112,41 +109,6 @@ function draw_grid(scene: Scene, world: World): void {
   g.textAlign = "left";
   const [px, py] = view.at(right, bottom);
   g.fillText("m", px + 8, py + 9);
-}
-
-function draw_moving(scene: Scene, world: World, time_s: number, robots: World[]): void {
-  const { g, view, theme } = scene;
-  const is_robot = ({ jumps, path }: MovingObstacle): boolean => jumps &&
-    robots.some(({ start }) => path[0]?.[1] === start[0] && path[0][2] === start[1]);
-  for (const obstacle of world.moving) {
-    if (is_robot(obstacle)) continue;
-    g.strokeStyle = theme.moving;
-    g.lineWidth = 1;
-    g.setLineDash([3, 4]);
-    g.beginPath();
-    for (const [, x, y] of obstacle.path) g.lineTo(...view.at(x, y));
-    g.stroke();
-    g.setLineDash([]);
-    g.fillStyle = theme.moving;
-    g.strokeStyle = theme.wall;
-    g.lineWidth = 1.5;
-    const corners = corners_at(obstacle, time_s);
-    if (corners.length > 0) draw_sides(scene, corners);
-    else disc(scene, place_at(obstacle, time_s), obstacle.radius_m, true);
-  }
-}
-
-/// Doors and polygons that move have thick sides, and nothing within.
-function draw_sides({ g, view, theme }: Scene, corners: Point[]): void {
-  g.beginPath();
-  for (const corner of corners) g.lineTo(...view.at(...corner));
-  g.closePath();
-  g.strokeStyle = theme.wall;
-  g.lineWidth = Math.max(4, kSide_m * view.scale);
-  g.stroke();
-  g.strokeStyle = theme.moving;
-  g.lineWidth -= 2;
-  g.stroke();
 }
 
 export function draw_paths(scene: Scene, run: Run): void {

@@ -241,9 +241,10 @@ export class MapView {
     if (has_insides) this.inside_layers.draw_areas(scene);
     for (const run of shown) draw_paths(scene, run);
     const chosen = shown.find((run) => run.index === this.session.chosen) ?? shown[0];
-    if (chosen) draw_steering(scene, chosen);
     if (chosen && this.layers.has("obstacles")) draw_virtual_obstacles(scene, chosen);
     if (chosen && this.layers.has("scan")) draw_scan(scene, chosen);
+    // A laser's rays would cover it.
+    if (chosen) draw_steering(scene, chosen);
     for (const run of shown) {
       if (this.layers.has("targets")) draw_virtual_targets(scene, run);
       draw_events(scene, run);

@@ -3,6 +3,7 @@
 
 import { element, once_a_frame } from "./elements";
 import { names_of } from "./graph_names";
+import { is_subgoal } from "./map_goals";
 import { kOutcomes } from "./run";
 import type { Run, RunEvent } from "./run";
 import type { Session } from "./session";
@@ -58,7 +59,7 @@ export class Overview {
     const now = run.progress.at(tick);
     if (now && now.mission.waypoints.length > 1) rows.push(["way-points reached", `${now.passed} of ${now.mission.waypoints.length}`]);
     const target = message("target") as Target | undefined;
-    if (target) rows.push(["sent to", target_text(target)]);
+    if (target) rows.push(["sent to", target_text(target, is_subgoal(run, tick, target))]);
     const command = message("command") as { motion: Motion } | undefined;
     if (command) rows.push(["command", motion_text(command.motion)]);
     return rows;
@@ -104,10 +105,11 @@ interface Target {
   waypoints?: number;
 }
 
-function target_text(target: Target): string {
+function target_text(target: Target, is_on_the_way: boolean): string {
   const { has_heading, heading_rad = 0, heading_tolerance_rad = 0, waypoint, waypoints = 0 } = target;
   if (waypoint === 0) return "nowhere: it waits";
-  const way = waypoints > 1 ? `way-point ${waypoint}: ` : "";
+  const end = waypoints > 1 ? `way-point ${waypoint}` : "";
+  const way = is_on_the_way ? `${end || "the target"}, by way of ` : end && `${end}: `;
   const heading = has_heading ? `, heading ${(heading_rad * kDegrees).toFixed(0)} ± ${(heading_tolerance_rad * kDegrees).toFixed(0)}°` : "";
   return `${way}${target.x_m.toFixed(2)}, ${target.y_m.toFixed(2)} m${heading}`;
 }

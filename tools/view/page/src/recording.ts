@@ -16,7 +16,8 @@ export class Topic {
   private readonly starts: number[] = [0];
   private bytes = new Uint8Array(1 << 16);
 
-  constructor(readonly name: string, readonly schema: Schema) {}
+  /// `complain` hears of samples that are no message of the topic's type.
+  constructor(readonly name: string, readonly schema: Schema, private readonly complain: (text: string) => void = () => undefined) {}
 
   get length(): number {
     return this.ticks.length;
@@ -68,6 +69,7 @@ export class Topic {
     try {
       return this.schema.message(this.sample(index));
     } catch {
+      this.complain(`topic '${this.name}' at tick ${this.ticks[index] ?? 0} is no message of its type: it is left out`);
       return undefined;
     }
   }
@@ -92,6 +94,15 @@ export interface Incident {
   text: string;
 }
 
+/// More kinds of complaints than these nobody reads.
+const kMostComplaints = 12;
+let on_complaint: () => void = () => undefined;
+
+/// Who is told when a recording has something more to complain of.
+export function tell_complaints_to(listener: () => void): void {
+  on_complaint = listener;
+}
+
 export class Recording {
   readonly topics = new Map<string, Topic>();
   readonly bundle = new Map<string, string>();
@@ -101,15 +112,15 @@ export class Recording {
   seed = "";
   /// What its recorder wrote at the end; nothing of one that was cut off or is not read yet.
   end: { hash: string; ticks: number; lost: number; aborted: string } | undefined;
-  /// What of it cannot be read, and is left out; empty if all can.
-  complaint = "";
+  /// What of it cannot be read, and is left out: the first of each kind.
+  private readonly first_complaints = new Map<string, string>();
 
   constructor(public name: string) {}
 
   add_topic(name: string, type: string, text: string): Topic {
     const known = this.topics.get(name);
     if (known) return known;
-    const topic = new Topic(name, new Schema(type, text));
+    const topic = new Topic(name, new Schema(type, text), (what) => this.complain(`topic ${name}`, what));
     this.topics.set(name, topic);
     return topic;
   }
@@ -118,9 +129,15 @@ export class Recording {
     return this.topics.get(name);
   }
 
-  /// The first complaint stays: what follows may come of it.
-  complain(text: string): void {
-    this.complaint ||= text;
+  /// Of a kind the first complaint stays: what follows may come of it.
+  complain(kind: string, text: string): void {
+    if (this.first_complaints.has(kind) || this.first_complaints.size >= kMostComplaints) return;
+    this.first_complaints.set(kind, text);
+    on_complaint();
+  }
+  /// By order of time; none if all of it can be read.
+  get complaints(): string[] {
+    return [...this.first_complaints.values()];
   }
 
   /// Takes what a file says, as far as it is what we know.
@@ -209,7 +226,7 @@ export class McapFeed {
     try {
       return JSON.parse(kText.decode(data));
     } catch {
-      this.recording.complain(`${side} at tick ${tick} is no JSON: what it says is left out`);
+      this.recording.complain(side, `${side} at tick ${tick} is no JSON: what it says is left out`);
       return undefined;
     }
   }
@@ -223,7 +240,7 @@ export class McapFeed {
       this.channels.set(channel.id, this.recording.add_topic(name, schema.name, kText.decode(schema.data)));
     } catch (error) {
       const why = String(error instanceof Error ? error.message : error).split("\n")[0] ?? "";
-      this.recording.complain(`the schema of topic '${name}' cannot be read (${why}): the topic is left out`);
+      this.recording.complain(`schema ${name}`, `the schema of topic '${name}' cannot be read (${why}): the topic is left out`);
     }
   }
 

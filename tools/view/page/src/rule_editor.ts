@@ -22,6 +22,8 @@ export interface RuleFile {
 export interface RuleUse {
   label: string;
   title: string;
+  /// Why they cannot be used now; empty if they can.
+  why_not?(): string;
   /// What came of it, and the command line that does the same.
   use(rules: RuleEdit[]): Promise<{ said: string; command: string }>;
 }
@@ -69,17 +71,27 @@ const kNumberOrWord = /-?(?<![\w.])\d+(?:\.\d+)?(?:e-?\d+)?(?![\w.])|[A-Za-z_]+(
 export class RuleEditor {
   readonly box: HTMLElement;
   private pieces: (string | HTMLInputElement)[] = [];
+  private readonly use_button: HTMLButtonElement;
+  private readonly blocked = element("p", { class: "faint" });
   private readonly lines = element("div", { class: "rules" });
   private readonly message = element("p", { class: "warn", role: "alert" });
   private readonly done = element("p", { class: "faint", role: "status" });
 
   constructor(private readonly of: RuleFile, private readonly use: RuleUse) {
-    const go = button(use.label, use.title, () => void this.go());
-    go.className = "strong";
+    this.use_button = button(use.label, use.title, () => void this.go());
+    this.use_button.className = "strong";
     this.box = element("details", { class: "rule-editor", "data-rules": `${of.stage}.${of.name}` },
       element("summary", {}, `rule base ${of.file}`), this.lines,
-      element("div", { class: "row" }, go, button("As it was", "Take all changes back", () => this.fill())), this.message, this.done);
+      element("div", { class: "row" }, this.use_button, button("As it was", "Take all changes back", () => this.fill())), this.blocked, this.message, this.done);
     this.fill();
+    this.refresh();
+  }
+
+  /// Whether they can be used may change with the chosen tick.
+  refresh(): void {
+    const why_not = this.use.why_not?.() ?? "";
+    this.use_button.disabled = why_not !== "";
+    this.blocked.textContent = why_not;
   }
 
   /// The file with what was written.

@@ -5,7 +5,7 @@
 import { Progress, first_mission, mission_of_change } from "./missions";
 import type { Change, Incident, Recording } from "./recording";
 import { read_graph, read_robot_radius_m, read_world } from "./world";
-import type { Point, World } from "./world";
+import type { Complain, Point, World } from "./world";
 
 export type EventKind =
   | "landmark" | "reflex" | "trap" | "escape_begun" | "escape_ended" | "escape_failed"
@@ -126,8 +126,7 @@ export class Run {
     const until = performance.now() + budget_ms;
     // A tick is whole once a sample of the next one is there, or nothing more will come.
     while (this.ticks.length < states.length) {
-      this.take_changes(states.ticks[this.ticks.length] ?? 0);
-      this.take(states.ticks[this.ticks.length] ?? 0, this.ticks.length);
+      this.take_whole(states.ticks[this.ticks.length] ?? 0, this.ticks.length);
       if (this.ticks.length % 64 === 0 && performance.now() > until) return this.ticks.length < states.length;
     }
     this.take_incidents();
@@ -150,11 +149,15 @@ export class Run {
   }
 
   private read_texts(): void {
-    const graph = this.recording.bundle.get("graph.yaml");
+    const { bundle } = this.recording;
+    const [graph, world, robot] = ["graph.yaml", "world.yaml", "robot.yaml"].map((name) => bundle.get(name));
     if (this.has_texts || graph === undefined) return;
-    this.graph = read_graph(graph);
-    this.world = read_world(this.recording.bundle.get("world.yaml") ?? "");
-    this.radius_m = read_robot_radius_m(this.recording.bundle.get("robot.yaml") ?? "");
+    // All texts come before the first sample, but perhaps not in one piece.
+    if ((world === undefined || robot === undefined) && !this.recording.topic("state")?.length) return;
+    const complain: Complain = (kind, text) => this.recording.complain(kind, text);
+    this.graph = read_graph(graph, complain);
+    if (world !== undefined) this.world = read_world(world, complain);
+    if (robot !== undefined) this.radius_m = read_robot_radius_m(robot, complain);
     this.has_texts = true;
     this.begin_mission();
   }
@@ -167,7 +170,9 @@ export class Run {
   /// What holds from this tick on. A change of the goal is the drive's, one of a behaviour its stage's.
   private take_changes(tick: number): void {
     const { changes } = this.recording;
-    for (let change = changes[this.changes_taken]; change && change.tick <= tick; change = changes[++this.changes_taken]) {
+    for (let change = changes[this.changes_taken]; change && change.tick <= tick; change = changes[this.changes_taken]) {
+      // Whatever becomes of it: not again.
+      this.changes_taken++;
       const before = this.truth[this.truth.length - 1];
       const place: Point = before ? [before.x, before.y] : [this.world?.start[0] ?? 0, this.world?.start[1] ?? 0];
       const mission = this.world && mission_of_change(change, this.world);
@@ -192,18 +197,45 @@ export class Run {
     return incident.stage in this.graph ? incident.stage : "run";
   }
 
+  /// All that came with a tick. What of it cannot be read is left out, and the ticks behind it are read.
+  private take_whole(tick: number, index: number): void {
+    for (const work of [() => this.take_changes(tick), () => this.take(tick, index)]) {
+      try {
+        work();
+      } catch (error) {
+        const why = error instanceof Error ? error.message : String(error);
+        this.recording.complain("tick", `tick ${tick} cannot be read whole (${why}): what cannot is left out`);
+      }
+    }
+  }
+
+  /// A sample whose first number is not there is none; one that the topic has not is none to complain of.
+  private check(topic_name: string, tick: number, first: number): void {
+    const topic = Number.isNaN(first) ? this.recording.topic(topic_name) : undefined;
+    const index = topic?.index_at(tick) ?? -1;
+    // It tells the recording itself.
+    if (index >= 0) topic?.message(index);
+  }
+
   private take(tick: number, index: number): void {
     const number = (topic: string, path: string): number => this.recording.topic(topic)?.number_at(tick, path) ?? NaN;
     const pose = (topic: string, path: string): Pose => ({
       x: number(topic, `${path}.x_m`), y: number(topic, `${path}.y_m`), heading: number(topic, `${path}.heading_rad`),
     });
-    const truth = pose("state", "pose_world_robot");
-    const belief = pose("odometry", "pose_odom_robot");
+    // Each list has its place of the tick, whatever else there is.
     this.ticks.push(tick);
-    this.truth.push(truth);
-    this.belief.push(Number.isNaN(belief.x) ? undefined : belief);
+    this.truth.push({ x: NaN, y: NaN, heading: NaN });
+    this.belief.push(undefined);
+    this.mode.push(0);
+    const truth = this.truth[index] = pose("state", "pose_world_robot");
+    const belief = pose("odometry", "pose_odom_robot");
+    if (!Number.isNaN(belief.x)) this.belief[index] = belief;
     const mode = number("guidance", "mode");
-    this.mode[index] = Number.isNaN(mode) ? 0 : mode;
+    if (!Number.isNaN(mode)) this.mode[index] = mode;
+    this.check("state", tick, truth.x);
+    this.check("odometry", tick, belief.x);
+    this.check("guidance", tick, mode);
+    this.check("target", tick, number("target", "x_m"));
     this.take_state(tick, [truth.x, truth.y], number);
     this.take_guidance(tick, [truth.x, truth.y], number);
     this.take_entries(tick);
@@ -249,7 +281,6 @@ export class Run {
     // A stamp, and no entry: nothing to decode in nearly every tick.
     if (!topic || index < 0 || topic.sample(index).length <= 32) return;
     const message = topic.message(index);
-    if (!message) this.recording.complain(`topic 'event' at tick ${tick} is no message of its type: its events are left out`);
     for (const entry of (message?.["entries"] ?? []) as EventEntry[]) {
       const kind = kKinds[entry.kind] ?? "reflex";
       const event: RunEvent = {

@@ -14,6 +14,16 @@ import { names_of } from "./graph_names";
 
 type Open = (started: Started) => Promise<Run>;
 
+/// Why a run cannot be branched from a tick on; empty if it can.
+function why_no_branch({ served, last_tick, outcome, recording }: Run, tick: number): string {
+  if (served === undefined) return "this run cannot be branched";
+  const changed = recording.changes.find((change) => change.tick <= tick && change.changes.length > 0);
+  if (changed) return `the run was changed at tick ${changed.tick}: choose a tick before it`;
+  if (tick > last_tick) return `the run ended at tick ${last_tick}: choose an earlier tick`;
+  if (tick < last_tick || outcome === "running" || outcome === "timeout") return "";
+  return `the run ends at this tick (${outcome}), and nothing goes on from there: choose an earlier tick`;
+}
+
 export class WhatIf {
   private readonly max_ticks = element("input", { type: "number", min: "1", max: "100000", value: "2000", "aria-label": "Most ticks" });
   private readonly at = element("b");
@@ -29,14 +39,16 @@ export class WhatIf {
     "Choose a graph and a world, or draw one: drag walls on the map, or move a cross there by the arrow keys. Then press Run, and see where the robot goes.");
   private readonly form: ChangesForm;
   private is_drawing: boolean;
+  private readonly go = button("Branch", "Go on from this tick with these changes (b)", () => void this.branch());
+  /// Why there is no branch from the chosen tick.
+  private readonly why_not = element("p", { class: "faint", id: "no-branch", role: "status" });
 
   constructor(private readonly session: Session, private readonly map: MapView, private readonly panel: HTMLElement,
     choices: Choices, private readonly open: Open) {
     this.drawing = new Drawing(map, () => this.let_draw());
     this.form = new ChangesForm(choices, (stage, part) => this.current(stage, part));
-    const branch = button("Branch", "Go on from this tick with these changes (b)", () => void this.branch());
-    branch.id = "branch";
-    branch.className = "strong";
+    this.go.id = "branch";
+    this.go.className = "strong";
     const run = button("Run", "Run this graph in this world", () => void this.run());
     run.id = "run";
     run.className = "strong";
@@ -48,7 +60,7 @@ export class WhatIf {
     this.world.addEventListener("change", () => this.let_draw());
     this.branching.append(
       element("h2", {}, "What if"), element("p", {}, "From tick ", this.at, " on:"), this.form.box,
-      element("div", { class: "row" }, element("label", {}, "at most ", this.max_ticks, " ticks"), branch));
+      element("div", { class: "row" }, element("label", {}, "at most ", this.max_ticks, " ticks"), this.go), this.why_not);
     this.is_drawing = session.runs.length === 0;
     if (this.is_drawing) this.world.value = "";
     panel.append(
@@ -73,16 +85,23 @@ export class WhatIf {
 
   async branch(): Promise<void> {
     const run = this.session.run;
-    if (!run || run.served === undefined) return;
+    if (!run || run.served === undefined || this.why_no_branch() !== "") return;
     await this.say_errors(() => this.ask("branch", {
       recording: run.served, tick: this.session.tick, max_ticks: Number(this.max_ticks.value), ...this.form.changes,
     }));
   }
 
+  /// Why the chosen run has no branch from the chosen tick; empty if it can have one.
+  why_no_branch(): string {
+    const { run, tick } = this.session;
+    return run ? why_no_branch(run, tick) : "there is no run to branch";
+  }
+
   /// Goes on from the chosen tick with other rule bases, and all else as it was. Throws what is wrong.
   async branch_with(rules: RuleEdit[]): Promise<Started> {
     const run = this.session.run;
-    if (!run || run.served === undefined) throw new Error("this run cannot be branched");
+    const why_not = this.why_no_branch();
+    if (!run || why_not !== "") throw new Error(why_not);
     return this.ask("branch", { recording: run.served, tick: this.session.tick, max_ticks: Number(this.max_ticks.value), rules });
   }
 
@@ -138,6 +157,9 @@ export class WhatIf {
     this.branching.hidden = first;
     this.hint.hidden = !first;
     this.running.textContent = first ? "A first run" : "Another run";
+    const why_not = this.why_no_branch();
+    this.go.disabled = why_not !== "";
+    if (this.why_not.textContent !== why_not) this.why_not.textContent = why_not;
     if (others) this.form.refresh();
   }
 }

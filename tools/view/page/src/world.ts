@@ -34,6 +34,9 @@ export interface World {
 }
 
 type Node = Record<string, unknown>;
+/// Is told, for each kind of thing that is left out, what and why.
+export type Complain = (kind: string, text: string) => void;
+const nobody: Complain = () => undefined;
 
 /// So many finite numbers at least; nothing if it is anything else.
 function numbers(value: unknown, count: number): number[] | undefined {
@@ -41,9 +44,20 @@ function numbers(value: unknown, count: number): number[] | undefined {
   return value.every((each) => typeof each === "number" && Number.isFinite(each)) ? value as number[] : undefined;
 }
 
-/// The entries of a list that can be read.
-function entries<T>(value: unknown, read: (entry: unknown) => T | undefined): T[] {
-  return Array.isArray(value) ? value.map(read).filter((each): each is T => each !== undefined) : [];
+/// The entries of a list that can be read; of the others `complain` hears. A list that is not there is empty.
+function entries<T>(value: unknown, what: string, read: (entry: unknown) => T | undefined, complain: Complain): T[] {
+  if (value === undefined || value === null) return [];
+  if (!Array.isArray(value)) {
+    complain(what, `${what} of the world: no list; they are left out`);
+    return [];
+  }
+  const found: T[] = [];
+  value.forEach((entry, index) => {
+    const read_entry = read(entry);
+    if (read_entry !== undefined) found.push(read_entry);
+    else complain(what, `${what}[${index}] of the world cannot be read: it is left out`);
+  });
+  return found;
 }
 
 const positive = (value: unknown): number => (typeof value === "number" && value > 0 && Number.isFinite(value) ? value : 0);
@@ -56,56 +70,69 @@ function disc(value: unknown): [number, number, number] | undefined {
   return circle && circle[2] > 0 ? circle : undefined;
 }
 
-function moving(value: unknown): MovingObstacle | undefined {
+function moving(value: unknown, complain: Complain): MovingObstacle | undefined {
   const { circle, polygon, door, turns, path, loop, jumps } = tree(value);
   const obstacle: MovingObstacle = {
-    radius_m: 0, corners: [], door: undefined, path: entries(path, triple), loops: loop === true, jumps: jumps === true,
+    radius_m: 0, corners: [], door: undefined, path: entries(path, "path of moving", triple, complain), loops: loop === true, jumps: jumps === true,
   };
   const at = disc(circle);
   const leaf = disc(door);
-  const corners = entries(polygon, point);
+  const corners = entries(polygon, "polygon of moving", point, complain);
   const [first] = corners;
   if (at) obstacle.radius_m = at[2];
-  else if (leaf) obstacle.door = { hinge: [leaf[0], leaf[1]], length_m: leaf[2], turns: entries(turns, point) };
+  else if (leaf) obstacle.door = { hinge: [leaf[0], leaf[1]], length_m: leaf[2], turns: entries(turns, "turns of moving", point, complain) };
   else if (first) obstacle.corners = corners.map(([x, y]) => [x - first[0], y - first[1]]);
   else return undefined;
   return obstacle;
+}
+
+/// The corners of a polygon that can be read.
+function shape(value: unknown, complain: Complain): Point[] | undefined {
+  return Array.isArray(value) ? entries(value, "corners of polygons", point, complain) : undefined;
 }
 
 function tree(value: unknown): Node {
   return value !== null && typeof value === "object" && !Array.isArray(value) ? value as Node : {};
 }
 
-function parsed(text: string): Node {
+/// Nothing of it if it is none of our files, of which `complain` hears: each is a tree.
+function parsed(text: string, name: string, complain: Complain): Node {
+  let why = "no names with values";
   try {
-    return tree(load(text));
-  } catch {
-    return {};
+    const file: unknown = load(text);
+    if (file !== null && typeof file === "object" && !Array.isArray(file)) return file as Node;
+  } catch (error) {
+    why = String(error instanceof Error ? error.message : error).split("\n")[0] ?? "";
   }
+  complain(name, `${name} cannot be read (${why}): it is left out`);
+  return {};
 }
 
 /// What of it is a world; nothing if the text is none.
-export function read_world(text: string): World | undefined {
-  const file = parsed(text);
+export function read_world(text: string, complain: Complain = nobody): World | undefined {
+  const file = parsed(text, "world.yaml", complain);
   const bounds = quad(file["bounds"]);
   const start = triple(file["start"]);
   const target = point(file["target"]);
-  if (!bounds || !start || !target || bounds[2] <= bounds[0] || bounds[3] <= bounds[1]) return undefined;
+  if (!bounds || !start || !target || bounds[2] <= bounds[0] || bounds[3] <= bounds[1]) {
+    complain("world.yaml", "world.yaml is no world: it needs bounds [left, bottom, right, top] that rise, a start [x, y, heading] and a target [x, y]; the world is left out");
+    return undefined;
+  }
   const target_radius_m = positive(file["target_radius"]);
   return {
     name: typeof file["name"] === "string" ? file["name"] : "",
     bounds,
-    walls: entries(file["walls"], quad),
-    polygons: entries(file["polygons"], (corners) => entries(corners, point)),
-    circles: entries(file["circles"], disc),
-    moving: entries(file["moving"], moving),
+    walls: entries(file["walls"], "walls", quad, complain),
+    polygons: entries(file["polygons"], "polygons", (corners) => shape(corners, complain), complain),
+    circles: entries(file["circles"], "circles", disc, complain),
+    moving: entries(file["moving"], "moving", (each) => moving(each, complain), complain),
     start,
     target,
     target_radius_m,
-    waypoints: entries(file["waypoints"], (entry) => {
+    waypoints: entries(file["waypoints"], "waypoints", (entry) => {
       const place = Array.isArray(entry) ? point(entry.slice(0, 2)) : undefined;
       return place && { place, radius_m: positive((entry as unknown[])[2]) || target_radius_m };
-    }),
+    }, complain),
   };
 }
 
@@ -117,13 +144,13 @@ export function same_room(a: World, b: World): boolean {
   return has_others(a) && has_others(b) && room(a) === room(b);
 }
 
-export function read_robot_radius_m(text: string): number {
-  return positive(parsed(text)["radius_m"]) || 0.15;
+export function read_robot_radius_m(text: string, complain: Complain = nobody): number {
+  return positive(parsed(text, "robot.yaml", complain)["radius_m"]) || 0.15;
 }
 
 /// A value of the expanded graph: `control.behaviour`, `recover.detector`.
-export function read_graph(text: string): Record<string, unknown> {
-  return parsed(text);
+export function read_graph(text: string, complain: Complain = nobody): Record<string, unknown> {
+  return parsed(text, "graph.yaml", complain);
 }
 
 /// Times of a path that jumps are those of ticks, which are summed up in several ways.
