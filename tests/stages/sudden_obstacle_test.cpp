@@ -57,7 +57,7 @@ std::string sudden_disc(double radius_m, double x_m, double y_m) {
 TEST(SuddenObstacle, OnTheRobotIsWaitedFor) {
   for (const double radius_m : {0.2, 0.5, 1.0}) {
     for (const core::Vec2& place :
-         {core::Vec2(4.2, 5.0), core::Vec2(4.45, 5.0), core::Vec2(4.3, 5.2)}) {
+         {core::Vec2(4.2, 5.0), core::Vec2(4.35, 5.0), core::Vec2(4.3, 5.2)}) {
       const WorldFile world(sudden_disc(radius_m, place.x(), place.y()));
       for (const std::string& sensor : kSensors) {
         SCOPED_TRACE(sensor + " " + text(radius_m) + " at " + text(place.x()) + " " +
