@@ -8,13 +8,15 @@ namespace clew::map {
 namespace {
 
 constexpr std::size_t kMostCells = 16384;
-constexpr std::int64_t kParts = 4;  // of a cell, along each side
+constexpr std::int64_t kParts = 8;  // of a cell, along each side
 // Places farther from the frame's origin than this many parts are left out.
 constexpr double kFarthest = 1e9;
 // What returned from farther than this many radii closes nothing that the map's hits do not.
 constexpr double kNear_radii = 2.0;
 // The body is taken to be smaller by this, for what readings round away.
 constexpr double kSlack_m = 0.001;
+// What the bumpers feel is within a centimetre: so far beyond the skin, and that much off at most.
+constexpr double kContactReach_m = 0.005;
 
 std::int64_t floor_div(std::int64_t number) {
   return (number >= 0 ? number : number - kParts + 1) / kParts;
@@ -31,6 +33,7 @@ void NoRoom::see(const domain::Odometry& odometry, const domain::Scan& scan, dou
   const auto least = [&](double middle) {
     return static_cast<std::int64_t>(std::floor(middle / part_m - reach));
   };
+  const double body_m = radius_m_ - kSlack_m;
   const Part first{least(robot.x()), least(robot.y())};
   const auto side = static_cast<std::int64_t>(std::ceil(2.0 * reach)) + 1;
   closed_.assign(static_cast<std::size_t>(side * side), 0);
@@ -41,19 +44,25 @@ void NoRoom::see(const domain::Odometry& odometry, const domain::Scan& scan, dou
     if (distance_m > kNear_radii * radius_m_) continue;
     const double bearing_rad = pose.heading_rad + scan.bearing_rad(i);
     const double half_rad = 0.5 * scan.beam_width_rad;
-    close(robot + distance_m * core::direction(bearing_rad - half_rad),
-          robot + distance_m * core::direction(bearing_rad + half_rad), first, side, part_m);
+    close({robot + distance_m * core::direction(bearing_rad - half_rad),
+           robot + distance_m * core::direction(bearing_rad + half_rad), body_m},
+          first, side, part_m);
+  }
+  const double touched_m = radius_m_ + kContactReach_m;
+  for (const double bearing_rad : odometry.contact_bearings_rad) {
+    const Vec2 place = robot + touched_m * core::direction(pose.heading_rad + bearing_rad);
+    close({place, place, body_m - kContactReach_m}, first, side, part_m);
   }
   keep(first, side);
   const auto cell = [&](double at) { return static_cast<std::int32_t>(std::floor(at / cell_m)); };
   state_.parts.erase({cell(robot.y()), cell(robot.x())});
 }
 
-/// Closes the parts in which every centre is nearer than the radius to both ends of an arc: then it
-/// is so near to all of the arc, whose circle is no smaller than the body.
-void NoRoom::close(const Vec2& right, const Vec2& left, const Part& first, std::int64_t side,
-                   double part_m) {
-  const double within_m = radius_m_ - kSlack_m - 0.5 * std::sqrt(2.0) * part_m;
+/// Closes the parts in which every centre is nearer than the radius to both ends of the arc: then
+/// it is so near to all of the arc, whose circle is no smaller than the body.
+void NoRoom::close(const Met& met, const Part& first, std::int64_t side, double part_m) {
+  const auto& [right, left, radius_m] = met;
+  const double within_m = radius_m - 0.5 * std::sqrt(2.0) * part_m;
   if (within_m <= 0.0) return;
   const auto bound = [&](double at, std::int64_t from) {
     return std::clamp(static_cast<std::int64_t>(std::floor(at / part_m)) - from, std::int64_t{0},
@@ -85,8 +94,8 @@ void NoRoom::keep(const Part& first, std::int64_t side) {
     const auto found = state_.parts.find(place);
     if (found == state_.parts.end() && state_.parts.size() >= kMostCells) continue;
     const std::int64_t bit = (row - kParts * place.first) * kParts + column - kParts * place.second;
-    std::uint16_t& parts = found == state_.parts.end() ? state_.parts[place] : found->second;
-    parts = static_cast<std::uint16_t>(parts | (1U << static_cast<unsigned>(bit)));
+    std::uint64_t& parts = found == state_.parts.end() ? state_.parts[place] : found->second;
+    parts |= std::uint64_t{1} << static_cast<unsigned>(bit);
   }
 }
 

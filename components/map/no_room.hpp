@@ -16,14 +16,14 @@ namespace clew::map {
 /// Where a robot's centre certainly cannot be: the body would touch what a beam has met, wherever
 /// on the beam's arc that is. It is finer than the hits of a map, which stand for up to 0.1 m of
 /// arc and for a cell: seen from near, a gap a few centimetres narrower than the robot is closed
-/// here, and one that the robot fits through is not. It is kept in sixteenths of the cells that
-/// ways are sought in; a cell is closed if all of its sixteenths are. That the robot was held
-/// somewhere counts for nothing.
+/// here, and one that the robot fits through is not. Of the cells that ways are sought in it keeps
+/// 64 parts each; a cell is closed if all of its parts are. That the robot was held somewhere
+/// counts for nothing.
 class NoRoom {
  public:
   struct State {
-    /// By row and column of a cell, counted from the frame's origin: a bit for each sixteenth.
-    std::map<std::pair<std::int32_t, std::int32_t>, std::uint16_t> parts;
+    /// By row and column of a cell, counted from the frame's origin: a bit for each part.
+    std::map<std::pair<std::int32_t, std::int32_t>, std::uint64_t> parts;
   };
 
   explicit NoRoom(double radius_m) : radius_m_(radius_m) {}
@@ -51,10 +51,16 @@ class NoRoom {
     std::int64_t row = 0;
   };
 
-  static constexpr std::uint16_t kAll = 0xffff;
+  /// What was met: somewhere on an arc. A centre nearer to it than the radius has no room.
+  struct Met {
+    Vec2 right;  ///< ends of the arc
+    Vec2 left;
+    double radius_m = 0.0;
+  };
 
-  void close(const Vec2& right, const Vec2& left, const Part& first, std::int64_t side,
-             double part_m);
+  static constexpr std::uint64_t kAll = ~std::uint64_t{0};
+
+  void close(const Met& met, const Part& first, std::int64_t side, double part_m);
   void keep(const Part& first, std::int64_t side);
 
   double radius_m_;
