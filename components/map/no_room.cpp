@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace clew::map {
 namespace {
@@ -52,6 +53,14 @@ void NoRoom::see(const domain::Odometry& odometry, const domain::Scan& scan, dou
   for (const double bearing_rad : odometry.contact_bearings_rad) {
     const Vec2 place = robot + touched_m * core::direction(pose.heading_rad + bearing_rad);
     close({place, place, body_m - kContactReach_m}, first, side, part_m);
+  }
+  if (std::find(closed_.begin(), closed_.end(), 1) == closed_.end()) {
+    // Nothing is near: whoever was has gone.
+    const double near_m = kNear_radii * radius_m_;
+    for (auto it = state_.parts.begin(); it != state_.parts.end();) {
+      const Vec2 middle = cell_m * Vec2(it->first.second + 0.5, it->first.first + 0.5);
+      it = core::length(middle - robot) < near_m ? state_.parts.erase(it) : std::next(it);
+    }
   }
   keep(first, side);
   const auto cell = [&](double at) { return static_cast<std::int32_t>(std::floor(at / cell_m)); };
