@@ -47,6 +47,8 @@ class LocalMap {
   /// What was seen is this.
   void restore(SeenMap::State seen) { seen_.restore(std::move(seen)); }
 
+  /// The side of the cells that paths are sought in.
+  double path_cell_m() const { return 2.0 * parameters_.cell_m; }
   double radius_m() const { return radius_m_; }
   const SeenMap& seen() const { return seen_; }
   /// What is impossible and what touches, for this robot on this map; the costs are the defaults.

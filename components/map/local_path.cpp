@@ -14,8 +14,6 @@ namespace {
 // A centre this near to where the robot was held does not pass either.
 constexpr double kRefused_m = 0.06;
 constexpr std::size_t kMostRefused = 4096;
-// A refused place that the robot comes this near to after all was not closed.
-constexpr double kPassed_m = 0.03;
 // Paths are sought over what was seen as near as this; a target farther off than kFar_m is looked
 // for in its direction, at kToward_m.
 constexpr double kReach_m = 40.0;
@@ -95,7 +93,7 @@ void LocalPath::plan(const PathRequest& request) {
 void LocalPath::seek(const PathRequest& request, const Vec2& goal) {
   const Costmap& costs =
       finder_->costs.update(request.map.seen(), request.from, goal, LocalMap::kAround_m, kReach_m);
-  close_refused(costs.grid, finder_->costs);
+  close_tried(request, costs.grid, finder_->costs);
   open_own_place(costs, request.from);
   const auto* path = &finder_->search->find(costs, request.from, goal,
                                             kArrivesWithin_ratio * request.target_radius_m);
@@ -134,19 +132,13 @@ void LocalPath::end_within_radius(const PathRequest& request) {
   if (off_m > within_m) end = request.target + within_m / off_m * off;
 }
 
-void LocalPath::allow_passed(const Vec2& from_odom, const Vec2& to_odom) {
-  auto& refused = state_.refused_odom;
-  const auto is_passed = [&](const Vec2& place) {
-    return core::distance_to_segment_m(from_odom, to_odom, place) <= kPassed_m;
-  };
-  refused.erase(std::remove_if(refused.begin(), refused.end(), is_passed), refused.end());
-}
-
 void LocalPath::refuse(const Vec2& place_odom) {
   if (state_.refused_odom.size() < kMostRefused) state_.refused_odom.push_back(place_odom);
 }
 
-void LocalPath::close_refused(const Grid& grid, CostmapBuilder& costs) const {
+/// Closes what the robot has tried in vain, and what it saw to have no room for it.
+void LocalPath::close_tried(const PathRequest& request, const Grid& grid,
+                            CostmapBuilder& costs) const {
   std::vector<Cell> cells;
   for (const Vec2& place : state_.refused_odom) {
     cells_within(grid, place, kRefused_m, cells);
@@ -154,6 +146,11 @@ void LocalPath::close_refused(const Grid& grid, CostmapBuilder& costs) const {
       costs.overrule(grid.index(cell), Costmap::kBlocked, Clearance::kNone);
     }
   }
+  if (request.no_room == nullptr) return;
+  request.no_room->for_each(grid.cell_m, [&](const Vec2& middle) {
+    const auto cell = grid.cell_at(middle);
+    if (cell) costs.overrule(grid.index(*cell), Costmap::kBlocked, Clearance::kNone);
+  });
 }
 
 Costmap LocalPath::costs_around(const PathRequest& request, double reach_m) const {
@@ -162,7 +159,7 @@ Costmap LocalPath::costs_around(const PathRequest& request, double reach_m) cons
   // What lies beyond the reach has its say in the costs within.
   const double sees_m = reach_m + LocalMap::kAround_m;
   const Costmap& around = costs.update(seen, request.from, request.from, reach_m, sees_m);
-  close_refused(around.grid, costs);
+  close_tried(request, around.grid, costs);
   return around;
 }
 

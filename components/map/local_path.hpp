@@ -8,6 +8,7 @@
 #include "core/archive.hpp"
 #include "map/costmap.hpp"
 #include "map/local_map.hpp"
+#include "map/no_room.hpp"
 #include "map/path_finder.hpp"
 
 namespace clew::map {
@@ -47,14 +48,16 @@ struct PathRequest {
   const LocalMap& map;  ///< always the same one
   /// Of that map, for all who seek paths on it; null: each has its own.
   PathFinders* finders = nullptr;
+  const NoRoom* no_room = nullptr;  ///< closes these cells besides; null: none
 };
 
 /// The path to the target over all that a robot has seen, sought again as more comes to light.
 ///
 /// Unknown counts as free, and a suspected obstacle is costly, so a path leads there only where
 /// nothing else is left; going there shows what is the case. A missing path is proof of
-/// unreachability: hits are deflated by the worst-case rounding before they are inflated by the
-/// robot.
+/// unreachability as long as nothing is refused: hits are deflated by the worst-case rounding
+/// before they are inflated by the robot, and NoRoom closes only what is certain. A place that was
+/// refused proves nothing.
 ///
 /// Where nothing that was seen or is suspected is near the straight line to the target, that is the
 /// path, and nothing is sought. So in the open the work does not depend on how far the target is.
@@ -83,8 +86,8 @@ class LocalPath {
   /// The robot cannot get to this place, whatever is seen: it has tried.
   void refuse(const Vec2& place_odom);
   const std::vector<Vec2>& refused_odom() const { return state_.refused_odom; }
-  /// The robot has gone straight from one place to the other: what it was refused there is free.
-  void allow_passed(const Vec2& from_odom, const Vec2& to_odom);
+  /// What was refused is open again: it was no sight of an obstacle.
+  void open_refused() { state_.refused_odom.clear(); }
   /// Forgets the path, and where the robot could not get to.
   void forget_all() { state_ = {}; }
   /// The path is void; keep_up() seeks a new one.
@@ -110,7 +113,7 @@ class LocalPath {
 
  private:
   void choose_finder(const PathRequest& request);
-  void close_refused(const Grid& grid, CostmapBuilder& costs) const;
+  void close_tried(const PathRequest& request, const Grid& grid, CostmapBuilder& costs) const;
   void open_own_place(const Costmap& costs, const Vec2& place);
   bool is_cut(const PathRequest& request) const;
   bool is_open(const PathRequest& request) const;

@@ -33,6 +33,18 @@ def worlds(sample=None):
             yield path.stem, text
 
 
+# A wall across, 0.2 m thick, and in it a gap of 1.05 robot diameters, in line and 0.4 m beside it.
+GAP = """format: clew-world/1
+name: gap
+bounds: [0, 0, 8, 6]
+polygons: [[[3.9, 0], [4.1, 0], [4.1, {low}], [3.9, {low}]],
+           [[3.9, {high}], [4.1, {high}], [4.1, 6], [3.9, 6]]]
+start: [1.5, 3, 0]
+target: [6.5, 3]
+target_radius: 0.2
+"""
+
+
 class RememberedWays(unittest.TestCase):
     def run_everywhere(self, escape, sensor, sample=None):
         for world, text in worlds(sample):
@@ -44,6 +56,25 @@ class RememberedWays(unittest.TestCase):
                 solvable = "solvable: false" not in text
                 self.assertEqual(run["outcome"], "reached" if solvable else "unreachable")
                 self.assertEqual(run["collisions"], 0)
+
+    def test_a_gap_that_holds_the_robot_is_no_proof(self):
+        for sensor, graph in SENSORS.items():
+            for middle in (3.0, 3.4):
+                with self.subTest(sensor=sensor, middle=middle):
+                    world = write_file(GAP.format(low=middle - 0.1575, high=middle + 0.1575))
+                    run = run_graph(*graph, "--world", world, "--layout", "composed", "--no-hash",
+                                    "--max-ticks", "2500")
+
+                    self.assertIn(run["outcome"], ("reached", "timeout"))
+                    self.assertEqual(run["collisions"], 0)
+
+    def test_slits_narrower_than_the_robot_are_a_proof(self):
+        for graph in (SENSORS["cones"], SENSORS["laser"], ["krishna_kalra"]):
+            with self.subTest(graph=graph):
+                run = run_graph(*graph, "--world", "unsolvable-behind-wall", "--layout",
+                                "composed", "--no-hash", "--max-ticks", "6000")
+
+                self.assertEqual(run["outcome"], "unreachable")
 
     def test_the_neural_map_with_seven_cones(self):
         self.run_everywhere("remembered_map", "cones")

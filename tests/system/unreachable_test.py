@@ -21,8 +21,9 @@ ROOMS = 1000 if SOAK else {"default": 400, "any_sensor": 200, "krishna_kalra": 4
 CLOSED_ROOMS = 100 if SOAK else 16
 PLANS = 100 if SOAK else 4
 # A gap about 2 cm narrower than the robot lets it in and holds it, now here, now there: no cut
-# stands. Of 10,000 rooms krishna_kalra drives about in six until the end.
-LEAST_TOLD = {"default": 0.9, "any_sensor": 0.9, "krishna_kalra": 0.8}
+# stands, since what only holds it is no part of a cut. Of 10,000 rooms krishna_kalra drives about
+# in six until the end.
+LEAST_TOLD = {"default": 0.85, "any_sensor": 0.85, "krishna_kalra": 0.8}
 LEAST_REACHED = {"default": 1.0, "any_sensor": 1.0, "krishna_kalra": 0.999}
 LONGEST_S = 40000
 

@@ -17,7 +17,8 @@ CutProof::CutProof(double proof_s, const map::LocalPathParameters& path,
     : proof_s_(proof_s),
       tick_s_(setup.tick_s),
       replan_ticks_(static_cast<std::uint64_t>(std::ceil(kSeek_s / setup.tick_s))),
-      path_(path, setup.robot.radius_m, setup.tick_s) {}
+      path_(path, setup.robot.radius_m, setup.tick_s),
+      no_room_(setup.robot.radius_m) {}
 
 /// That of before; with the first tick it takes over what was loaded.
 map::LocalMap& CutProof::seen(const Situation& situation) {
@@ -29,30 +30,30 @@ map::LocalMap& CutProof::seen(const Situation& situation) {
 }
 
 void CutProof::watch(const Situation& situation) {
-  const core::Vec2 before_odom = std::exchange(state_.position_odom, situation.pose().position());
   if (!state_.cut) return;
   seen(situation).see(situation.odometry, situation.scan);
-  path_.allow_passed(before_odom, state_.position_odom);
+  no_room_.see(situation.odometry, situation.scan, seen_->path_cell_m());
   if (situation.tick - state_.sought_tick < replan_ticks_) return;
   state_.sought_tick = situation.tick;
-  path_.plan({situation.tick, state_.position_odom, situation.target_odom,
-              situation.target_radius_m, *seen_});
+  path_.plan({situation.tick, situation.pose().position(), situation.target_odom,
+              situation.target_radius_m, *seen_, nullptr, &no_room_});
   if (!path_.exists()) return;
   state_.cut = false;
   state_.last_look = false;
   seen_->forget();
+  no_room_.forget();
   path_.forget_all();
 }
 
-bool CutProof::close(const Situation& situation, const map::LocalPath& path) {
+bool CutProof::close(const Situation& situation, const map::NoRoom& no_room) {
   if (state_.last_look) return true;
   if (!state_.cut) {
     state_.cut = true;
     state_.since_tick = situation.tick;
     state_.sought_tick = situation.tick;
     seen(situation) = *situation.local_map;
+    no_room_ = no_room;
   }
-  for (const core::Vec2& place : path.refused_odom()) path_.refuse(place);
   state_.last_look = is_over(situation);
   return false;
 }
@@ -71,6 +72,7 @@ void CutProof::save(core::StateWriter& writer) const {
   map::SeenMap::State seen = seen_ ? seen_->seen().state() : loaded_;
   writer(state_, seen);
   path_.save(writer);
+  no_room_.save(writer);
 }
 
 void CutProof::load(core::StateReader& reader) {
@@ -78,6 +80,7 @@ void CutProof::load(core::StateReader& reader) {
   reader(state_, loaded_);
   if (!reader.check(is_valid(loaded_), "a cell of the map has two marks")) loaded_ = {};
   path_.load(reader);
+  no_room_.load(reader);
 }
 
 }  // namespace clew::recover

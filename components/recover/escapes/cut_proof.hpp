@@ -8,6 +8,7 @@
 #include "domain/setup.hpp"
 #include "map/local_map.hpp"
 #include "map/local_path.hpp"
+#include "map/no_room.hpp"
 #include "recover/situation.hpp"
 
 namespace clew::recover {
@@ -20,14 +21,16 @@ namespace clew::recover {
 /// The proof fails as soon as that old map, too, has a way: somebody has stood in it. After
 /// `proof_s` the robot looks at everything afresh for a last time, so that what closes every way
 /// then was seen after all who stood around for less had gone.
+///
+/// Only what was seen counts: hits, and places that certainly have no room for the body (NoRoom).
+/// That the robot was held somewhere is no sight of an obstacle.
 class CutProof {
  public:
   struct State {
     bool cut = false;        ///< every way was closed at `since_tick`, and has been since
     bool last_look = false;  ///< all that the robot goes by was seen after proof_s
     std::uint64_t since_tick = 0;
-    std::uint64_t sought_tick = 0;                  ///< when a way was last sought on the old map
-    core::Vec2 position_odom = core::Vec2::Zero();  ///< of the tick before
+    std::uint64_t sought_tick = 0;  ///< when a way was last sought on the old map
   };
 
   CutProof(double proof_s, const map::LocalPathParameters& path,
@@ -35,8 +38,9 @@ class CutProof {
 
   /// Takes in a tick, whether anybody escapes or not.
   void watch(const Situation& situation);
-  /// What the robot has seen closes every way. True if that is the proof; else it must look afresh.
-  bool close(const Situation& situation, const map::LocalPath& path);
+  /// What the robot has seen closes every way, with what has no room for it. True if that is the
+  /// proof; else it must look afresh.
+  bool close(const Situation& situation, const map::NoRoom& no_room);
   /// The robot must forget what it has seen and look for the last time.
   bool asks_for_last_look(const Situation& situation);
 
@@ -54,12 +58,13 @@ class CutProof {
   map::LocalPath path_;                // on what was seen before, from the first cut on
   std::optional<map::LocalMap> seen_;  // that; made with the first tick that is taken in
   map::SeenMap::State loaded_;         // of it, until then
+  map::NoRoom no_room_;                // and what was seen from near
   State state_;
 };
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, CutProof::State& s) {
-  visit(s.cut, s.last_look, s.since_tick, s.sought_tick, s.position_odom);
+  visit(s.cut, s.last_look, s.since_tick, s.sought_tick);
 }
 
 }  // namespace clew::recover

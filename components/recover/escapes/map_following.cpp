@@ -28,6 +28,7 @@ MapFollowing::MapFollowing(const Parameters& parameters, const domain::Behaviour
       limits_(setup.limits),
       held_ticks_(domain::held_ticks(parameters.held_s, parameters.held_within_m, setup)),
       path_(parameters.path, setup.robot.radius_m, setup.tick_s, std::move(search)),
+      no_room_(setup.robot.radius_m),
       proof_(parameters.proof_s, parameters.path, setup) {}
 
 void MapFollowing::begin(const Situation& situation, const TrapEvidence&) {
@@ -37,9 +38,9 @@ void MapFollowing::begin(const Situation& situation, const TrapEvidence&) {
 }
 
 EscapeStatus MapFollowing::step(const Situation& situation, domain::Guidance& guidance) {
-  const bool planned = path_.keep_up(situation.path_request());
+  const bool planned = keep_up(situation);
   if (!path_.exists()) {
-    if (!proof_.close(situation, path_)) return look_afresh(guidance);
+    if (!proof_.close(situation, no_room_)) return look_afresh(guidance);
     guidance.why = "what was seen closes every way";
     return EscapeStatus::kUnreachable;
   }
@@ -66,9 +67,33 @@ EscapeStatus MapFollowing::step(const Situation& situation, domain::Guidance& gu
   return EscapeStatus::kActive;
 }
 
+map::PathRequest MapFollowing::path_request(const Situation& situation) const {
+  map::PathRequest request = situation.path_request();
+  request.no_room = &no_room_;
+  return request;
+}
+
+/// Seeks a path where that is due. That what held the robot closes every way proves nothing: then
+/// all of that is open again.
+bool MapFollowing::keep_up(const Situation& situation) {
+  if (state_.looks_closely) look_closely(situation);
+  const bool planned = path_.keep_up(path_request(situation));
+  if (path_.exists() || path_.refused_odom().empty()) return planned;
+  state_.looks_closely = true;
+  look_closely(situation);
+  path_.open_refused();
+  path_.plan(path_request(situation));
+  return true;
+}
+
+void MapFollowing::look_closely(const Situation& situation) {
+  no_room_.see(situation.odometry, situation.scan, situation.local_map->path_cell_m());
+}
+
 /// Forgets all that was seen, and turns on the spot to see what is there now.
 EscapeStatus MapFollowing::look_afresh(domain::Guidance& guidance) {
   path_.forget_all();
+  no_room_.forget();
   guidance.has_override = true;
   guidance.override_motion.kind = domain::CommandKind::kTurnAndStep;
   guidance.override_motion.turn_rad =
@@ -77,7 +102,7 @@ EscapeStatus MapFollowing::look_afresh(domain::Guidance& guidance) {
   return EscapeStatus::kLooksAgain;
 }
 
-/// A robot that is led and stays where it is, is held by what it cannot pass.
+/// A robot that is led and stays where it is, is held by what it cannot pass, or by its guard.
 void MapFollowing::note_where_held(const Situation& situation, const core::Vec2& corner_odom) {
   const core::Vec2 here = situation.pose().position();
   if (core::length(here - state_.held_odom) > parameters_.held_within_m) {
@@ -132,12 +157,14 @@ domain::Motion MapFollowing::motion_to(const Situation& situation,
 void MapFollowing::save(core::StateWriter& writer) const {
   writer(state_);
   path_.save(writer);
+  no_room_.save(writer);
   proof_.save(writer);
 }
 
 void MapFollowing::load(core::StateReader& reader) {
   reader(state_);
   path_.load(reader);
+  no_room_.load(reader);
   proof_.load(reader);
 }
 

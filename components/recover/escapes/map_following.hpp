@@ -56,6 +56,10 @@ void visit_parameters(Visitor& visit, MapFollowingParameters& p) {
 /// The escape ends where the rest of the path hardly leads away from the target, nearer to the
 /// target than at its last end. It says `unreachable` if certain obstacles separate the robot from
 /// the target, and go on to for `proof_s` (CutProof).
+///
+/// A place that holds the robot is closed. Where such places alone close every way, nothing is
+/// proved: they are open again, the robot tries once more, and from then on notes what it certainly
+/// has no room in (NoRoom).
 class MapFollowing : public Escape {
  public:
   using Parameters = MapFollowingParameters;
@@ -66,6 +70,7 @@ class MapFollowing : public Escape {
     core::Vec2 held_odom = core::Vec2::Zero();  ///< where the robot was led from last
     std::uint64_t held_tick = 0;                ///< since when
     std::uint64_t progress_tick = 0;            ///< when that was last undercut
+    bool looks_closely = false;  ///< what holds it has closed every way once: it notes NoRoom
   };
 
   MapFollowing(const Parameters& parameters, const domain::BehaviourSetup& setup,
@@ -80,6 +85,9 @@ class MapFollowing : public Escape {
   void load(core::StateReader& reader) override;
 
  private:
+  map::PathRequest path_request(const Situation& situation) const;
+  bool keep_up(const Situation& situation);
+  void look_closely(const Situation& situation);
   EscapeStatus look_afresh(domain::Guidance& guidance);
   void note_where_held(const Situation& situation, const core::Vec2& corner_odom);
   bool gets_on(const Situation& situation, bool planned);
@@ -90,6 +98,7 @@ class MapFollowing : public Escape {
   domain::MotionLimits limits_;
   std::uint64_t held_ticks_;
   map::LocalPath path_;
+  map::NoRoom no_room_;
   CutProof proof_;
   State state_;
 };
@@ -129,7 +138,7 @@ class RememberedAStar final : public MapFollowing {
 
 template <typename Visitor>
 void visit_fields(Visitor& visit, MapFollowing::State& s) {
-  visit(s.ended_at_m, s.least_length_m, s.held_odom, s.held_tick, s.progress_tick);
+  visit(s.ended_at_m, s.least_length_m, s.held_odom, s.held_tick, s.progress_tick, s.looks_closely);
 }
 
 }  // namespace clew::recover

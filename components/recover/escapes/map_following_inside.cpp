@@ -76,7 +76,7 @@ void tell_costs(const map::Costmap& costs, const core::Vec2& place, domain::Insi
 
 void MapFollowing::tell(const Situation& situation, domain::Inside& inside) const {
   const core::Vec2 place = situation.pose().position();
-  tell_costs(path_.costs_around(situation.path_request(), kCosts_m), place, inside);
+  tell_costs(path_.costs_around(path_request(situation), kCosts_m), place, inside);
   const double still_s = static_cast<double>(situation.tick - state_.progress_tick) * tick_s_;
   inside.values.flag("path_exists", path_.exists());
   inside.values.bound("ended_last_at", state_.ended_at_m, "m");

@@ -243,6 +243,53 @@ TEST_P(RememberedWayTest, TakesAPlaceThatItDoesNotGetToForClosed) {
   EXPECT_GT(core::length(now - before), 0.03);
 }
 
+/// Before a wall across at x = 0.4 m with a gap of 1.05 diameters, in a world that ends 0.6 m
+/// beside it: the laser sees it all.
+class BeforeAGap {
+ public:
+  Situation situation(std::uint64_t tick) {
+    odometry_.pose_odom_robot = {0.15, 0.0, 0.0};
+    scan_.bearing_first_rad = core::kPi;
+    scan_.bearing_step_rad = core::radians(-1.0);
+    scan_.range_max_m = 4.0;
+    scan_.ranges_m.clear();
+    for (int i = 0; i < 360; ++i) scan_.ranges_m.push_back(range_m(core::radians(180.0 - i)));
+    return {tick, odometry_, scan_, nullptr, {3.0, 0.0}, {3.0, 0.0}, 0.2};
+  }
+
+ private:
+  /// Walls at y = -0.6 and 0.6 and at x = -0.4; that at x = 0.4 has the gap.
+  double range_m(double bearing_rad) const {
+    const core::Vec2 along = core::direction(bearing_rad);
+    double distance_m = 9.0;
+    if (along.y() != 0.0) distance_m = 0.6 / std::fabs(along.y());
+    if (along.x() < 0.0) distance_m = std::min(distance_m, -0.55 / along.x());
+    if (along.x() > 0.0) {
+      const double to_wall_m = 0.25 / along.x();
+      if (std::fabs(to_wall_m * along.y()) >= 0.1575) distance_m = std::min(distance_m, to_wall_m);
+    }
+    return std::min(4.0, distance_m - setup().robot.radius_m);
+  }
+
+  domain::Odometry odometry_;
+  domain::Scan scan_;
+};
+
+TEST_P(RememberedWayTest, NeverTakesWhatHoldsItForAProof) {
+  MapFollowing::Parameters parameters = patient();
+  parameters.held_s = 2.0;
+  parameters.proof_s = 5.0;
+  const auto escape = make(parameters);
+  BeforeAGap gap;
+  escape->begin(gap.situation(0), {});
+
+  // Held before the only way for 300 s, again and again.
+  for (std::uint64_t tick = 0; tick < 600; ++tick) {
+    ASSERT_NE(memory_.tick(*escape, gap.situation(tick)).status, EscapeStatus::kUnreachable)
+        << tick;
+  }
+}
+
 TEST_P(RememberedWayTest, GoesOnTheSameAfterSavingAndLoading) {
   const auto escape = make();
   escape->begin(before_a_wall().situation(), {});
