@@ -16,8 +16,6 @@ constexpr double kFarthest = 1e9;
 constexpr double kNear_radii = 2.0;
 // The body is taken to be smaller by this, for what readings round away.
 constexpr double kSlack_m = 0.001;
-// What the bumpers feel is within a centimetre: so far beyond the skin, and that much off at most.
-constexpr double kContactReach_m = 0.005;
 
 std::int64_t floor_div(std::int64_t number) {
   return (number >= 0 ? number : number - kParts + 1) / kParts;
@@ -48,19 +46,6 @@ void NoRoom::see(const domain::Odometry& odometry, const domain::Scan& scan, dou
     close({robot + distance_m * core::direction(bearing_rad - half_rad),
            robot + distance_m * core::direction(bearing_rad + half_rad), body_m},
           first, side, part_m);
-  }
-  const double touched_m = radius_m_ + kContactReach_m;
-  for (const double bearing_rad : odometry.contact_bearings_rad) {
-    const Vec2 place = robot + touched_m * core::direction(pose.heading_rad + bearing_rad);
-    close({place, place, body_m - kContactReach_m}, first, side, part_m);
-  }
-  if (std::find(closed_.begin(), closed_.end(), 1) == closed_.end()) {
-    // Nothing is near: whoever was has gone.
-    const double near_m = kNear_radii * radius_m_;
-    for (auto it = state_.parts.begin(); it != state_.parts.end();) {
-      const Vec2 middle = cell_m * Vec2(it->first.second + 0.5, it->first.first + 0.5);
-      it = core::length(middle - robot) < near_m ? state_.parts.erase(it) : std::next(it);
-    }
   }
   keep(first, side);
   const auto cell = [&](double at) { return static_cast<std::int32_t>(std::floor(at / cell_m)); };

@@ -80,21 +80,6 @@ TEST(NoRoom, ClosesOnlyWhatIsClosedWhereverOnItsArcTheObstacleIs) {
   EXPECT_LT(closed_rows(no_room), 8U);
 }
 
-TEST(NoRoom, ClosesWhatIsBetweenTwoThingsThatTheBumpersFeel) {
-  Look look(-0.1, 0.25);
-  look.scan.ranges_m.assign(181, 4.0);
-  // Ends of the wall 0.22 m apart, at the skin.
-  look.odometry.pose_odom_robot.x_m = -std::sqrt(0.155 * 0.155 - 0.11 * 0.11);
-  const double bearing_rad = std::asin(0.11 / 0.155);
-  look.odometry.contact_bearings_rad.push_back(bearing_rad);
-  look.odometry.contact_bearings_rad.push_back(-bearing_rad);
-  NoRoom no_room(kRadius_m);
-
-  no_room.see(look.odometry, look.scan, kCell_m);
-
-  EXPECT_GE(closed_rows(no_room), 4U);
-}
-
 TEST(NoRoom, OpensTheCellThatTheRobotIsIn) {
   NoRoom no_room(kRadius_m);
   const Look look(-0.1, 0.25);
