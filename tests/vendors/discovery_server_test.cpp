@@ -85,7 +85,7 @@ class DiscoveryServerTest : public testing::Test {
     // later find it, and are the server's clients.
     Peer first;
     first.join(domain_.number(), "first", std::nullopt);
-    setenv("ROS_DISCOVERY_SERVER", ("127.0.0.1:" + std::to_string(kPort)).c_str(), 1);
+    setenv("ROS_DISCOVERY_SERVER", ("127.0.0.1:" + std::to_string(port())).c_str(), 1);
   }
   void TearDown() override { unsetenv("ROS_DISCOVERY_SERVER"); }
 
@@ -117,14 +117,16 @@ class DiscoveryServerTest : public testing::Test {
     return *minted;
   }
 
-  static constexpr int kPort = 11837;
+  /// The server's: of this domain alone, since tests run side by side, and below those of DDS.
+  int port() const { return 5100 + domain_.number(); }
+
   TestDomain domain_;
   Peer writer_;
   Peer reader_;
 };
 
 TEST_F(DiscoveryServerTest, OpenClientsMeetThroughIt) {
-  const DiscoveryServer server(kPort, {});
+  const DiscoveryServer server(port(), {});
   open_pair(nullptr);
   EXPECT_TRUE(writer_.discovery.wait_for_matches(1));
   EXPECT_TRUE(reader_.discovery.wait_for_matches(1));
@@ -136,7 +138,7 @@ TEST_F(DiscoveryServerTest, OpenClientsDoNotMeetWithoutIt) {
 }
 
 TEST_F(DiscoveryServerTest, SecuredClientsDoNotMeetThroughAnOpenOne) {
-  const DiscoveryServer server(kPort, {});
+  const DiscoveryServer server(port(), {});
   open_pair(mint());
   expect_that_they_never_meet();
   EXPECT_TRUE(server.runs());
@@ -161,7 +163,7 @@ TEST_F(DiscoveryServerTest, SecuredClientsDoNotMeetThroughASecuredOne) {
          "<builtin><discovery_config><discoveryProtocol>SERVER</discoveryProtocol>"
          "</discovery_config></builtin><propertiesPolicy><properties>"
       << properties << "</properties></propertiesPolicy></rtps></participant></profiles>";
-  const DiscoveryServer server(kPort, {"-x", profile});
+  const DiscoveryServer server(port(), {"-x", profile});
   open_pair(security);
   expect_that_they_never_meet();
   EXPECT_TRUE(server.runs());
