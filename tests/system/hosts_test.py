@@ -3,6 +3,7 @@
 after the loss of the host. Only computers of one authority meet. Hosts are `clew host` over
 loopback, and two network namespaces with a slow and lossy cable between them."""
 import contextlib
+import fcntl
 import itertools
 import json
 import os
@@ -15,8 +16,7 @@ import subprocess
 import tempfile
 import unittest
 
-from clew_command import (CLEW, Run, command_line, processes_of_session, run_graph, start,
-                          wait_until)
+from clew_command import CLEW, Run, command_line, processes_of_session, run_graph, start, wait_until
 
 RUN = ["krishna_kalra", "--world", "u-trap", "--max-ticks", "300"]
 ENDLESS = ["krishna_kalra", "--world", "unsolvable-behind-wall", "--with", "recover.detector=none",
@@ -59,7 +59,8 @@ class Host:
 
     def __init__(self, identity, listen="127.0.0.1:0", prefix=(), options=()):
         # Its end is written to, wherever text() reads: both have one position in it.
-        self.log = tempfile.TemporaryFile(mode="a+")
+        self.log = tempfile.TemporaryFile(mode="w+")
+        fcntl.fcntl(self.log, fcntl.F_SETFL, fcntl.fcntl(self.log, fcntl.F_GETFL) | os.O_APPEND)
         self.process = subprocess.Popen(
             [*prefix, CLEW, "host", "--identity", identity, "--listen", listen, *options], text=True,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self.log,
