@@ -12,7 +12,7 @@ drift_table = load_tool("drift-table")
 
 def result(world, sigmas, success, path_m, text_hash):
     """A run, as a bench writes it."""
-    return {"graph": "g", "world": world, "success": success, "path_length_m": path_m,
+    return {"graph": "g", "world": world, "seed": 1, "success": success, "path_length_m": path_m,
             "traps_detected": sigmas, "hash": text_hash,
             "variant": f"drive.drift_rad_per_sqrt_m=0.03 recover.detector.drift_sigmas={sigmas}"}
 
